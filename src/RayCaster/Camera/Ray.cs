@@ -1,0 +1,39 @@
+namespace RayCaster;
+
+/// <summary>A ray X(t) = P + t d on its way through the scene, and the nearest thing it has met so far (slide "Ray").</summary>
+/// <param name="origin">P.</param>
+/// <param name="direction">d, of length 1, so that the parameter t is a distance.</param>
+public sealed class Ray(Vector3 origin, Vector3 direction)
+{
+    /// <summary>P, where the ray starts.</summary>
+    public Vector3 Origin { get; } = origin;
+
+    /// <summary>d, of length 1.</summary>
+    public Vector3 Direction { get; } = direction;
+
+    /// <summary>Which crossings count; for a ray without a camera all that are not behind its origin.</summary>
+    public ClipRange Clip { get; init; } = ClipRange.Everything;
+
+    /// <summary>What z, which the clip planes measure, gains for one unit of t.</summary>
+    public double ZPerT { get; init; } = 1;
+
+    /// <summary>The t of the nearest crossing met so far; +∞ before the first.</summary>
+    public double HitParameter { get; private set; } = double.PositiveInfinity;
+
+    /// <summary>The model met there, or null.</summary>
+    public Model? HitModel { get; private set; }
+
+    /// <summary>The point X(t) = P + t d.</summary>
+    public Vector3 At(double t) => Origin + t * Direction;
+
+    /// <summary>Whether a crossing at t counts: not behind, beyond the bias, within the clip range. False for NaN.</summary>
+    public bool Counts(double t) => Clip.Counts<Scalar>(t, ZPerT) != 0;
+
+    /// <summary>Meets a model: keeps it if its hit is nearer than all before, so of equal ones the first met stays.</summary>
+    public void Meet(Model model)
+    {
+        if (model.Intersect(this) is not { } t || !(t < HitParameter)) return;
+        HitParameter = t;
+        HitModel = model;
+    }
+}

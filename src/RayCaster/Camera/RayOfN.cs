@@ -1,0 +1,21 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster;
+
+/// <summary>The rays X(t) = P + t d that a formula is asked about: one, a packet, all those of a region, or one to be explained.</summary>
+/// <typeparam name="N">The kind of number.</typeparam>
+/// <param name="origin">P.</param>
+/// <param name="direction">d, of length 1, so that t is a distance.</param>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+public readonly struct Ray<N>(Vector3<N> origin, Vector3<N> direction) where N : struct, IReal<N>
+{
+    /// <summary>P, where the ray starts.</summary>
+    public readonly Vector3<N> Origin = origin;
+
+    /// <summary>d, of length 1.</summary>
+    public readonly Vector3<N> Direction = direction;
+
+    /// <summary>The point X(t) = P + t d (slide "Ray").</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3<N> At(N t) => Origin + t * Direction;
+}

@@ -1,0 +1,71 @@
+namespace RayCaster;
+
+/// <summary>
+/// The kind of number that a primitive's formula is written over. The formula stands once; what it does is decided by the
+/// number: one double gives the definition, a packet of doubles draws several pixels at once, an interval tells
+/// what a whole region of rays can hit, and a number that writes down what it computes explains a pixel.
+/// </summary>
+/// <remarks>
+/// <para>The operations are IEEE 754's on doubles, each rounded once, in the written order; so every kind that holds doubles
+/// computes the same bits. There is no fused multiply-add on purpose: it would round differently.</para>
+/// <para>"No crossing" is NaN (not a number), and every comparison with NaN is false. A comparison gives a mask,
+/// which is good only for <c>&amp;</c>, <c>|</c>, <see cref="If"/> and <see cref="Select"/>: a packet has several answers at once,
+/// so a formula chooses where other code would branch.</para>
+/// </remarks>
+/// <typeparam name="N">The number itself.</typeparam>
+public interface IReal<N> where N : struct, IReal<N>
+{
+    /// <summary>A constant of the formula.</summary>
+    static abstract implicit operator N(double value);
+
+    /// <summary>Sum.</summary>
+    static abstract N operator +(N a, N b);
+
+    /// <summary>Difference.</summary>
+    static abstract N operator -(N a, N b);
+
+    /// <summary>The number with the other sign.</summary>
+    static abstract N operator -(N a);
+
+    /// <summary>Product.</summary>
+    static abstract N operator *(N a, N b);
+
+    /// <summary>Quotient; x / 0 is infinite, 0 / 0 is NaN.</summary>
+    static abstract N operator /(N a, N b);
+
+    /// <summary>Where a is less than b; false where either is NaN.</summary>
+    static abstract N operator <(N a, N b);
+
+    /// <summary>Where a is greater than b; false where either is NaN.</summary>
+    static abstract N operator >(N a, N b);
+
+    /// <summary>Where a is less than or equal to b; false where either is NaN.</summary>
+    static abstract N operator <=(N a, N b);
+
+    /// <summary>Where a is greater than or equal to b; false where either is NaN.</summary>
+    static abstract N operator >=(N a, N b);
+
+    /// <summary>Where both masks hold.</summary>
+    static abstract N operator &(N a, N b);
+
+    /// <summary>Where at least one mask holds.</summary>
+    static abstract N operator |(N a, N b);
+
+    /// <summary>The square root; NaN of a negative number.</summary>
+    static abstract N Sqrt(N x);
+
+    /// <summary>The lesser, as <see cref="Math.Min(double, double)"/>: NaN if either is, and −0 is less than 0.</summary>
+    static abstract N Min(N a, N b);
+
+    /// <summary>The greater, as <see cref="Math.Max(double, double)"/>: NaN if either is, and 0 is greater than −0.</summary>
+    static abstract N Max(N a, N b);
+
+    /// <summary><paramref name="a"/> where the mask holds, <paramref name="b"/> elsewhere.</summary>
+    static abstract N Select(N mask, N a, N b);
+
+    /// <summary><paramref name="value"/> where the mask holds, elsewhere NaN: "a crossing here, if …".</summary>
+    static virtual N If(N mask, N value) => N.Select(mask, value, double.NaN);
+
+    /// <summary><paramref name="value"/> where it is a number, <paramref name="instead"/> where it is NaN.</summary>
+    static virtual N Or(N value, N instead) => N.Select(value <= double.PositiveInfinity, value, instead);
+}

@@ -1,0 +1,62 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster;
+
+/// <summary>One double: with it a formula is the definition, which every other kind of number must agree with.</summary>
+/// <param name="Value">The number; as a mask 1 for true and 0 for false.</param>
+public readonly record struct Scalar(double Value) : IReal<Scalar>
+{
+    /// <inheritdoc/>
+    public static implicit operator Scalar(double value) => new(value);
+
+    /// <summary>The double itself.</summary>
+    public static implicit operator double(Scalar scalar) => scalar.Value;
+
+    /// <inheritdoc/>
+    public static Scalar operator +(Scalar a, Scalar b) => new(a.Value + b.Value);
+
+    /// <inheritdoc/>
+    public static Scalar operator -(Scalar a, Scalar b) => new(a.Value - b.Value);
+
+    /// <inheritdoc/>
+    public static Scalar operator -(Scalar a) => new(-a.Value);
+
+    /// <inheritdoc/>
+    public static Scalar operator *(Scalar a, Scalar b) => new(a.Value * b.Value);
+
+    /// <inheritdoc/>
+    public static Scalar operator /(Scalar a, Scalar b) => new(a.Value / b.Value);
+
+    /// <inheritdoc/>
+    public static Scalar operator <(Scalar a, Scalar b) => Mask(a.Value < b.Value);
+
+    /// <inheritdoc/>
+    public static Scalar operator >(Scalar a, Scalar b) => Mask(a.Value > b.Value);
+
+    /// <inheritdoc/>
+    public static Scalar operator <=(Scalar a, Scalar b) => Mask(a.Value <= b.Value);
+
+    /// <inheritdoc/>
+    public static Scalar operator >=(Scalar a, Scalar b) => Mask(a.Value >= b.Value);
+
+    /// <inheritdoc/>
+    public static Scalar operator &(Scalar a, Scalar b) => Mask(a.Value != 0 && b.Value != 0);
+
+    /// <inheritdoc/>
+    public static Scalar operator |(Scalar a, Scalar b) => Mask(a.Value != 0 || b.Value != 0);
+
+    /// <inheritdoc/>
+    public static Scalar Sqrt(Scalar x) => new(Math.Sqrt(x.Value));
+
+    /// <inheritdoc/>
+    public static Scalar Min(Scalar a, Scalar b) => new(Math.Min(a.Value, b.Value));
+
+    /// <inheritdoc/>
+    public static Scalar Max(Scalar a, Scalar b) => new(Math.Max(a.Value, b.Value));
+
+    /// <inheritdoc/>
+    public static Scalar Select(Scalar mask, Scalar a, Scalar b) => mask.Value != 0 ? a : b;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Scalar Mask(bool holds) => new(holds ? 1 : 0);
+}

@@ -1,0 +1,45 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster;
+
+/// <summary><see cref="Vector3"/> over any kind of number, with the same operators: what a primitive's formula computes with.</summary>
+/// <typeparam name="N">The kind of number.</typeparam>
+/// <param name="x">The x coordinate.</param>
+/// <param name="y">The y coordinate.</param>
+/// <param name="z">The z coordinate.</param>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
+{
+    /// <summary>The x coordinate.</summary>
+    public readonly N X = x;
+
+    /// <summary>The y coordinate.</summary>
+    public readonly N Y = y;
+
+    /// <summary>The z coordinate.</summary>
+    public readonly N Z = z;
+
+    /// <summary>A constant vector, the same for every ray.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static implicit operator Vector3<N>(Vector3 v) => new(v.X, v.Y, v.Z);
+
+    /// <summary>Sum.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<N> operator +(Vector3<N> a, Vector3<N> b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+
+    /// <summary>The way from point b to point a.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<N> operator -(Vector3<N> a, Vector3<N> b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
+
+    /// <summary>Stretches a vector by a number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<N> operator *(N b, Vector3<N> a) => new(b * a.X, b * a.Y, b * a.Z);
+
+    /// <summary>Divides each coordinate.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<N> operator /(Vector3<N> a, N b) => new(a.X / b, a.Y / b, a.Z / b);
+
+    /// <summary>Dot product.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static N operator *(Vector3<N> a, Vector3<N> b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+}

@@ -1,0 +1,23 @@
+namespace RayCaster;
+
+/// <summary>A colour by its light, not by its bytes: 1 is full intensity, more is allowed and clamped only in the picture.</summary>
+/// <param name="R">Red, at least 0.</param>
+/// <param name="G">Green, at least 0.</param>
+/// <param name="B">Blue, at least 0.</param>
+public readonly record struct Color(double R, double G, double B)
+{
+    /// <summary>No light: the background of a scene that names none.</summary>
+    public static Color Black => default;
+
+    /// <summary>Full intensity: the colour of a model that names none.</summary>
+    public static Color White => new(1, 1, 1);
+
+    /// <summary>The same colour in more or less light.</summary>
+    public static Color operator *(double attenuation, Color color) =>
+        new(attenuation * color.R, attenuation * color.G, attenuation * color.B);
+
+    /// <summary>The three bytes of a pixel: each channel clamped to 0 … 1, times 255, rounded to nearest; no gamma.</summary>
+    public (byte R, byte G, byte B) ToBytes() => (ToByte(R), ToByte(G), ToByte(B));
+
+    private static byte ToByte(double channel) => (byte)(Math.Clamp(channel, 0, 1) * 255 + 0.5);
+}

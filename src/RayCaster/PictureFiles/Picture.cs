@@ -1,0 +1,33 @@
+namespace RayCaster;
+
+/// <summary>A picture in memory: 8 bits each of red, green and blue, line 0 at the top.</summary>
+/// <param name="width">Pixels in a line, at least 1.</param>
+/// <param name="height">Lines, at least 1.</param>
+public sealed class Picture(int width, int height)
+{
+    /// <summary>Pixels in a line.</summary>
+    public int Width { get; } = width;
+
+    /// <summary>Lines.</summary>
+    public int Height { get; } = height;
+
+    /// <summary>Width · Height · 3 bytes: red, green, blue; from left to right, then from top to bottom.</summary>
+    public byte[] Rgb { get; } = new byte[checked(width * height * 3)];
+
+    /// <summary>A pixel's three bytes.</summary>
+    /// <param name="x">The column, from the left.</param>
+    /// <param name="y">The line, from the top.</param>
+    public (byte R, byte G, byte B) this[int x, int y]
+    {
+        get
+        {
+            var i = (y * Width + x) * 3;
+            return (Rgb[i], Rgb[i + 1], Rgb[i + 2]);
+        }
+        set
+        {
+            var i = (y * Width + x) * 3;
+            (Rgb[i], Rgb[i + 1], Rgb[i + 2]) = value;
+        }
+    }
+}

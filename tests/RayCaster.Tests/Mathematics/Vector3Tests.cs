@@ -1,0 +1,12 @@
+namespace RayCaster.Tests.Mathematics;
+
+public class Vector3Tests
+{
+    [Theory]
+    [InlineData(3e-200, 4e-200, 5e-200)]
+    [InlineData(3e200, -4e200, 5e200)]
+    [InlineData(0, -2, 2)]
+    [InlineData(0, 0, 0)]
+    public void LengthSurvivesSquaresThatLeaveTheRangeOfADouble(double x, double y, double length) =>
+        Assert.Equal(length, new Vector3(0, x, y).Length);
+}
