@@ -38,4 +38,11 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
         var inside = ((u >= 0) & (v >= 0) & (w >= 0)) | ((u <= 0) & (v <= 0) & (w <= 0));
         return new(N.If(inside, t));
     }
+
+    /// <summary>Whether three points span no area: |e1 × e2| ≤ 1e-12 · (longest side)², so that it does not depend on the unit of length.</summary>
+    public static bool IsOnOneLine(Vector3 a, Vector3 b, Vector3 c)
+    {
+        var longest = Math.Max((b - a).Length, Math.Max((c - b).Length, (a - c).Length));
+        return ((b - a) % (c - a)).Length <= 1e-12 * longest * longest;
+    }
 }

@@ -1,0 +1,28 @@
+namespace RayCaster;
+
+/// <summary>Triangles that share their corners, as one model (slide "Triangle mesh").</summary>
+/// <param name="vertices">The corners.</param>
+/// <param name="indices">Three places in <paramref name="vertices"/> for each triangle, in file order.</param>
+public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
+{
+    /// <summary>How many triangles the mesh has.</summary>
+    public int TriangleCount => indices.Length / 3;
+
+    /// <summary>A triangle by its place in the file, from 0.</summary>
+    public Triangle this[int triangle] =>
+        new(vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);
+
+    /// <summary>The nearest of the hits of all triangles; of equal ones the first triangle's.</summary>
+    public override double? Intersect(Ray ray)
+    {
+        double? nearest = null;
+        var formulaRay = new Ray<Scalar>(ray.Origin, ray.Direction);
+        var along = new AlongRay<Scalar>(formulaRay);
+        for (var i = 0; i < TriangleCount; i++)
+        {
+            double t = ray.Clip.First(this[i].Cross(formulaRay, along), (Scalar)ray.ZPerT);
+            if (t < (nearest ?? double.PositiveInfinity)) nearest = t;
+        }
+        return nearest;
+    }
+}
