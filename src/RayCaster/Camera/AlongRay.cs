@@ -2,13 +2,19 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>The view along a ray: space pushed along d onto the coordinate plane that lies most across d, so that the ray is the point (0, 0).</summary>
+/// <summary>
+/// The view along a ray: the axes are renamed so that d follows z most, and space is pushed along d onto the plane z = 0. There the ray
+/// is the point (0, 0), and what it passes lies around that point.
+/// </summary>
 /// <typeparam name="N">The kind of number.</typeparam>
 internal readonly struct AlongRay<N> where N : struct, IReal<N>
 {
     private readonly Vector3<N> origin;
-    private readonly N alongX, alongY;       // masks: the axis that d follows most
-    private readonly N slopeX, slopeY;       // how far d moves sideways for one step along that axis
+    private readonly N mostlyX, ratherY;     // masks: which axis d follows most; neither means z
+    private readonly N slopeX, slopeY;       // how far the ray moves sideways for one step along z
+
+    /// <summary>What z gains for one unit of t.</summary>
+    public readonly N ZPerT;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public AlongRay(in Ray<N> ray)
@@ -16,24 +22,24 @@ internal readonly struct AlongRay<N> where N : struct, IReal<N>
         var d = ray.Direction;
         var (x, y, z) = (N.Max(d.X, -d.X), N.Max(d.Y, -d.Y), N.Max(d.Z, -d.Z));
         origin = ray.Origin;
-        alongX = (x >= y) & (x >= z);
-        alongY = y >= z;
-        var turned = Turn(d);
-        (slopeX, slopeY) = (turned.X / turned.Z, turned.Y / turned.Z);
+        mostlyX = (x >= y) & (x >= z);
+        ratherY = y >= z;
+        d = Turn(d);
+        (slopeX, slopeY, ZPerT) = (d.X / d.Z, d.Y / d.Z, d.Z);
     }
 
-    /// <summary>Where a point is seen.</summary>
+    /// <summary>Where a point is seen: X and Y across the ray, Z along it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public (N X, N Y) See(Vector3<N> point)
+    public Vector3<N> See(Vector3<N> point)
     {
         var p = Turn(point - origin);
-        return (p.X - slopeX * p.Z, p.Y - slopeY * p.Z);
+        return new(p.X - slopeX * p.Z, p.Y - slopeY * p.Z, p.Z);
     }
 
-    /// <summary>Names the axes anew, in a cycle that keeps their handedness, so that d follows z most.</summary>
+    /// <summary>Renames the axes in a cycle, which keeps their handedness.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector3<N> Turn(Vector3<N> p) => new(
-        N.Select(alongX, p.Y, N.Select(alongY, p.Z, p.X)),
-        N.Select(alongX, p.Z, N.Select(alongY, p.X, p.Y)),
-        N.Select(alongX, p.X, N.Select(alongY, p.Y, p.Z)));
+        N.Select(mostlyX, p.Y, N.Select(ratherY, p.Z, p.X)),
+        N.Select(mostlyX, p.Z, N.Select(ratherY, p.X, p.Y)),
+        N.Select(mostlyX, p.X, N.Select(ratherY, p.Y, p.Z)));
 }

@@ -48,6 +48,7 @@ public sealed class Camera
         V = W % U;
         PlaneHeight = 2 * Math.Tan(FovY * Math.PI / 180 / 2);
         PlaneWidth = PlaneHeight * Width / Height;
+        Reach = (2 * (Target - Position)).Length;
         ClipRange = new ClipRange(Bias, ZNear, ZFar);
     }
 
@@ -98,6 +99,9 @@ public sealed class Camera
 
     /// <summary>w = h · width / height.</summary>
     public double PlaneWidth { get; }
+
+    /// <summary>2 |T − P|: the distance at which all light is lost.</summary>
+    public double Reach { get; }
 
     /// <summary>Bias, zNear and zFar as one question.</summary>
     public ClipRange ClipRange { get; }

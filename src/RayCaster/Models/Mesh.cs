@@ -5,6 +5,8 @@ namespace RayCaster;
 /// <param name="indices">Three places in <paramref name="vertices"/> for each triangle, in file order.</param>
 public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
 {
+    private readonly Lazy<Hierarchy> hierarchy = new(() => new Hierarchy(vertices, indices));
+
     /// <summary>How many triangles the mesh has.</summary>
     public int TriangleCount => indices.Length / 3;
 
@@ -16,13 +18,19 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
     public override double? Intersect(Ray ray)
     {
         double? nearest = null;
-        var formulaRay = new Ray<Scalar>(ray.Origin, ray.Direction);
-        var along = new AlongRay<Scalar>(formulaRay);
+        var along = new AlongRay<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
         for (var i = 0; i < TriangleCount; i++)
         {
-            double t = ray.Clip.First(this[i].Cross(formulaRay, along), (Scalar)ray.ZPerT);
+            double t = ray.Clip.First(this[i].Cross(along), (Scalar)ray.ZPerT);
             if (t < (nearest ?? double.PositiveInfinity)) nearest = t;
         }
         return nearest;
+    }
+
+    /// <inheritdoc/>
+    internal override void Meet(RaySpan span, int index)
+    {
+        for (var i = 0; i < span.PacketCount; i++)
+            span.Keep(i, hierarchy.Value.Nearest(span, i), index);
     }
 }

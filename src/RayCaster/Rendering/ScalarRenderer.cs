@@ -9,8 +9,13 @@ public static class ScalarRenderer
         var camera = scene.Camera;
         var picture = new Picture(camera.Width, camera.Height);
         for (var row = 0; row < camera.Height; row++)
+        {
             for (var column = 0; column < camera.Width; column++)
-                picture[column, camera.Height - 1 - row] = Shade(scene, Cast(scene, column, row)).ToBytes();
+            {
+                var ray = Cast(scene, column, row);
+                picture[column, camera.Height - 1 - row] = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
+            }
+        }
         return picture;
     }
 
@@ -23,14 +28,5 @@ public static class ScalarRenderer
         var ray = scene.Camera.CastRay(column, row);
         foreach (var model in scene.Models) ray.Meet(model);
         return ray;
-    }
-
-    /// <summary>Slide "Attenuation": the farther the hit, the darker; black from twice the distance of the target on.</summary>
-    public static Color Shade(Scene scene, Ray ray)
-    {
-        if (ray.HitModel is null) return scene.Background;
-        var (Position, Target) = (scene.Camera.Position, scene.Camera.Target);
-        var attenuation = Math.Max(0, 1 - ray.HitParameter / (2 * (Target - Position)).Length);
-        return attenuation * ray.HitModel.Color;
     }
 }

@@ -4,4 +4,13 @@ namespace RayCaster;
 /// <param name="Camera">Where the picture is taken from.</param>
 /// <param name="Models">What the world holds; of two models at the same distance the first shows.</param>
 /// <param name="Background">The colour of a pixel whose ray hits nothing.</param>
-public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Background = default);
+public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Background = default)
+{
+    /// <summary>Slide "Attenuation": the farther the hit, the darker; black from twice the target's distance on.</summary>
+    /// <param name="t">The parameter of the nearest hit.</param>
+    /// <param name="model">The model hit there; null for none, which shows the background, not attenuated.</param>
+    public Color Shade(double t, Model? model) => model is null ? Background : Attenuation(t) * model.Color;
+
+    /// <summary>1 − t / (2 |T − P|), not below 0.</summary>
+    public double Attenuation(double t) => Math.Max(0, 1 - t / Camera.Reach);
+}

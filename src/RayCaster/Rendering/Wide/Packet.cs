@@ -1,0 +1,87 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster;
+
+/// <summary>Four doubles, one for each of four pixels side by side: a formula over it gives each lane the bits that <see cref="Scalar"/> gives.</summary>
+/// <param name="lanes">The numbers; as a mask all bits of a lane set for true, none for false.</param>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal readonly struct Packet(Vector256<double> lanes) : IReal<Packet>
+{
+    /// <summary>How many pixels there are in a packet.</summary>
+    public const int Count = 4;
+
+    public readonly Vector256<double> Lanes = lanes;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static implicit operator Packet(double value) => new(Vector256.Create(value));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator +(Packet a, Packet b) => new(a.Lanes + b.Lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator -(Packet a, Packet b) => new(a.Lanes - b.Lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator -(Packet a) => new(-a.Lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator *(Packet a, Packet b) => new(a.Lanes * b.Lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator /(Packet a, Packet b) => new(a.Lanes / b.Lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator <(Packet a, Packet b) => new(Vector256.LessThan(a.Lanes, b.Lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator >(Packet a, Packet b) => new(Vector256.GreaterThan(a.Lanes, b.Lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator <=(Packet a, Packet b) => new(Vector256.LessThanOrEqual(a.Lanes, b.Lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator >=(Packet a, Packet b) => new(Vector256.GreaterThanOrEqual(a.Lanes, b.Lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator &(Packet a, Packet b) => new(a.Lanes & b.Lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet operator |(Packet a, Packet b) => new(a.Lanes | b.Lanes);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet Sqrt(Packet x) => new(Vector256.Sqrt(x.Lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet Min(Packet a, Packet b) => new(Vector256.Min(a.Lanes, b.Lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet Max(Packet a, Packet b) => new(Vector256.Max(a.Lanes, b.Lanes));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet Select(Packet mask, Packet a, Packet b) => new(Vector256.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes));
+
+    /// <summary>Where a equals b; false where either is NaN.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet Equal(Packet a, Packet b) => new(Vector256.Equals(a.Lanes, b.Lanes));
+
+    /// <summary>Whether a mask holds in any lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool Any(Packet mask) => mask.Lanes.ExtractMostSignificantBits() != 0;
+
+    /// <summary>Whether a mask holds in every lane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool All(Packet mask) => mask.Lanes.ExtractMostSignificantBits() == (1 << Count) - 1;
+
+    /// <summary>first, first + 1, first + 2, first + 3.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet Sequence(int first) => new(Vector256.Create((double)first) + Vector256.Create(0.0, 1, 2, 3));
+
+    /// <summary>The packet at a place in an array of numbers, counted in packets.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet Load(double[] numbers, int packet) => new(Vector256.LoadUnsafe(ref numbers[packet * Count]));
+
+    /// <summary>Puts the packet back at its place.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Store(double[] numbers, int packet) => Lanes.StoreUnsafe(ref numbers[packet * Count]);
+}
