@@ -120,7 +120,11 @@ internal sealed class Hierarchy
         {
             var cut = CheapestCut(bounds, first, end, BinOf);
             for (var i = first; i < end; i++)
-                if (BinOf(order[i]) < cut) (order[i], order[middle++]) = (order[middle], order[i]);
+            {
+                if (BinOf(order[i]) >= cut) continue;
+                (order[i], order[middle]) = (order[middle], order[i]);
+                middle++;
+            }
         }
         // Duplicates in one place, or parts so uneven that the tree would not end: halves.
         return middle > first && middle < end ? (axis, middle) : (axis, (first + end) / 2);

@@ -1,0 +1,59 @@
+namespace RayCaster.Tests.Numbers;
+
+/// <summary>The primitives' own formulas over intervals tell what a whole region of rays can meet.</summary>
+public class IntervalTests
+{
+    public static TheoryData<string> Shapes => new(Primitives.Keys);
+
+    private static readonly Dictionary<string, IPrimitive> Primitives = new()
+    {
+        ["plane"] = new Plane(new(-5, 0, 0), new(1, 0, 0.2)),
+        ["sphere"] = new Sphere(new(0, 1, -1), 2),
+        ["aabb"] = new Aabb(new(-2, -1, -1), new(1, 2, 1)),
+        ["circle"] = new Circle(new(1, 0, 0), new(1, 0.3, 0), 2),
+        ["triangle"] = new Triangle(new(0, -2, -1), new(0, 2, -1), new(1, 0, 3)),
+    };
+
+    [Theory]
+    [MemberData(nameof(Shapes))]
+    public void AnIntervalHoldsTheCrossingsOfEveryRayInIt(string shape)
+    {
+        var random = new Random(7);
+        for (var i = 0; i < 300; i++)
+        {
+            var (y, z) = (random.NextDouble() - 0.5, random.NextDouble() - 0.5);
+            var region = Region(y, z, Math.Pow(2, -random.Next(1, 8)));
+            var bounds = Primitives[shape].Cross(region);
+            for (var j = 0; j < 30; j++)
+            {
+                var d = new Vector3(Inside(region.Direction.X), Inside(region.Direction.Y), Inside(region.Direction.Z));
+                var crossings = Primitives[shape].Cross(new Ray<Scalar>(new Vector3(20, 0, 0), d));
+                Assert.True(bounds.Near.Contains(crossings.Near), $"near {crossings.Near} of the ray along {d} is not in {bounds.Near}");
+                Assert.True(bounds.Far.Contains(crossings.Far), $"far {crossings.Far} of the ray along {d} is not in {bounds.Far}");
+            }
+        }
+
+        double Inside(Interval x) => x.Lo + random.NextDouble() * (x.Hi - x.Lo);
+    }
+
+    [Theory]
+    [InlineData("sphere")]
+    [InlineData("aabb")]
+    [InlineData("circle")]
+    public void ARegionFarBesideABoundedShapeSurelyMissesIt(string shape) =>
+        Assert.True(Primitives[shape].Cross(Region(0.4, 0.4, 0.02)).Near.IsSurelyNaN);
+
+    [Theory]
+    [MemberData(nameof(Shapes))]
+    public void ANarrowRegionHasANarrowRangeOfT(string shape)
+    {
+        var near = Primitives[shape].Cross(Region(0.003, 0.002, 1e-6)).Near;
+        Assert.False(near.MayBeNaN);
+        Assert.InRange(near.Hi - near.Lo, 0, 0.01);
+    }
+
+    /// <summary>The rays from (20, 0, 0) towards −x that lie about (y, z) on the picture plane; their directions need not have length 1 to be a test.</summary>
+    private static Ray<Interval> Region(double y, double z, double size) => new(
+        new Vector3(20, 0, 0),
+        new Vector3<Interval>(new(-1 - size / 8, -1 + size / 8), new(y - size / 2, y + size / 2), new(z - size / 2, z + size / 2)));
+}
