@@ -1,0 +1,58 @@
+namespace RayCaster;
+
+/// <summary>Reads meshes that other programs write.</summary>
+public static class MeshFile
+{
+    /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
+    /// <param name="path">The file, less than 2 GiB.</param>
+    /// <exception cref="MeshFileException">The file is not there, is of another kind, or is broken.</exception>
+    public static MeshData Read(string path)
+    {
+        var reader = ReaderOf(path);
+        return reader(new MeshSource(path, ReadBytes(path)));
+    }
+
+    /// <summary>Reads a mesh from the bytes that a file of this name would hold.</summary>
+    internal static MeshData Parse(string path, byte[] bytes) => ReaderOf(path)(new MeshSource(path, bytes));
+
+    private static Func<MeshSource, MeshData> ReaderOf(string path) => Path.GetExtension(path).ToLowerInvariant() switch
+    {
+        ".obj" => ObjFile.Read,
+        ".ply" => PlyFile.Read,
+        ".stl" => StlFile.Read,
+        "" => throw new MeshFileException(path, "a mesh file's name must end with .obj, .ply or .stl, but this one has no extension"),
+        var other => throw new MeshFileException(path, $"a mesh file must be .obj, .ply or .stl, but this one is {other}"),
+    };
+
+    private static byte[] ReadBytes(string path)
+    {
+        try
+        {
+            if (Directory.Exists(path)) throw new MeshFileException(path, "is a folder, not a mesh file");
+            return File.ReadAllBytes(path);
+        }
+        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw new MeshFileException(path, $"file not found; looked for {Path.GetFullPath(path)}{Nearest(path)}", inner: e);
+        }
+        catch (UnauthorizedAccessException e)
+        {
+            throw new MeshFileException(path, $"no permission to read {Path.GetFullPath(path)}", inner: e);
+        }
+        catch (Exception e) when (e is IOException or ArgumentException or NotSupportedException)
+        {
+            throw new MeshFileException(path, $"cannot be read: {e.Message}", inner: e);
+        }
+    }
+
+    /// <summary>Names a neighbour whose name differs in case only: some systems find it under either name, others do not.</summary>
+    private static string? Nearest(string path)
+    {
+        var (folder, name) = (Path.GetDirectoryName(Path.GetFullPath(path)), Path.GetFileName(path));
+        if (!Directory.Exists(folder)) return null;
+        foreach (var neighbour in Directory.EnumerateFiles(folder, "*", new EnumerationOptions { IgnoreInaccessible = true }))
+            if (Path.GetFileName(neighbour).Equals(name, StringComparison.OrdinalIgnoreCase))
+                return $"; did you mean {Path.GetFileName(neighbour)}? (case matters)";
+        return null;
+    }
+}
