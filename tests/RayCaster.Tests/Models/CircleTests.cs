@@ -1,0 +1,28 @@
+namespace RayCaster.Tests.Models;
+
+public class CircleTests
+{
+    private static readonly Circle circle = new(new(0, 0, 0), new(0, 0, 1), 5);
+
+    [Theory]
+    [InlineData(10, -1)]
+    [InlineData(-10, 1)]
+    public void BothSidesAreVisible(double z, double direction) => Assert.Equal(10, Cast.At(circle, new(1, 2, z), new(0, 0, direction)));
+
+    [Fact]
+    public void TheRimBelongsToIt() => Assert.Equal(10, Cast.At(circle, new(3, -4, 10), new(0, 0, -1)));
+
+    [Fact]
+    public void JustOutsideTheRimIsNoHit() => Assert.Null(Cast.At(circle, new(3, Math.BitIncrement(4), 10), new(0, 0, -1)));
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(0)]
+    public void AParallelRayDoesNotHit(double z) => Assert.Null(Cast.At(circle, new(-10, 0, z), new(1, 0, 0)));
+
+    [Theory]
+    [InlineData(1e-200)]
+    [InlineData(-1e200)]
+    public void TheLengthOfTheNormalDoesNotMatter(double length) =>
+        Assert.Equal(10, Cast.At(circle with { Normal = new(0, 0, length) }, new(3, 4, 10), new(0, 0, -1)));
+}

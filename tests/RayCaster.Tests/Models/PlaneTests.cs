@@ -1,0 +1,28 @@
+namespace RayCaster.Tests.Models;
+
+public class PlaneTests
+{
+    [Theory]
+    [InlineData(1)]
+    [InlineData(-1)]
+    [InlineData(1e-200)]
+    [InlineData(-1e200)]
+    public void TheLengthAndTheSideOfTheNormalDoNotMatter(double length) =>
+        Assert.Equal(15, Cast.At(new Plane(new(5, 7, -9), length * new Vector3(1, 0, 0)), new(20, 0, 0), new(-1, 0, 0))!.Value, 1e-14);
+
+    [Fact]
+    public void ASlantedRayMeetsItWhereTheFormulaSays() => // 3-4-5: 4 down along z takes 5 of t
+        Assert.Equal(5, Cast.At(new Plane(new(0, 0, 0), new(0, 0, 1)), new(0, 0, 4), new(3, 0, -4))!.Value, 1e-14);
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(0)] // in the plane
+    public void AParallelRayDoesNotHit(double height) =>
+        Assert.Null(Cast.At(new Plane(new(0, 0, 0), new(0, 0, 1)), new(0, 0, height), new(1, 2, 0)));
+
+    [Fact]
+    public void BehindTheOriginIsNoHit() => Assert.Null(Cast.At(new Plane(new(5, 0, 0), new(1, 0, 0)), new(4, 0, 0), new(-1, 0, 0)));
+
+    [Fact]
+    public void ItIsCrossedOnce() => Assert.Equal(double.NaN, Cast.Line(new Plane(new(5, 0, 0), new(1, 0, 0)), default, new(1, 0, 0)).Far);
+}

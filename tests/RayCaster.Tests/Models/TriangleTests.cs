@@ -1,0 +1,68 @@
+namespace RayCaster.Tests.Models;
+
+public class TriangleTests
+{
+    private static readonly Vector3 A = new(0, 0, 2), B = new(4, 0, 2), C = new(0, 4, 2);
+
+    public static TheoryData<Triangle> Windings => [new(A, B, C), new(B, C, A), new(C, A, B), new(A, C, B), new(C, B, A), new(B, A, C)];
+
+    [Theory]
+    [MemberData(nameof(Windings))]
+    public void TheInsideIsHitFromBothSides(Triangle triangle)
+    {
+        Assert.Equal(8, Cast.At(triangle, new(1, 1, 10), new(0, 0, -1)));
+        Assert.Equal(12, Cast.At(triangle, new(1, 1, -10), new(0, 0, 1)));
+    }
+
+    [Theory]
+    [MemberData(nameof(Windings))]
+    public void CornersAndEdgesBelongToIt(Triangle triangle)
+    {
+        foreach (var point in new[] { A, B, C, new(2, 0, 2), new(0, 3, 2), new(1, 3, 2) })
+            Assert.Equal(8, Cast.At(triangle, point + new Vector3(0, 0, 8), new(0, 0, -1)));
+    }
+
+    [Theory]
+    [MemberData(nameof(Windings))]
+    public void JustOutsideAnEdgeIsNoHit(Triangle triangle)
+    {
+        foreach (var point in new[] { new Vector3(-1e-300, 1, 10), new(1, -1e-300, 10), new(2, Math.BitIncrement(2), 10) })
+            Assert.Null(Cast.At(triangle, point, new(0, 0, -1)));
+    }
+
+    [Theory]
+    [MemberData(nameof(Windings))]
+    public void ARayInItsPlaneDoesNotHit(Triangle triangle) => Assert.Null(Cast.At(triangle, new(-1, 1, 2), new(1, 0, 0)));
+
+    [Fact]
+    public void BehindTheOriginIsNoHit() => Assert.Null(Cast.At(new Triangle(A, B, C), new(1, 1, 10), new(0, 0, 1)));
+
+    /// <summary>u and v by Cramer's rule, as on the slide "Triangle – Barycentric Coordinates".</summary>
+    [Fact]
+    public void TheBarycentricCoordinatesOfTheSlideAgree()
+    {
+        var random = new Random(3);
+        var (inside, outside) = (0, 0);
+        for (var i = 0; i < 20_000; i++)
+        {
+            var (a, b, c) = (Some.Point(random, 5), Some.Point(random, 5), Some.Point(random, 5));
+            var (origin, d) = (Some.Point(random, 5), Some.Direction(random));
+            var (e1, e2, s) = (b - a, c - a, origin - a);
+            var determinant = d % e2 * e1;
+            if (Math.Abs(determinant) < 0.1) continue; // seen along its edge
+            var (u, v, t) = (d % e2 * s / determinant, s % e1 * d / determinant, s % e1 * e2 / determinant);
+            var least = Math.Min(Math.Min(u, v), 1 - u - v);
+            if (Math.Abs(least) < 1e-9) continue;      // on its outline
+
+            var near = Cast.Line(new Triangle(a, b, c), origin, d).Near;
+            Assert.True(double.IsNaN(near) == least < 0, $"u = {u}, v = {v}, but the crossing is {near}");
+            if (least < 0) outside++;
+            else
+            {
+                inside++;
+                Assert.Equal(t, near, 1e-10);
+            }
+        }
+        Assert.True(inside > 500 && outside > 500);
+    }
+}

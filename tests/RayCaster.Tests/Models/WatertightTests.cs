@@ -1,0 +1,115 @@
+using Xunit.Abstractions;
+
+namespace RayCaster.Tests.Models;
+
+/// <summary>A closed mesh has no hole, wherever a ray is aimed.</summary>
+public class WatertightTests(ITestOutputHelper output)
+{
+    private static readonly (string Name, Mesh Mesh)[] solids =
+        [("cube", Solids.Cube()), ("icosphere 80", Solids.Icosphere(1)), ("icosphere 1280", Solids.Icosphere(3))];
+
+    /// <summary>
+    /// From inside a closed mesh every ray hits it. The textbook's two ways lose rays that are aimed at corners, since rounding
+    /// gives the triangles that share a corner different opinions of where the ray passes: a test that could not tell the
+    /// good way from these would prove nothing.
+    /// </summary>
+    [Fact]
+    public void FromInsideEveryRayHitsAlthoughTextbookFormulasLoseRaysAtCorners()
+    {
+        var random = new Random(5);
+        foreach (var (name, mesh) in solids)
+        {
+            var (rays, lost) = (0, new int[3]);
+            for (var i = 0; i < (mesh.TriangleCount > 1000 ? 2000 : 20_000); i++)
+            {
+                var origin = Some.Point(random, 0.5);
+                var (a, b, c) = mesh[random.Next(mesh.TriangleCount)];
+                var onEdge = random.NextDouble();
+                var aim = (i % 4) switch
+                {
+                    0 => a,
+                    1 => 0.5 * (a + b),
+                    2 => a + onEdge * (c - a),
+                    _ => Some.Point(random, 1),
+                };
+                var d = (aim - origin).Normalized;
+                rays++;
+                if (mesh.Intersect(new Ray(origin, d)) is null) lost[0]++;
+                if (!Any(mesh, triangle => MollerTrumbore(triangle, origin, d))) lost[1]++;
+                if (!Any(mesh, triangle => TripleProducts(triangle, origin, d))) lost[2]++;
+            }
+            output.WriteLine($"{name}: of {rays} rays ours loses {lost[0]}, Möller–Trumbore {lost[1]}, d·(a×b) {lost[2]}");
+            Assert.Equal(0, lost[0]);
+            Assert.True(lost[1] > 0, "Möller–Trumbore should lose some of these rays");
+            Assert.True(lost[2] > 0, "d·(a×b) should lose some of these rays");
+        }
+    }
+
+    private static bool Any(Mesh mesh, Func<Triangle, bool> hit)
+    {
+        for (var i = 0; i < mesh.TriangleCount; i++)
+            if (hit(mesh[i])) return true;
+        return false;
+    }
+
+    /// <summary>Möller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, edges included.</summary>
+    private static bool MollerTrumbore(Triangle triangle, Vector3 origin, Vector3 d)
+    {
+        var (e1, e2, s) = (triangle.B - triangle.A, triangle.C - triangle.A, origin - triangle.A);
+        var determinant = d % e2 * e1;
+        var (u, v, t) = (d % e2 * s / determinant, s % e1 * d / determinant, s % e1 * e2 / determinant);
+        return u >= 0 && v >= 0 && u + v <= 1 && t > 0;
+    }
+
+    /// <summary>The signs of d·(a×b), d·(b×c), d·(c×a), with the corners taken from the ray's origin: both triangles of an edge agree, those of a corner do not.</summary>
+    private static bool TripleProducts(Triangle triangle, Vector3 origin, Vector3 d)
+    {
+        var (a, b, c) = (triangle.A - origin, triangle.B - origin, triangle.C - origin);
+        var (u, v, w) = (d * (a % b), d * (b % c), d * (c % a));
+        var n = (triangle.B - triangle.A) % (triangle.C - triangle.A);
+        return ((u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0)) && a * n / (d * n) > 0;
+    }
+
+    /// <summary>The faces' diagonals lie on the picture's diagonals, so that hundreds of rays run exactly through edges.</summary>
+    [Theory]
+    [InlineData(5, 0, 0)]
+    [InlineData(-5, 0, 0)]
+    [InlineData(0, 5, 0)]
+    [InlineData(0, -5, 0)]
+    [InlineData(0, 0, 5)]
+    [InlineData(0, 0, -5)]
+    [InlineData(4, 4, 0)]   // an edge on the middle column
+    [InlineData(3, 3, 3)]   // a corner in the middle
+    public void ACubeOfTrianglesCoversWhatTheBoxCovers(double x, double y, double z)
+    {
+        var camera = new Camera(new(x, y, z), default, up: new(0.0, x == 0 && y == 0 ? 1 : 0, z == 0 || x != 0 ? 1 : 0), fovY: 60, width: 128, height: 128);
+        bool[] Covered(params Model[] models) =>
+            [.. Pixels(camera).Select(pixel => ScalarRenderer.Cast(new Scene(camera, models), pixel.Column, pixel.Row).HitModel is not null)];
+
+        var mesh = Covered(Solids.Cube());
+        var (smaller, larger) = (Covered(Box(1 - 1e-12)), Covered(Box(1 + 1e-12)));
+        Assert.InRange(mesh.Count(covered => covered), 1000, 16_000);
+        for (var i = 0; i < mesh.Length; i++)
+        {
+            Assert.True(mesh[i] || !smaller[i], $"a hole at column {i % 128}, row {i / 128}");
+            Assert.True(larger[i] || !mesh[i], $"too much at column {i % 128}, row {i / 128}");
+        }
+    }
+
+    [Fact]
+    public void AnIcosphereSeenFromItsMiddleFillsThePictureInEveryDirection()
+    {
+        var mesh = Solids.Icosphere(2);
+        foreach (var target in new Vector3[] { new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(1, 1, 1), mesh[0].A, mesh[40].B })
+        {
+            var camera = new Camera(default, target, up: new(0.1, 0.2, 1), fovY: 90, width: 48, height: 48);
+            foreach (var (column, row) in Pixels(camera))
+                Assert.True(ScalarRenderer.Cast(new Scene(camera, [mesh]), column, row).HitModel is not null, $"column {column}, row {row} of {target}");
+        }
+    }
+
+    private static Model Box(double size) => Model.Of(new Aabb(-size * new Vector3(1, 1, 1), size * new Vector3(1, 1, 1)));
+
+    private static IEnumerable<(int Column, int Row)> Pixels(Camera camera) =>
+        from row in Enumerable.Range(0, camera.Height) from column in Enumerable.Range(0, camera.Width) select (column, row);
+}
