@@ -25,6 +25,12 @@ public enum Sample
 /// <summary>A camera: turns a pixel into a ray (slides "Camera" and "Ray through a pixel").</summary>
 public sealed class Camera
 {
+    /// <summary>The most pixels in a row, and the most rows.</summary>
+    public const int MaxSide = 1_000_000;
+
+    /// <summary>The most pixels in all.</summary>
+    public const long MaxPixels = 10_000_000_000;
+
     /// <summary>Sets up the camera's axes and the size of its picture plane; what is left out is as in a scene file.</summary>
     /// <param name="position">P.</param>
     /// <param name="target">T, different from P.</param>
