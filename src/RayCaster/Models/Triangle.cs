@@ -21,7 +21,7 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N> => Cross(new AlongRay<N>(ray));
 
     /// <summary>The same, for a caller that asks about many triangles and one ray.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)] // the compiler stops inlining operators, silently, where a caller grows too much
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // never inlined: in a caller grown too large operators, silently, become calls
     internal Crossings<N> Cross<N>(in AlongRay<N> along) where N : struct, IReal<N>
     {
         var (a, b, c) = (along.See(A), along.See(B), along.See(C));

@@ -27,6 +27,7 @@ internal sealed class RaySpan(Camera camera)
     /// <param name="column">The first pixel's column.</param>
     /// <param name="row">The row, from the bottom.</param>
     /// <param name="length">How many pixels, at most <see cref="MaxLength"/>.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Aim(int column, int row, int length)
     {
         PacketCount = (length + Packet.Count - 1) / Packet.Count;
