@@ -1,0 +1,53 @@
+namespace RayCaster;
+
+/// <summary>A scene file while it is read: its text, the problems found so far and the mesh files that it names.</summary>
+/// <param name="text">The text.</param>
+/// <param name="folder">Where the paths of mesh files start.</param>
+internal sealed class SceneDocument(SourceText text, string folder)
+{
+    private readonly List<Finding> findings = [];
+    private readonly Dictionary<string, MeshData> meshes = [];
+
+    /// <summary>How many errors were found so far.</summary>
+    public int ErrorCount { get; private set; }
+
+    /// <summary>The text.</summary>
+    public SourceText Text => text;
+
+    /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
+    public void Add(bool isError, int start, int end, string path, string message)
+    {
+        if (isError) ErrorCount++;
+        findings.Add(new(isError, start, end, path, message));
+    }
+
+    /// <summary>The problems in the order of the text.</summary>
+    public Problem[] Problems()
+    {
+        // By hand rather than by LINQ, whose first use costs milliseconds; the number keeps the order of problems of one place.
+        var order = new (int Start, int Number)[findings.Count];
+        for (var i = 0; i < order.Length; i++) order[i] = (findings[i].Start, i);
+        Array.Sort(order);
+        var problems = new Problem[order.Length];
+        for (var i = 0; i < order.Length; i++)
+        {
+            var (isError, start, end, path, message) = findings[order[i].Number];
+            var (line, column) = text.Locate(start);
+            problems[i] = new(isError, text.Name, line, column, path, message, text.Excerpt(start, end));
+        }
+        return problems;
+    }
+
+    /// <summary>The full path of a file that the scene names; both / and \ separate folders.</summary>
+    public string FullPath(string file) => Path.GetFullPath(Path.Combine(folder, file.Replace('\\', '/')));
+
+    /// <summary>A mesh file's content; a file that several models show is read once.</summary>
+    /// <param name="path">The full path.</param>
+    public MeshData Mesh(string path)
+    {
+        if (!meshes.TryGetValue(path, out var mesh)) meshes.Add(path, mesh = MeshFile.Read(path));
+        return mesh;
+    }
+
+    private readonly record struct Finding(bool IsError, int Start, int End, string Path, string Message);
+}

@@ -1,0 +1,303 @@
+using System.Globalization;
+using System.Text.Json;
+
+namespace RayCaster;
+
+/// <summary>
+/// An object of a scene file. It is read by asking for its keys, one call each. Whatever is wrong is noted with its place, and reading goes on
+/// with a value that is no number (NaN): no comparison holds for it, so a rule that says what is refused keeps silent.
+/// </summary>
+/// <remarks>
+/// The same calls describe the keys: an object made by <see cref="Describing"/> has no text behind it, notes no problems and collects what
+/// it is asked for. The editors' schema is made of that, so it cannot differ from what is read.
+/// </remarks>
+internal sealed class SceneObject
+{
+    private static readonly Vector3 NoVector = new(double.NaN, double.NaN, double.NaN);
+
+    private readonly SceneDocument? document;
+    private readonly JsonValue json;
+    private readonly string path;
+    private readonly Dictionary<string, (JsonValue Key, JsonValue Value)> written = [];
+    private readonly List<string> asked = [];
+    private readonly List<SceneKey>? described;
+    private readonly int errorsBefore;
+
+    /// <summary>An object in a text. Notes the keys that stand in it twice; the first counts.</summary>
+    /// <param name="document">The scene file.</param>
+    /// <param name="json">The object.</param>
+    /// <param name="path">Its path, empty for the scene itself.</param>
+    public SceneObject(SceneDocument document, JsonValue json, string path)
+    {
+        (this.document, this.json, this.path) = (document, json, path);
+        errorsBefore = document.ErrorCount;
+        var content = json.Content;
+        for (var i = 0; i < content.Count; i += 2)
+        {
+            var key = content[i].Text;
+            if (written.TryAdd(key, (content[i], content[i + 1]))) continue;
+            var line = document.Text.LineOf(written[key].Key.Start);
+            Report(true, content[i], PathOf(key), $" is given twice; the first is in line {line}");
+        }
+    }
+
+    private SceneObject(List<SceneKey> described) => (this.described, path) = (described, "");
+
+    /// <summary>The scene file; null where the object is only described.</summary>
+    public SceneDocument? Document => document;
+
+    /// <summary>Whether no error was found in this object so far.</summary>
+    public bool IsSound => document is null || document.ErrorCount == errorsBefore;
+
+    /// <summary>An object without text that collects the keys it is asked for.</summary>
+    public static SceneObject Describing(out IReadOnlyList<SceneKey> keys)
+    {
+        var described = new List<SceneKey>();
+        keys = described;
+        return new(described);
+    }
+
+    /// <summary>Whether a key is written in the file.</summary>
+    public bool Has(string key) => written.ContainsKey(key);
+
+    /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>
+    public string PathOf(string key, int? element = null) =>
+        (path.Length > 0 ? $"{path}.{key}" : key) + (element is { } i ? $"[{i}]" : "");
+
+    /// <summary>Any number.</summary>
+    public double Number(string key, string meaning, double? orElse = null) => Number(key, meaning, Limits.None, orElse);
+
+    /// <summary>A number greater than 0.</summary>
+    public double Positive(string key, string meaning, double? orElse = null) => Number(key, meaning, Limits.Positive, orElse);
+
+    /// <summary>A number within limits.</summary>
+    public double Number(string key, string meaning, Limits limits, double? orElse = null) =>
+        Take(new(key, KeyKind.Number, meaning, orElse is null, orElse) { Limits = limits }) is { } value
+            ? NumberAt(value, PathOf(key), limits)
+            : orElse ?? double.NaN;
+
+    /// <summary>A whole number from <paramref name="least"/> to <paramref name="most"/>; the default in place of an erroneous one.</summary>
+    public int Whole(string key, string meaning, int least, int most, int orElse)
+    {
+        var limits = Limits.From(least, most);
+        if (Take(new(key, KeyKind.Whole, meaning, false, orElse) { Limits = limits }) is not { } value) return orElse;
+        if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
+        {
+            Report(true, value, PathOf(key), $" must be a whole number, but is {value.AsWritten}");
+            return orElse;
+        }
+        var number = NumberAt(value, PathOf(key), limits);
+        return double.IsNaN(number) ? orElse : (int)number;
+    }
+
+    /// <summary>Three numbers.</summary>
+    public Vector3 Vector(string key, string meaning, Vector3? orElse = null) =>
+        Take(new(key, KeyKind.Vector, meaning, orElse is null, orElse)) is { } value
+            ? VectorAt(value, key, Limits.None, "an array of three numbers [x, y, z]")
+            : orElse ?? NoVector;
+
+    /// <summary>A vector of any length but zero.</summary>
+    public Vector3 Direction(string key, string meaning, Vector3? orElse = null)
+    {
+        if (Take(new(key, KeyKind.Direction, meaning, orElse is null, orElse)) is not { } value) return orElse ?? NoVector;
+        var direction = VectorAt(value, key, Limits.None, "an array of three numbers [x, y, z]");
+        if (direction != Vector3.Zero) return direction;
+        Report(true, value, PathOf(key), $" must not be {value.AsWritten}: a direction has a length");
+        return NoVector;
+    }
+
+    /// <summary>A factor for each axis, or one for all; none of them 0.</summary>
+    public Vector3 Factors(string key, string meaning, double orElse)
+    {
+        if (Take(new(key, KeyKind.Factors, meaning, false, orElse)) is not { } value) return new(orElse, orElse, orElse);
+        if (value.Kind != JsonTokenType.Number) return VectorAt(value, key, Limits.NotZero, "a number or an array of three numbers [x, y, z]");
+        var factor = NumberAt(value, PathOf(key), Limits.NotZero);
+        return new(factor, factor, factor);
+    }
+
+    /// <summary>A colour: three numbers of at least 0, or a text like <c>"#ff8800"</c>.</summary>
+    public Color Color(string key, string meaning, Color orElse)
+    {
+        if (Take(new(key, KeyKind.Color, meaning, false, orElse)) is not { } value) return orElse;
+        const string What = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
+        if (value.Kind == JsonTokenType.String)
+        {
+            var text = value.Text;
+            if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
+                return new((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
+            Report(true, value, PathOf(key), $" must be {What}, but is {value.InWords}");
+            return orElse;
+        }
+        var color = VectorAt(value, key, Limits.NotNegative, What);
+        if (LooksLikeBytes(color)) Warn(key, $" is {value.AsWritten}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
+        return new(color.X, color.Y, color.Z);
+    }
+
+    /// <summary>A text that must be there.</summary>
+    public string? Text(string key, string meaning) => Text(new SceneKey(key, KeyKind.Text, meaning, true));
+
+    /// <summary>A text, or null where it is left out.</summary>
+    public string? OptionalText(string key, string meaning) => Text(new SceneKey(key, KeyKind.Text, meaning, false));
+
+    /// <summary>One of several words; the first is the default.</summary>
+    public T Choice<T>(string key, string meaning, params (string Word, T Value)[] choices)
+    {
+        var words = Array.ConvertAll(choices, choice => choice.Word);
+        var word = Choice(new SceneKey(key, KeyKind.Choice, meaning, false, words[0]) { Choices = words });
+        foreach (var choice in choices)
+            if (choice.Word == word)
+                return choice.Value;
+        return choices[0].Value;
+    }
+
+    /// <summary>One of several words that must be there, or null.</summary>
+    public string? Choice(string key, string meaning, string[] words) => Choice(new SceneKey(key, KeyKind.Choice, meaning, true) { Choices = words });
+
+    /// <summary>An object, or null where there is none.</summary>
+    public SceneObject? Object(string key, string meaning)
+    {
+        if (described is not null)
+        {
+            var describing = Describing(out var members);
+            Take(new(key, KeyKind.Object, meaning, true) { Members = members });
+            return describing;
+        }
+        if (Take(new(key, KeyKind.Object, meaning, true)) is not { } value) return null;
+        return AsObject(document!, value, PathOf(key), PathOf(key));
+    }
+
+    /// <summary>An array of objects; without those elements that are none.</summary>
+    public List<SceneObject> Objects(string key, string meaning)
+    {
+        var objects = new List<SceneObject>();
+        if (Take(new(key, KeyKind.Objects, meaning, true)) is not { } value) return objects;
+        if (value.Kind != JsonTokenType.StartArray)
+        {
+            Report(true, value, PathOf(key), $" must be an array of objects in brackets [ ], but is {value.InWords}");
+            return objects;
+        }
+        var elements = value.Content;
+        for (var i = 0; i < elements.Count; i++)
+            if (AsObject(document!, elements[i], PathOf(key, i), PathOf(key, i)) is { } element)
+                objects.Add(element);
+        return objects;
+    }
+
+    /// <summary>An object, or null and a problem.</summary>
+    /// <param name="document">The scene file.</param>
+    /// <param name="value">What should be an object.</param>
+    /// <param name="path">Its path.</param>
+    /// <param name="name">What a message calls it.</param>
+    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string name)
+    {
+        if (value.Kind == JsonTokenType.StartObject) return new(document, value, path);
+        document.Add(true, value.Start, value.End, path, $"{name} must be an object in braces {{ }}, but is {value.InWords}");
+        return null;
+    }
+
+    /// <summary>Refuses a value that was read, or one of its elements: <paramref name="message"/> follows the path.</summary>
+    public void Refuse(string key, FormattableString message, int? element = null) =>
+        Report(true, Place(key, element), PathOf(key, element), FormattableString.Invariant(message));
+
+    /// <summary>Warns of a value: <paramref name="message"/> follows the path.</summary>
+    public void Warn(string key, FormattableString message) =>
+        Report(false, Place(key, null), PathOf(key), FormattableString.Invariant(message));
+
+    /// <summary>Refuses the keys that nobody has asked for.</summary>
+    /// <param name="allowed">Keys that are right although nobody has asked for them.</param>
+    public void Close(params IEnumerable<string> allowed)
+    {
+        asked.AddRange(allowed);
+        foreach (var (key, member) in written)
+        {
+            if (asked.Contains(key)) continue;
+            var free = asked.FindAll(known => !written.ContainsKey(known));
+            var help = Spelling.DidYouMean(key, free);
+            if (help.Length == 0 && free.Count is > 0 and <= 8) help = $"; what could be added here is {string.Join(", ", free)}";
+            Report(true, member.Key, PathOf(document!.Text.Quote(member.Key.Start + 1, member.Key.End - 1)), " is an unknown key" + help);
+        }
+    }
+
+    /// <summary>The value of a key, or null if it is not written, which is a problem where it is required.</summary>
+    private JsonValue? Take(SceneKey key)
+    {
+        described?.Add(key);
+        asked.Add(key.Name);
+        if (written.TryGetValue(key.Name, out var member)) return member.Value;
+        if (key.IsRequired && document is not null)
+            document.Add(true, json.Start, json.Start + 1, PathOf(key.Name), $"{PathOf(key.Name)} is missing: {key.Meaning}");
+        return null;
+    }
+
+    private string? Text(SceneKey key)
+    {
+        if (Take(key) is not { } value) return null;
+        if (value.Kind == JsonTokenType.String) return value.Text;
+        Report(true, value, PathOf(key.Name), $" must be a text in double quotes, but is {value.InWords}");
+        return null;
+    }
+
+    private string? Choice(SceneKey key)
+    {
+        var word = Text(key);
+        if (word is null || Array.IndexOf(key.Choices, word) >= 0) return word;
+        var value = written[key.Name].Value;
+        Report(true, value, PathOf(key.Name), $" must be {InWords(key.Choices)}, but is {value.AsWritten}{Spelling.DidYouMean(word, key.Choices)}");
+        return Spelling.Nearest(word, key.Choices);
+    }
+
+    private double NumberAt(JsonValue value, string path, Limits limits)
+    {
+        if (value.Kind != JsonTokenType.Number)
+        {
+            var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
+            Report(true, value, path, $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}");
+            return double.NaN;
+        }
+        var number = value.Number;
+        if (!double.IsFinite(number))
+            Report(true, value, path, $" must be finite, but {value.AsWritten} is beyond the largest number, 1.8e308");
+        else if (!limits.Allow(number))
+            Report(true, value, path, $" must be {limits.Words}, but is {value.AsWritten}");
+        else
+            return number;
+        return double.NaN;
+    }
+
+    private Vector3 VectorAt(JsonValue value, string key, Limits limits, string what)
+    {
+        if (value.Kind != JsonTokenType.StartArray)
+        {
+            Report(true, value, PathOf(key), $" must be {what}, but is {value.InWords}");
+            return NoVector;
+        }
+        var elements = value.Content;
+        if (elements.Count == 3) return new(Element(0), Element(1), Element(2));
+        Report(true, value, PathOf(key), $" must be {what}, but has {elements.Count} element{(elements.Count == 1 ? "" : "s")}");
+        return NoVector;
+
+        double Element(int i) => NumberAt(elements[i], PathOf(key, i), limits);
+    }
+
+    private JsonValue? Place(string key, int? element)
+    {
+        if (!written.TryGetValue(key, out var member)) return null;
+        return element is { } i && member.Value.Kind == JsonTokenType.StartArray ? member.Value.Content[i] : member.Value;
+    }
+
+    /// <summary>Notes a problem; where there is no value at the object's opening brace.</summary>
+    private void Report(bool isError, JsonValue? value, string path, string message)
+    {
+        var (start, end) = value is { } v ? (v.Start, v.End) : (json.Start, json.Start + 1);
+        document?.Add(isError, start, end, path, path + message);
+    }
+
+    private static bool LooksLikeBytes(Vector3 c) =>
+        Math.Max(c.X, Math.Max(c.Y, c.Z)) is > 1 and <= 255 && c.X == Math.Floor(c.X) && c.Y == Math.Floor(c.Y) && c.Z == Math.Floor(c.Z);
+
+    private static string InWords(string[] words)
+    {
+        var quoted = Array.ConvertAll(words, word => $"\"{word}\"");
+        return quoted.Length == 1 ? quoted[0] : $"{string.Join(", ", quoted[..^1])} or {quoted[^1]}";
+    }
+}

@@ -1,0 +1,136 @@
+namespace RayCaster;
+
+/// <summary>Makes a scene of a scene file (docs/scene-file.md), or says all that is wrong with it.</summary>
+public static class SceneReader
+{
+    private const int MostPixelsOfASide = 1_000_000;
+    private const long MostPixels = 10_000_000_000;
+
+    /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
+    /// <param name="path">The file; messages name it as it is given here.</param>
+    public static SceneReading Read(string path)
+    {
+        try
+        {
+            if (!File.Exists(path)) return Unreadable(path, NotFound(path));
+            return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(Path.GetFullPath(path))!);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or OutOfMemoryException)
+        {
+            return Unreadable(path, $"the scene file cannot be read: {e.Message}");
+        }
+    }
+
+    /// <summary>Reads a text.</summary>
+    /// <param name="utf8">The text, with or without a byte order mark.</param>
+    /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
+    /// <param name="folder">Where the paths of mesh files start.</param>
+    public static SceneReading Parse(byte[] utf8, string displayName, string folder)
+    {
+        var hasMark = utf8.AsSpan().StartsWith(Encodings.Utf8Mark);
+        var document = new SceneDocument(new SourceText(displayName, utf8.AsMemory(hasMark ? 3 : 0)), folder);
+        var scene = Read(document);
+        return new(document.ErrorCount == 0 ? scene : null, document.Problems());
+    }
+
+    private static Scene? Read(SceneDocument document)
+    {
+        if (Encodings.MistakeIn(document.Text.Utf8) is { } encoding)
+        {
+            document.Add(true, encoding.Start, encoding.End, "", encoding.Message);
+            return null;
+        }
+        if (JsonTree.Parse(document.Text, out var mistake) is not { } tree)
+        {
+            document.Add(true, mistake.Start, mistake.End, "", mistake.Message);
+            return null;
+        }
+        return SceneObject.AsObject(document, tree.Root, "", "the scene") is { } o ? ReadScene(o) : null;
+    }
+
+    /// <summary>Reads the outermost object; null if there is an error in it.</summary>
+    internal static Scene? ReadScene(SceneObject o)
+    {
+        o.OptionalText("$schema", "Where editors find the schema of scene files; the program does not use it.");
+        var camera = o.Object("camera", "The camera: where the picture is taken from.") is { } c ? ReadCamera(c) : null;
+        var background = o.Color("background", "The colour of a pixel whose ray hits nothing.", Color.Black);
+        var models = new List<Model>();
+        foreach (var element in o.Objects("models", "What the world holds, an array of models; of two at the same distance the first shows."))
+            if (ReadModel(element) is { } model)
+                models.Add(model);
+        o.Close();
+        return o.IsSound ? new(camera!, models, background) : null;
+    }
+
+    private static Camera? ReadCamera(SceneObject o)
+    {
+        var position = o.Vector("position", "P, where the rays start.");
+        var target = o.Vector("target", "T, the point that the camera looks at; it is seen in the middle of the picture.");
+        var up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", new(0, 0, 1));
+        var fovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), 45);
+        var width = o.Whole("width", "Pixels in a row.", 1, MostPixelsOfASide, 500);
+        var height = o.Whole("height", "Rows of pixels.", 1, MostPixelsOfASide, 500);
+        var zNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, 0.01);
+        var zFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", 100);
+        var bias = o.Number("bias", "The least ray parameter that is a hit.", Limits.NotNegative, 1e-6);
+        var clip = o.Choice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+            ("depth", Clip.Depth), ("distance", Clip.Distance));
+        var sample = o.Choice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+            ("corner", Sample.Corner), ("center", Sample.Center));
+        o.Close();
+
+        var view = target - position;
+        if (view.Length == 0)
+            o.Refuse("target", $" must differ from {o.PathOf("position")}, but both are {target}");
+        else if (double.IsInfinity(view.Length))
+            o.Refuse("target", $" is too far from {o.PathOf("position")}: the distance is beyond the largest number");
+        else if ((up % view.Normalized).Length <= 1e-12 * up.Length)
+            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{(o.Has("up") ? "" : " where it is not given")}");
+
+        if (zFar <= zNear && !o.Has("zFar"))
+            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
+        else if (zFar <= zNear)
+            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
+
+        if ((long)width * height > MostPixels)
+            o.Refuse("height", $": {width} x {height} are {(long)width * height} pixels; {MostPixels} are the most");
+        if (fovY < 3)
+            o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
+        return o.IsSound ? new(position, target, up, fovY, width, height, zNear, zFar, bias, clip, sample) : null;
+    }
+
+    /// <summary>Reads a model of any type; null if the type is unknown.</summary>
+    private static Model? ReadModel(SceneObject o)
+    {
+        var name = o.Choice("type", "What the model is.", PrimitiveList.Names);
+        foreach (var type in PrimitiveList.All)
+        {
+            if (type.Name != name) continue;
+            var model = ReadModel(o, type);
+            o.Close();
+            return model;
+        }
+        // Without its type we cannot know which keys are right, but a key that no type has is wrong.
+        o.Close(PrimitiveList.KeysOfAllTypes());
+        return null;
+    }
+
+    /// <summary>Reads a model of a known type, all keys but the type.</summary>
+    internal static Model ReadModel(SceneObject o, PrimitiveType type)
+    {
+        var model = type.Read(o);
+        model.Color = o.Color("color", "Its colour in full light, as [red, green, blue], 1 being full intensity, or as \"#rrggbb\".", Color.White);
+        model.Name = o.OptionalText("name", "What messages call it.");
+        return model;
+    }
+
+    private static string NotFound(string path)
+    {
+        if (path.Length == 0) return "the name of the scene file is empty";
+        if (Directory.Exists(path)) return "this is a folder, not a scene file";
+        return $"there is no such file; looked for {Path.GetFullPath(path)}{FileNames.DidYouMean(path)}";
+    }
+
+    private static SceneReading Unreadable(string path, string message) =>
+        new(null, [new Problem(true, path, 0, 0, "", message, "")]);
+}

@@ -1,0 +1,25 @@
+using System.Text;
+
+namespace RayCaster;
+
+/// <summary>What came of reading a scene file.</summary>
+/// <param name="Scene">The scene, or null if there is an error.</param>
+/// <param name="Problems">All errors and warnings, in the order of the file.</param>
+public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
+{
+    /// <summary>How many problems <see cref="Report"/> writes out.</summary>
+    public const int Printed = 20;
+
+    /// <summary>The problems as text for people, the errors first; empty if there are none. Of many only the first are written out.</summary>
+    public string Report()
+    {
+        var text = new StringBuilder();
+        var left = Printed;
+        foreach (var errors in (ReadOnlySpan<bool>)[true, false])
+            foreach (var problem in Problems)
+                if (problem.IsError == errors && left-- > 0)
+                    text.Append(problem).Append('\n');
+        if (left < 0) text.Append($"and {-left} more\n");
+        return text.ToString();
+    }
+}
