@@ -74,6 +74,7 @@ def remake(name):
     width, height = size(scene["camera"])
     picture = render(scene, width, height)
     pixels = outline(scene, picture, width, height)
+    (HERE / name).parent.mkdir(exist_ok=True)
     write_png(HERE / f"{name}.png", width, height, 3, picture)
     mask = HERE / f"{name}.outline.png"
     mask.unlink(missing_ok=True)
@@ -86,7 +87,8 @@ def remake(name):
 def main(names):
     """Remakes the named references, or all; keeps list.txt: name, size, pixels on outlines."""
     skipped = inexpressible()
-    names = names or sorted(path.stem for path in SCENES.glob("*.json") if not path.stem.endswith(".schema"))
+    names = names or sorted(path.relative_to(SCENES).with_suffix("").as_posix() for path in SCENES.rglob("*.json")
+                            if not path.name.endswith(".schema.json"))
     listing = HERE / "list.txt"
     known = {line.split()[0]: line for line in listing.read_text().splitlines()} if listing.exists() else {}
     for name in names:

@@ -19,9 +19,6 @@ def pov(scene, width=None, height=None, shift=(0, 0)):
     # to the origin and the target to a distance of about 10. A power of two changes no digit, and the picture is the same.
     unit = 2.0 ** -round(math.log2(length(view) / 10))
 
-    def point(p):
-        return vector(times(unit, minus(p, position)))
-
     W = times(-1 / length(view), view)
     U = cross(camera["up"], W)
     U = times(1 / length(U), U)
@@ -50,8 +47,15 @@ def pov(scene, width=None, height=None, shift=(0, 0)):
         f"camera {{ perspective location 0 direction {vector(direction)} right {vector(times(w, U))} up {vector(times(h, V))} }}",
     ]
     reach = 2 * unit * length(view)              # where the attenuation comes to 0
-    for model in scene["models"]:
-        shape = shapes[model["type"]](model, point, unit)
+    for place, model in enumerate(scene["models"]):
+        # Of two models at the same t the first in the file shows; POV-Ray shows either. Grown about the camera by one in 10^9 a model
+        # looks the same and is that much farther away, so each stands behind those before it.
+        grown = unit * (1 + place * 1e-9)
+
+        def point(p):
+            return vector(times(grown, minus(p, position)))
+
+        shape = shapes[model["type"]](model, point, grown)
         if shape is None:
             continue
         kind, content = shape

@@ -1,0 +1,98 @@
+using Xunit.Sdk;
+
+namespace RayCaster.Tests.Pictures;
+
+public sealed class PictureAssertTests : IDisposable
+{
+    private readonly string folder = Directory.CreateTempSubdirectory("raycaster-").FullName;
+
+    public void Dispose() => Directory.Delete(folder, recursive: true);
+
+    /// <summary>20 × 10 pixels: grey on the left, red on the right.</summary>
+    private static Picture Halves(Action<Picture>? change = null)
+    {
+        var picture = new Picture(20, 10);
+        for (var y = 0; y < 10; y++)
+            for (var x = 0; x < 20; x++) picture[x, y] = x < 10 ? ((byte)100, (byte)100, (byte)100) : ((byte)200, (byte)0, (byte)0);
+        change?.Invoke(picture);
+        return picture;
+    }
+
+    private void Keep(Picture picture, Picture? outline = null)
+    {
+        PictureFile.Write(Path.Combine(folder, "scene.png"), picture);
+        if (outline is not null) PictureFile.Write(Path.Combine(folder, "scene.outline.png"), outline);
+    }
+
+    private string FailureOf(Picture actual) => Assert.Throws<FailException>(() => PictureAssert.Equal("scene", actual, folder)).Message;
+
+    private string[] Files => [.. Directory.GetFiles(folder).Select(file => Path.GetFileName(file)).Order()];
+
+    [Fact]
+    public void AnEqualPicturePassesAndLeavesNothing()
+    {
+        Keep(Halves());
+        PictureAssert.Equal("scene", Halves(), folder);
+        Assert.Equal(["scene.png"], Files);
+    }
+
+    [Fact]
+    public void AFailureSaysWhatInItsFirstLineAndLeavesTwoPictures()
+    {
+        Keep(Halves());
+        var lines = FailureOf(Halves(picture => picture[3, 2] = picture[4, 2] = (100, 100, 7))).Split('\n');
+        Assert.Equal("scene.png: 2 of 200 pixels (1 %) differ, by at most 93; the first at column 3, row 7 from the bottom: "
+            + "expected (100, 100, 100), got (100, 100, 7)", lines[0]);
+        Assert.Equal("  " + Path.Combine(folder, "scene.received.png"), lines[1]);
+        Assert.Equal("  " + Path.Combine(folder, "scene.diff.png"), lines[2]);
+        Assert.Equal(["scene.diff.png", "scene.png", "scene.received.png"], Files);
+        Assert.Equal((255, 0, 0), PictureFile.Read(Path.Combine(folder, "scene.diff.png"))[3, 2]);
+        Assert.Equal((100, 100, 7), PictureFile.Read(Path.Combine(folder, "scene.received.png"))[3, 2]);
+    }
+
+    [Fact]
+    public void ASuccessTakesThePicturesOfTheLastFailureAway()
+    {
+        Keep(Halves());
+        FailureOf(Halves(picture => picture[0, 0] = default));
+        PictureAssert.Equal("scene", Halves(), folder);
+        Assert.Equal(["scene.png"], Files);
+    }
+
+    [Fact]
+    public void AnotherSizeFails()
+    {
+        Keep(Halves());
+        Assert.StartsWith("scene.png: expected 20 × 10 pixels, got 10 × 20\n", FailureOf(new Picture(10, 20)));
+    }
+
+    [Fact]
+    public void OnePixelInAHundredMayBeOffByOne()
+    {
+        Keep(Halves());
+        PictureAssert.Equal("scene", Halves(picture => picture[3, 2] = picture[4, 2] = (100, 101, 99)), folder);
+    }
+
+    [Fact]
+    public void MoreThanOneInAHundredOffByOneFail()
+    {
+        Keep(Halves());
+        Assert.StartsWith("scene.png: 3 of 200 pixels (1.5 %) are off by 1; at most 1 % may be\n",
+            FailureOf(Halves(picture => picture[3, 2] = picture[4, 2] = picture[5, 2] = (100, 101, 100))));
+    }
+
+    [Theory]
+    [InlineData(10, 100, 100, true)] // the left neighbour's colour
+    [InlineData(10, 200, 0, true)]   // the right one's
+    [InlineData(10, 90, 0, false)]   // neither
+    [InlineData(11, 100, 100, false)] // not on the outline
+    public void OnAnOutlineAPixelMayShowEitherNeighbour(int x, byte red, byte green, bool passes)
+    {
+        var outline = new Picture(20, 10);
+        outline[10, 5] = (255, 255, 255);
+        Keep(Halves(), outline);
+        var actual = Halves(picture => picture[x, 5] = (red, green, green));
+        if (passes) PictureAssert.Equal("scene", actual, folder);
+        else Assert.Contains($"the first at column {x}, row 4 from the bottom", FailureOf(actual));
+    }
+}
