@@ -1,1 +1,59 @@
-return 0;
+using System.Runtime.InteropServices;
+
+namespace RayCaster.Cli;
+
+internal static class Program
+{
+    private static int Main(string[] arguments)
+    {
+        using var cancellation = new CancellationTokenSource();
+        var exitCode = ExitCode.Interrupted;
+        void Cancel(PosixSignalContext context)
+        {
+            context.Cancel = true; // not the default, which would leave the temporary file behind
+            if (context.Signal == PosixSignal.SIGTERM) exitCode = ExitCode.Terminated;
+            cancellation.Cancel();
+        }
+        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
+
+        try
+        {
+            return Run(CommandLine.Parse(arguments), cancellation.Token);
+        }
+        catch (OperationCanceledException) when (cancellation.IsCancellationRequested)
+        {
+            return exitCode;
+        }
+        catch (ProblemException problem)
+        {
+            Console.Error.WriteLine(problem.Message);
+            return ExitCode.CouldNot;
+        }
+        catch (Exception unexpected)
+        {
+            Console.Error.WriteLine($"raycaster: internal error: {unexpected.Message}");
+            Console.Error.WriteLine("This is a fault of raycaster, please report it; with RAYCASTER_TRACE=1 it shows where it happened.");
+            if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1") Console.Error.WriteLine(unexpected.StackTrace);
+            return ExitCode.InternalError;
+        }
+    }
+
+    private static int Run(CommandLine line, CancellationToken cancellation)
+    {
+        switch (line.Command)
+        {
+            case Command.Help:
+                Console.Out.Write(HelpText.Full);
+                return ExitCode.Done;
+            case Command.Version:
+                Console.Out.WriteLine(typeof(Program).Assembly.GetName().Version!.ToString(3));
+                return ExitCode.Done;
+            case Command.Usage:
+                Console.Error.Write(HelpText.Usage);
+                return ExitCode.CouldNot;
+            default:
+                return new DrawCommand(line).Run(cancellation);
+        }
+    }
+}

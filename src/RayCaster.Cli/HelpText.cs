@@ -1,0 +1,47 @@
+namespace RayCaster.Cli;
+
+/// <summary>What the console app says of itself.</summary>
+internal static class HelpText
+{
+    /// <summary>For a start without arguments: the one command to try.</summary>
+    public const string Usage = """
+        raycaster casts one ray per pixel through a scene file and writes the picture.
+        Try:   dotnet run --project src/RayCaster.Cli -- scenes/first.json
+        More:  dotnet run --project src/RayCaster.Cli -- help
+
+        """;
+
+    /// <summary>For those who ask.</summary>
+    public const string Full = """
+        Description:
+          Casts one ray per pixel through a scene file and writes the picture.
+
+        Usage:
+          raycaster <scene> [options]
+          raycaster help
+
+        Arguments:
+          <scene>  The scene file (JSON); "-" reads it from standard input.
+
+        Options:
+          -o, --output <file>    Where to write the picture: .png or .ppm; "-" writes it to a
+                                 redirected standard output, as PPM.
+                                 [default: the scene's name with .png, in the current folder]
+              --format <format>  png, ppm or ppm-text (PPM in readable numbers).
+                                 [default: what the file's extension says]
+          -s, --size <W>x<H>     Overrides the scene's picture size, in pixels.
+          -t, --threads <n>      How many threads cast rays. [default: one per core]
+          -q, --quiet            Prints errors only.
+              --no-progress      Never draws a progress line.
+              --version          Shows the version.
+          -?, -h, --help         Shows this help. Under "dotnet run" write it after "--".
+
+        Examples:
+          dotnet run --project src/RayCaster.Cli -- scenes/room.json
+          dotnet run --project src/RayCaster.Cli -- scenes/room.json -o room.ppm --size 1920x1080
+
+        Exit codes:
+          0 done, 2 could not do it, 70 internal error, 130 interrupted, 143 terminated.
+
+        """;
+}

@@ -1,0 +1,69 @@
+using System.Diagnostics;
+using System.Globalization;
+
+namespace RayCaster.Cli;
+
+/// <summary>One line on a terminal that tells how far the work is, drawn only when it lasts, at most ten times a second, and wiped at the end.</summary>
+/// <param name="output">Where to draw: the terminal behind standard error.</param>
+/// <param name="width">Pixels in a line of the picture.</param>
+/// <param name="height">Lines of the picture.</param>
+/// <param name="columns">How wide the terminal is; less than 20 means that it does not know.</param>
+internal sealed class ProgressLine(TextWriter output, int width, int height, int columns) : IDisposable
+{
+    private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);
+    private static readonly TimeSpan Pause = TimeSpan.FromSeconds(0.1);
+
+    private readonly long start = Stopwatch.GetTimestamp();
+    private readonly Lock drawing = new();
+    private TimeSpan lastDrawn = Patience - Pause;
+    private int linesDone, drawn;
+
+    /// <summary>Whether there is somebody to watch.</summary>
+    public static bool IsWanted =>
+        !Console.IsErrorRedirected
+        && Environment.GetEnvironmentVariable("TERM") != "dumb"
+        && string.IsNullOrEmpty(Environment.GetEnvironmentVariable("CI"));
+
+    /// <summary>Counts a line of the picture; any thread may call it.</summary>
+    public void LineDone()
+    {
+        var done = Interlocked.Increment(ref linesDone);
+        var elapsed = Stopwatch.GetElapsedTime(start);
+        if (elapsed < Patience || !drawing.TryEnter()) return;
+        try
+        {
+            if (elapsed - lastDrawn < Pause) return;
+            lastDrawn = elapsed;
+            Draw(Text(done, elapsed));
+        }
+        finally
+        {
+            drawing.Exit();
+        }
+    }
+
+    /// <summary>Wipes the line.</summary>
+    public void Dispose()
+    {
+        lock (drawing)
+            if (drawn > 0) Draw("");
+    }
+
+    private string Text(int done, TimeSpan elapsed)
+    {
+        var share = (double)done / height;
+        var rays = (double)done * width / elapsed.TotalSeconds;
+        var left = TimeSpan.FromSeconds(elapsed.TotalSeconds / share * (1 - share));
+        return string.Create(CultureInfo.InvariantCulture,
+            $"{share * 100,3:0} %  {done} of {height} lines  {rays / 1e6:0.0} million rays per second  {left:hh\\:mm\\:ss} left");
+    }
+
+    private void Draw(string text)
+    {
+        var room = (columns < 20 ? 80 : columns) - 1; // the last column would wrap
+        if (text.Length > room) text = text[..room];
+        output.Write('\r' + text.PadRight(drawn) + (text.Length == 0 ? "\r" : ""));
+        output.Flush();
+        drawn = text.Length;
+    }
+}
