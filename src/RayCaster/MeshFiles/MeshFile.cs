@@ -33,17 +33,19 @@ public static class MeshFile
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new MeshFileException(path, $"file not found; looked for {Path.GetFullPath(path)}{Nearest(path)}", inner: e);
+            throw new MeshFileException(path, $"file not found{FullPath(path)}{Nearest(path)}", inner: e);
         }
         catch (UnauthorizedAccessException e)
         {
-            throw new MeshFileException(path, $"no permission to read {Path.GetFullPath(path)}", inner: e);
+            throw new MeshFileException(path, $"no permission to read it{FullPath(path)}", inner: e);
         }
         catch (Exception e) when (e is IOException or ArgumentException or NotSupportedException)
         {
             throw new MeshFileException(path, $"cannot be read: {e.Message}", inner: e);
         }
     }
+
+    private static string? FullPath(string path) => Path.IsPathFullyQualified(path) ? null : $"; looked for {Path.GetFullPath(path)}";
 
     /// <summary>Names a neighbour whose name differs in case only: some systems find it under either name, others do not.</summary>
     private static string? Nearest(string path)

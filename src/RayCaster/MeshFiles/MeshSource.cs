@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster;
 
 /// <summary>The bytes of a mesh file, and what to say about a place in them.</summary>
@@ -23,14 +21,5 @@ internal sealed class MeshSource(string path, byte[] bytes)
             if (Bytes[i] == '\n' || (Bytes[i] == '\r' && !(i + 1 < Bytes.Length && Bytes[i + 1] == '\n')))
                 line++;
         return new(path, reason, line);
-    }
-
-    /// <summary>A word of the file for a message: short and printable, whatever it is.</summary>
-    public static string Quote(ReadOnlySpan<byte> word)
-    {
-        const int most = 40;
-        var text = new StringBuilder("'");
-        foreach (var c in Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)])) text.Append(char.IsControl(c) ? '?' : c);
-        return text.Append(word.Length > most ? "…'" : "'").ToString();
     }
 }

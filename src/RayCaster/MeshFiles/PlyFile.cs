@@ -14,7 +14,7 @@ internal static class PlyFile
         {
             if (element.Properties.Count == 0) continue; // its rows, however many, take no space
             if (!values.CanHold(element))
-                throw source.ErrorAtLine(element.At, $"the header promises {element.Count} of {element.Name}, more than the rest of the file can hold");
+                throw source.ErrorAtLine(element.At, $"the header promises {element.Count} rows, more than the rest of the file can hold");
             if (element.Name == "vertex") mesh.ReserveVertices((int)element.Count);
             if (element.Name == "face") mesh.ReserveTriangles((int)element.Count);
             for (var row = 0L; row < element.Count; row++)

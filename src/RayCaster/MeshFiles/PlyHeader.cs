@@ -83,18 +83,18 @@ internal sealed class PlyHeader
                 case "comment" or "obj_info" or "": break;
                 case "end_header" when Format == "": throw scanner.Error("the header has no format");
                 case "end_header": scanner.NextLine(); return;
-                case var other: throw scanner.Error($"a header line must be format, element, property, comment, obj_info or end_header, but is '{other}'");
+                default: throw scanner.Error($"a header line must be format, element, property, comment, obj_info or end_header, but is {scanner.Quoted}");
             }
         }
-        throw source.ErrorAtLine(scanner.Position, "the file ends within the header: end_header is missing");
+        throw scanner.Error("the file ends within the header: end_header is missing");
     }
 
     private void ReadFormat()
     {
         Format = NextWord();
         if (Format is not ("ascii" or "binary_little_endian" or "binary_big_endian"))
-            throw scanner.Error($"the format must be ascii, binary_little_endian or binary_big_endian, but is '{Format}'");
-        if (NextWord() is not "1.0" and var version) throw scanner.Error($"the version of the format must be 1.0, but is '{version}'");
+            throw scanner.Error($"the format must be ascii, binary_little_endian or binary_big_endian, but is {scanner.Quoted}");
+        if (NextWord() != "1.0") throw scanner.Error($"the version of the format must be 1.0, but is {scanner.Quoted}");
     }
 
     private void ReadElement()
@@ -104,7 +104,7 @@ internal sealed class PlyHeader
         if (Elements.Exists(element => element.Name == name && name is "vertex" or "face")) throw scanner.Error($"the element {name} is there twice");
         var word = scanner.NextInLine();
         if (!Utf8Parser.TryParse(word, out long count, out var length) || length < word.Length || count < 0)
-            throw scanner.Error($"the count of an element must be a whole number from 0 on, but is {MeshSource.Quote(word)}");
+            throw scanner.Error($"the count of an element must be a whole number from 0 on, but is {scanner.Quoted}");
         Elements.Add(new(name, count, at));
     }
 
@@ -139,7 +139,7 @@ internal sealed class PlyHeader
         "uint" or "uint32" => PlyType.UInt32,
         "float" or "float32" => PlyType.Float32,
         "double" or "float64" => PlyType.Float64,
-        _ => throw scanner.Error($"'{name}' is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64"),
+        _ => throw scanner.Error($"{scanner.Quoted} is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64"),
     };
 
     private PlyElement Require(string name, params ReadOnlySpan<(PlyRole Role, string Name)> needed)

@@ -52,8 +52,7 @@ internal sealed class AsciiPlyValues(MeshSource source, int position) : PlyValue
 
     public override void EndRow()
     {
-        if (scanner.NextInLine() is { IsEmpty: false } word)
-            throw scanner.Error($"the line has more numbers than the header promises, from {MeshSource.Quote(word)} on");
+        if (!scanner.NextInLine().IsEmpty) throw scanner.Error($"the line has more numbers than the header promises, from {scanner.Quoted} on");
         scanner.NextLine();
     }
 

@@ -47,12 +47,12 @@ internal static class StlFile
         var mesh = new MeshBuilder(source);
         var scanner = TextScanner.OfFile(source);
         var word = scanner.Next();
-        if (!Is(word, "solid")) throw scanner.Error($"an ascii STL file must begin with 'solid', but this one begins with {Found(word)}");
+        if (!Is(word, "solid")) throw scanner.Error($"an ascii STL file must begin with 'solid', but this one begins with {scanner.Quoted}");
         while (!word.IsEmpty)
         {
-            if (!Is(word, "solid")) throw Expected("solid", word);
+            if (!Is(word, "solid")) throw Expected("solid");
             for (word = NextAfterName(); Is(word, "facet"); word = scanner.Next()) ReadFacet();
-            if (!Is(word, "endsolid")) throw Expected("facet' or 'endsolid", word);
+            if (!Is(word, "endsolid")) throw Expected("facet' or 'endsolid");
             word = scanner.NextLine() ? scanner.Next() : []; // the name may stand here again
         }
         return mesh.ToMesh();
@@ -67,22 +67,16 @@ internal static class StlFile
             var word = scanner.Next();
             for (; Is(word, "vertex"); word = scanner.Next())
             {
-                var (x, y, z) = (Coordinate("x"), Coordinate("y"), Coordinate("z"));
+                var (x, y, z) = (Number("the vertex's x"), Number("the vertex's y"), Number("the vertex's z"));
                 mesh.AddCorner(mesh.VertexCount);
                 mesh.AddVertex(new(x, y, z));
             }
-            if (!Is(word, "endloop")) throw Expected("vertex' or 'endloop", word);
+            if (!Is(word, "endloop")) throw Expected("vertex' or 'endloop");
             if (mesh.CornerCount < 3) throw scanner.Error($"a facet needs at least three vertices, but this one has {mesh.CornerCount}");
             Expect("endfacet");
         }
 
-        double Coordinate(string axis) => scanner.ToNumber(scanner.Next(), $"the vertex's {axis}");
-
-        void Expect(string keyword)
-        {
-            var word = scanner.Next();
-            if (!Is(word, keyword)) throw Expected(keyword, word);
-        }
+        double Number(string what) => scanner.ToNumber(scanner.Next(), what);
 
         // A solid's name is the rest of its line, unless somebody has written the whole solid as one line.
         ReadOnlySpan<byte> NextAfterName()
@@ -100,10 +94,13 @@ internal static class StlFile
             return scanner.Next();
         }
 
-        MeshFileException Expected(string keyword, ReadOnlySpan<byte> word) => scanner.Error($"expected '{keyword}', found {Found(word)}");
+        void Expect(string keyword)
+        {
+            if (!Is(scanner.Next(), keyword)) throw Expected(keyword);
+        }
+
+        MeshFileException Expected(string keyword) => scanner.Error($"expected '{keyword}', found {scanner.Quoted}");
     }
 
     private static bool Is(ReadOnlySpan<byte> word, string keyword) => Ascii.EqualsIgnoreCase(word, keyword);
-
-    private static string Found(ReadOnlySpan<byte> word) => word.IsEmpty ? "the end of the file" : MeshSource.Quote(word);
 }

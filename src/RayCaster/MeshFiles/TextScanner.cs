@@ -1,3 +1,5 @@
+using System.Text;
+
 namespace RayCaster;
 
 /// <summary>Cuts a text into words where they stand, without copying them. Words are separated by blanks, lines end with LF, CRLF or CR.</summary>
@@ -7,6 +9,7 @@ namespace RayCaster;
 internal sealed class TextScanner(MeshSource source, int position, bool isObj = false)
 {
     private readonly byte[] text = source.Bytes;
+    private int wordEnd;
 
     /// <summary>Starts at the beginning of a file, past the byte order mark that some editors leave there.</summary>
     /// <exception cref="MeshFileException">The text is in UTF-16.</exception>
@@ -23,6 +26,20 @@ internal sealed class TextScanner(MeshSource source, int position, bool isObj = 
     /// <summary>Where the last word began, or where one was missing.</summary>
     public int WordAt { get; private set; }
 
+    /// <summary>The last word for a message: short and printable, whatever it is.</summary>
+    public string Quoted
+    {
+        get
+        {
+            const int most = 40;
+            var word = text.AsSpan(WordAt, wordEnd - WordAt);
+            if (word.IsEmpty) return Position == text.Length ? "the end of the file" : "the end of the line";
+            var quoted = new StringBuilder("'");
+            foreach (var c in Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)])) quoted.Append(char.IsControl(c) ? '?' : c);
+            return quoted.Append(word.Length > most ? "…'" : "'").ToString();
+        }
+    }
+
     /// <summary>The next word of this line; empty at the line's end.</summary>
     public ReadOnlySpan<byte> NextInLine()
     {
@@ -31,7 +48,7 @@ internal sealed class TextScanner(MeshSource source, int position, bool isObj = 
         while (at < text.Length && !EndsWord(text[at])) at++;
         // A backslash that continues nothing is a word of its own, or the scanner would not move.
         if (at == WordAt && at < text.Length && text[at] == '\\') at++;
-        Position = at;
+        Position = wordEnd = at;
         return text.AsSpan(WordAt, at - WordAt);
     }
 
@@ -74,7 +91,7 @@ internal sealed class TextScanner(MeshSource source, int position, bool isObj = 
     public double ToNumber(ReadOnlySpan<byte> word, string what)
     {
         if (DecimalNumber.TryParse(word, out var number)) return number;
-        throw Error(word.IsEmpty ? $"{what} is missing" : $"{what} must be a finite number, but is {MeshSource.Quote(word)}");
+        throw Error(word.IsEmpty ? $"{what} is missing" : $"{what} must be a finite number, but is {Quoted}");
     }
 
     /// <summary>A mistake in the last word.</summary>
