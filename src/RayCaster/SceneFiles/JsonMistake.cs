@@ -38,11 +38,11 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
             JsonTokenType.PropertyName => Value(at),
             JsonTokenType.StartObject => Key(at),
             JsonTokenType.StartArray => Value(at),
-            _ => AfterValue(at),
+            _ => AfterValue(at, lastEnd),
         } ?? Fallback(refusal);
     }
 
-    private JsonMistake? AfterValue(int at)
+    private JsonMistake? AfterValue(int at, int valueEnd)
     {
         if (open.Count == 0) return new(at, LineEnd(at), "the scene has ended before this; a file holds one object");
         if (utf8[at] == ',')
@@ -57,7 +57,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
         if (utf8[at] == '#') return Comment(at);
         if (utf8[at] == '/') return Slash(at);
         if (utf8[at] is (byte)':' or (byte)'=') return new(at, at + 1, $"'{(char)utf8[at]}' cannot follow a value; a comma or a bracket can");
-        return new(at, TokenEnd(at), $"a comma is missing after line {tree.Text.LineOf(lastEnd - 1)}");
+        return new(at, TokenEnd(at), $"a comma is missing after line {tree.Text.LineOf(valueEnd - 1)}");
     }
 
     private JsonMistake? Key(int at)
@@ -70,7 +70,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
                 var colon = SkipBlanks(end);
                 if (colon == utf8.Length) return CutOff();
                 if (utf8[colon] == ':') return null;
-                var hint = utf8[colon] == '=' ? ", not '='" : "";
+                var hint = utf8[colon] == '=' ? ", not '='," : "";
                 return new(colon, TokenEnd(colon), $"a colon{hint} must follow the key {tree.Text.Quote(at, end)}");
             case '\'':
                 return new(at, TokenEnd(at), "keys stand in double quotes, not in single ones");
@@ -148,6 +148,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
             while (IsDigit(i)) i++;
         }
         if (i == utf8.Length) return CutOff();
+        if (i == end) return AfterValue(SkipBlanks(end), end);
         return new(at, end, $"{word} is not a number; a number ends before '{Character(i)}'");
     }
 

@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text;
 using System.Text.Json;
 
 namespace RayCaster;
@@ -39,7 +40,9 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     {
         get
         {
-            var reader = new Utf8JsonReader(tree.Text.Utf8[Start..End]);
+            var utf8 = tree.Text.Utf8[Start..End];
+            if (!utf8.Contains((byte)'\\')) return Encoding.UTF8.GetString(utf8[1..^1]);
+            var reader = new Utf8JsonReader(utf8);
             reader.Read();
             try
             {

@@ -30,7 +30,7 @@ internal static class SceneMesh
 
     private static MeshData? Load(SceneObject o, string file)
     {
-        if (file.Length == 0 || file.Contains('\0'))
+        if (file.Contains('\0')) // which no file system takes
         {
             o.Refuse("file", $" must name a mesh file");
             return null;

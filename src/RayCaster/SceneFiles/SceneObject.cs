@@ -73,7 +73,7 @@ internal sealed class SceneObject
     /// <summary>A number within limits.</summary>
     public double Number(string key, string meaning, Limits limits, double? orElse = null) =>
         Take(new(key, KeyKind.Number, meaning, orElse is null, orElse) { Limits = limits }) is { } value
-            ? NumberAt(value, PathOf(key), limits)
+            ? NumberAt(value, key, null, limits)
             : orElse ?? double.NaN;
 
     /// <summary>A whole number from <paramref name="least"/> to <paramref name="most"/>; the default in place of an erroneous one.</summary>
@@ -86,7 +86,7 @@ internal sealed class SceneObject
             Report(true, value, PathOf(key), $" must be a whole number, but is {value.AsWritten}");
             return orElse;
         }
-        var number = NumberAt(value, PathOf(key), limits);
+        var number = NumberAt(value, key, null, limits);
         return double.IsNaN(number) ? orElse : (int)number;
     }
 
@@ -111,7 +111,7 @@ internal sealed class SceneObject
     {
         if (Take(new(key, KeyKind.Factors, meaning, false, orElse)) is not { } value) return new(orElse, orElse, orElse);
         if (value.Kind != JsonTokenType.Number) return VectorAt(value, key, Limits.NotZero, "a number or an array of three numbers [x, y, z]");
-        var factor = NumberAt(value, PathOf(key), Limits.NotZero);
+        var factor = NumberAt(value, key, null, Limits.NotZero);
         return new(factor, factor, factor);
     }
 
@@ -133,8 +133,14 @@ internal sealed class SceneObject
         return new(color.X, color.Y, color.Z);
     }
 
-    /// <summary>A text that must be there.</summary>
-    public string? Text(string key, string meaning) => Text(new SceneKey(key, KeyKind.Text, meaning, true));
+    /// <summary>A text that must be there and must not be empty, or null.</summary>
+    public string? Text(string key, string meaning)
+    {
+        var text = Text(new SceneKey(key, KeyKind.Text, meaning, true));
+        if (text is not "") return text;
+        Refuse(key, $" must not be empty");
+        return null;
+    }
 
     /// <summary>A text, or null where it is left out.</summary>
     public string? OptionalText(string key, string meaning) => Text(new SceneKey(key, KeyKind.Text, meaning, false));
@@ -246,19 +252,19 @@ internal sealed class SceneObject
         return Spelling.Nearest(word, key.Choices);
     }
 
-    private double NumberAt(JsonValue value, string path, Limits limits)
+    private double NumberAt(JsonValue value, string key, int? element, Limits limits)
     {
         if (value.Kind != JsonTokenType.Number)
         {
             var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
-            Report(true, value, path, $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}");
+            Report(true, value, PathOf(key, element), $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}");
             return double.NaN;
         }
         var number = value.Number;
         if (!double.IsFinite(number))
-            Report(true, value, path, $" must be finite, but {value.AsWritten} is beyond the largest number, 1.8e308");
+            Report(true, value, PathOf(key, element), $" must be finite, but {value.AsWritten} is beyond the largest number, 1.8e308");
         else if (!limits.Allow(number))
-            Report(true, value, path, $" must be {limits.Words}, but is {value.AsWritten}");
+            Report(true, value, PathOf(key, element), $" must be {limits.Words}, but is {value.AsWritten}");
         else
             return number;
         return double.NaN;
@@ -276,7 +282,7 @@ internal sealed class SceneObject
         Report(true, value, PathOf(key), $" must be {what}, but has {elements.Count} element{(elements.Count == 1 ? "" : "s")}");
         return NoVector;
 
-        double Element(int i) => NumberAt(elements[i], PathOf(key, i), limits);
+        double Element(int i) => NumberAt(elements[i], key, i, limits);
     }
 
     private JsonValue? Place(string key, int? element)

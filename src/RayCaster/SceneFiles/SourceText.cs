@@ -10,7 +10,7 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 {
     private const int LongestExcerpt = 120;
     private int[]? lineStarts;
-    private (int Offset, int Column) last; // the place asked for last: of a long line with many problems only the way from there is walked
+    private (int Offset, int Column) last = (0, 1); // the place asked for last: of a long line with many problems only the way from there is walked
 
     /// <summary>The file as the user named it.</summary>
     public string Name => name;
@@ -51,8 +51,8 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
     {
         var line = LineOf(start);
         var from = LineStarts[line - 1];
-        var to = from + (Utf8[from..].IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? length : Utf8.Length - from);
-        start = Math.Min(start, to);
+        var ahead = Utf8.Slice(start, Math.Min(4 * LongestExcerpt, Utf8.Length - start)); // the whole text may be one line
+        var to = start + (ahead.IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? length : ahead.Length);
         end = Math.Clamp(end, start, to);
 
         var cutBefore = to - from > LongestExcerpt && start - from > LongestExcerpt / 2;

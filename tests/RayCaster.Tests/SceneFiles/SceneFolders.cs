@@ -1,0 +1,26 @@
+namespace RayCaster.Tests.SceneFiles;
+
+/// <summary>Where the good and the broken scenes lie; beside each the problems to expect, one a line, in a file named .txt.</summary>
+internal static class SceneFolders
+{
+    public static readonly string Root = FindRoot();
+
+    /// <summary>The scenes in a folder of the tests, as paths from that of the tests.</summary>
+    public static TheoryData<string> Scenes(params string[] folders)
+    {
+        var scenes = new TheoryData<string>();
+        foreach (var folder in folders)
+            foreach (var file in Directory.GetFiles(InTests(folder), "*.json").Order(StringComparer.Ordinal))
+                scenes.Add($"{folder}/{Path.GetFileName(file)}");
+        return scenes;
+    }
+
+    public static string InTests(string path) => Path.Combine(Root, "tests/RayCaster.Tests", path);
+
+    private static string FindRoot()
+    {
+        var folder = AppContext.BaseDirectory;
+        while (!File.Exists(Path.Combine(folder, "RayCaster.sln"))) folder = Path.GetDirectoryName(folder)!;
+        return folder;
+    }
+}
