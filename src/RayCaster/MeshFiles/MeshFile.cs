@@ -33,7 +33,7 @@ public static class MeshFile
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new MeshFileException(path, $"file not found{FullPath(path)}{Nearest(path)}", inner: e);
+            throw new MeshFileException(path, $"file not found{FullPath(path)}{FileNames.DidYouMean(path)}", inner: e);
         }
         catch (UnauthorizedAccessException e)
         {
@@ -46,15 +46,4 @@ public static class MeshFile
     }
 
     private static string? FullPath(string path) => Path.IsPathFullyQualified(path) ? null : $"; looked for {Path.GetFullPath(path)}";
-
-    /// <summary>Names a neighbour whose name differs in case only: some systems find it under either name, others do not.</summary>
-    private static string? Nearest(string path)
-    {
-        var (folder, name) = (Path.GetDirectoryName(Path.GetFullPath(path)), Path.GetFileName(path));
-        if (!Directory.Exists(folder)) return null;
-        foreach (var neighbour in Directory.EnumerateFiles(folder, "*", new EnumerationOptions { IgnoreInaccessible = true }))
-            if (Path.GetFileName(neighbour).Equals(name, StringComparison.OrdinalIgnoreCase))
-                return $"; did you mean {Path.GetFileName(neighbour)}? (case matters)";
-        return null;
-    }
 }
