@@ -1,0 +1,59 @@
+using System.Text.RegularExpressions;
+using RayCaster.Tests.Cli;
+
+namespace RayCaster.Tests.Docs;
+
+/// <summary>What the documents show is what is there.</summary>
+public class DocsTests
+{
+    private static readonly string Root = Path.GetDirectoryName(RayCasterProcess.Scenes)!;
+
+    public static TheoryData<string> Documents => new(new[] { "README.md" }
+        .Concat(Directory.GetFiles(Path.Combine(Root, "docs"), "*.md").Select(path => "docs/" + Path.GetFileName(path)))
+        .Append("tests/References/README.md"));
+
+    [Theory]
+    [MemberData(nameof(Documents))]
+    public void EveryLinkLeadsToAFile(string document)
+    {
+        var folder = Path.GetDirectoryName(Path.Combine(Root, document))!;
+        foreach (Match link in Regex.Matches(Read(document), @"\]\((?!https?:)([^)#]+)[^)]*\)"))
+        {
+            var path = Path.Combine(folder, link.Groups[1].Value);
+            Assert.True(File.Exists(path) || Directory.Exists(path), $"{document} links to {link.Groups[1].Value}, which is not there");
+        }
+    }
+
+    [Fact]
+    public void TheReadmeShowsTheFirstSceneInFull() => Assert.Contains($"```json\n{Read("scenes/first.json")}```", Read("README.md"));
+
+    [Fact]
+    public void TheReadmesErrorIsTheOneThatIsPrinted()
+    {
+        using var raycaster = new RayCasterProcess();
+        Directory.CreateDirectory(raycaster.PathOf("scenes"));
+        raycaster.Write("scenes/first.json", Read("scenes/first.json").Replace("\"radius\"", "\"raduis\"")).Run("scenes/first.json");
+        Assert.Contains($"-- scenes/first.json\n{raycaster.Error}```", Read("README.md"));
+    }
+
+    [Theory]
+    [InlineData("room", 500, 500)]
+    [InlineData("first", 300, 200)]
+    public void ThePicturesOfTheReadmeAreThoseOfTheScenes(string scene, int width, int height)
+    {
+        var read = SceneReader.Read(Path.Combine(RayCasterProcess.Scenes, scene + ".json")).Scene!;
+        var picture = ScalarRenderer.Render(read with { Camera = read.Camera.WithSize(width, height) });
+        Assert.Equal(PictureFile.Read(Path.Combine(Root, "docs", scene + ".png")).Rgb, picture.Rgb);
+    }
+
+    [Theory]
+    [InlineData("Ring")]
+    [InlineData("Cylinder")]
+    public void TheShapesToAddAreThoseOfTheTests(string shape)
+    {
+        var code = Read($"tests/RayCaster.Tests/Models/{shape}.cs");
+        Assert.Contains(code[code.IndexOf("internal ", StringComparison.Ordinal)..], Read("docs/adding-a-primitive.md"));
+    }
+
+    private static string Read(string file) => File.ReadAllText(Path.Combine(Root, file)).ReplaceLineEndings("\n");
+}
