@@ -30,7 +30,11 @@ public static class PictureFile
         {
             throw new PictureFileException($"picture file not found: {path}\n  looked for {Path.GetFullPath(path)}", e);
         }
-        catch (Exception e) when (PictureFileException.IsCausedByFile(e) || e is ArgumentException) // the last: an empty path
+        catch (ArgumentException e) // empty, or with a zero in it
+        {
+            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e);
+        }
+        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
             throw new PictureFileException($"cannot read {path}: {PictureFileException.Reason(e)}", e);
         }
@@ -45,8 +49,8 @@ public static class PictureFile
         {
             var file = ReadToEnd(stream);
             if (file.IsEmpty) throw new PictureFileException("the file is empty");
-            if (file[0] == PngChunk.Signature[0]) return PngReader.Read(file);
-            if (file[0] == 'P') return PnmReader.Read(file);
+            if (IsPng(file)) return PngReader.Read(file);
+            if (IsPnm(file)) return PnmReader.Read(file);
             throw new PictureFileException($"{Guess(file)}; PNG, PBM, PGM and PPM can be read");
         }
         catch (OutOfMemoryException e)
@@ -92,6 +96,10 @@ public static class PictureFile
         return text.ToString();
     }
 
+    private static bool IsPng(ReadOnlySpan<byte> file) => file[0] == PngChunk.Signature[0];
+
+    private static bool IsPnm(ReadOnlySpan<byte> file) => file[0] == 'P';
+
     /// <summary>The bytes that are there; a pipe or a device promises no length, so that memory grows with them.</summary>
     private static ReadOnlySpan<byte> ReadToEnd(Stream stream)
     {
@@ -103,6 +111,7 @@ public static class PictureFile
             var count = stream.Read(bytes.AsSpan(length));
             if (count == 0) return bytes.AsSpan(0, length);
             length += count;
+            if (length == count && !IsPng(bytes) && !IsPnm(bytes)) return bytes.AsSpan(0, length); // enough to see what it is not
             if (length < bytes.Length) continue;
             if (length == MostBytes) throw TooLong();
             Array.Resize(ref bytes, (int)Math.Min(2L * length, MostBytes));

@@ -101,8 +101,7 @@ internal static class PngReader
             filtered[0] = 0;
             PngFilter.Undo(filter, line, above, margin);
             Unpack(line.AsSpan(margin), header, samples);
-            for (int x = pass.X, i = 0; i < columns; x += pass.StepX, i++)
-                picture[x, y] = ColorOf(samples.AsSpan(i * header.Channels, header.Channels), header, palette);
+            Place(samples, y, header, pass, palette, picture);
             (line, above) = (above, line);
         }
     }
@@ -130,6 +129,18 @@ internal static class PngReader
                 }
                 break;
         }
+    }
+
+    /// <summary>Puts a line of a pass where it belongs in the picture.</summary>
+    private static void Place(ReadOnlySpan<byte> samples, int y, PngHeader header, PngPass pass, ReadOnlySpan<byte> palette, Picture picture)
+    {
+        if (header.ColorType == PngHeader.Rgb && pass.StepX == 1)
+        {
+            samples.CopyTo(picture.Rgb.AsSpan(y * samples.Length)); // a whole line, as it is
+            return;
+        }
+        for (var x = pass.X; x < picture.Width; x += pass.StepX, samples = samples[header.Channels..])
+            picture[x, y] = ColorOf(samples, header, palette);
     }
 
     private static (byte R, byte G, byte B) ColorOf(ReadOnlySpan<byte> samples, PngHeader header, ReadOnlySpan<byte> palette)

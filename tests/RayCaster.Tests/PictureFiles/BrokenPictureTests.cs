@@ -189,6 +189,14 @@ public class BrokenPictureTests
     }
 
     [Fact]
+    public void APipeOfSomethingElseIsNotReadToItsEnd()
+    {
+        using var pipe = new Pipe(new byte[1000]);
+        Assert.Throws<PictureFileException>(() => PictureFile.Read(pipe));
+        Assert.Equal(7, pipe.Position);
+    }
+
+    [Fact]
     public void TheMessageNamesTheFile()
     {
         using var folder = new TemporaryFolder();

@@ -97,9 +97,13 @@ public sealed class ReplacedFileTests : IDisposable
     }
 
     [Theory]
-    [InlineData("")]
-    [InlineData("a\0.png")]
-    public void AnImpossibleNameIsRefused(string path) => Assert.Throws<PictureFileException>(() => new ReplacedFile(path));
+    [InlineData("", "'' is no file name")]
+    [InlineData("a\0.png", @"'a\x00.png' is no file name")]
+    public void AnImpossibleNameIsRefused(string path, string message)
+    {
+        Assert.Equal(message, Assert.Throws<PictureFileException>(() => new ReplacedFile(path)).Message);
+        Assert.Equal(message, Assert.Throws<PictureFileException>(() => PictureFile.Read(path)).Message);
+    }
 
     [Fact]
     public void ATooLongNameIsRefused()
