@@ -9,9 +9,9 @@ public static class PictureFile
     private static long MostBytes => Array.MaxLength;
 
     /// <summary>
-    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), told apart by their first bytes. Samples
-    /// are scaled to 8 bits, rounded to nearest; nothing else is done to them: gamma and colour profiles are not applied, and alpha is dropped,
-    /// so that a transparent pixel shows the colour that is stored in it.
+    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), told apart by their first bytes.
+    /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
+    /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
     /// <exception cref="PictureFileException">The file cannot be read, is damaged, of another kind, or too large.</exception>
     public static Picture Read(string path)
@@ -80,10 +80,11 @@ public static class PictureFile
     /// <exception cref="PictureFileException">A side is 0, or the picture does not fit into an array.</exception>
     internal static void CheckSize(long width, long height)
     {
-        if (width < 1 || height < 1) throw new PictureFileException($"its size is {width} × {height} pixels, but each side must be at least 1");
+        if (width < 1 || height < 1)
+            throw new PictureFileException($"its size is {width} × {height} pixels, but each side must be at least 1");
         var bytes = (Int128)width * height * 3;
-        if (bytes > MostBytes)
-            throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {MostBytes:N0}");
+        if (bytes <= MostBytes) return;
+        throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {MostBytes:N0}");
     }
 
     /// <summary>A piece of a damaged file, fit for a message.</summary>

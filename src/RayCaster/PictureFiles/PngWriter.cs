@@ -67,8 +67,9 @@ internal sealed class PngWriter : PictureWriter
 
     private void WriteCompressed()
     {
-        for (var data = compressed.GetBuffer().AsSpan(0, (int)compressed.Length); !data.IsEmpty; data = data[Math.Min(ChunkSize, data.Length)..])
-            PngChunk.Write(Output, "IDAT"u8, data[..Math.Min(ChunkSize, data.Length)]);
+        var data = compressed.GetBuffer().AsSpan(0, (int)compressed.Length);
+        for (; data.Length > ChunkSize; data = data[ChunkSize..]) PngChunk.Write(Output, "IDAT"u8, data[..ChunkSize]);
+        PngChunk.Write(Output, "IDAT"u8, data);
         compressed.SetLength(0);
     }
 
