@@ -9,9 +9,9 @@ public static class PictureFile
     private static long MostBytes => Array.MaxLength;
 
     /// <summary>
-    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), told apart by their first bytes. Samples
-    /// are scaled to 8 bits, rounded to nearest; nothing else is done to them: gamma and colour profiles are not applied, and alpha is dropped,
-    /// so that a transparent pixel shows the colour that is stored in it.
+    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), told apart by their first bytes.
+    /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
+    /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
     /// <exception cref="PictureFileException">The file cannot be read, is damaged, of another kind, or too large.</exception>
     public static Picture Read(string path)
@@ -30,7 +30,11 @@ public static class PictureFile
         {
             throw new PictureFileException($"picture file not found: {path}\n  looked for {Path.GetFullPath(path)}", e);
         }
-        catch (Exception e) when (PictureFileException.IsCausedByFile(e) || e is ArgumentException) // the last: an empty path
+        catch (ArgumentException e) // empty, or with a zero in it
+        {
+            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e);
+        }
+        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
             throw new PictureFileException($"cannot read {path}: {PictureFileException.Reason(e)}", e);
         }
@@ -45,8 +49,8 @@ public static class PictureFile
         {
             var file = ReadToEnd(stream);
             if (file.IsEmpty) throw new PictureFileException("the file is empty");
-            if (file[0] == PngChunk.Signature[0]) return PngReader.Read(file);
-            if (file[0] == 'P') return PnmReader.Read(file);
+            if (IsPng(file)) return PngReader.Read(file);
+            if (IsPnm(file)) return PnmReader.Read(file);
             throw new PictureFileException($"{Guess(file)}; PNG, PBM, PGM and PPM can be read");
         }
         catch (OutOfMemoryException e)
@@ -76,10 +80,11 @@ public static class PictureFile
     /// <exception cref="PictureFileException">A side is 0, or the picture does not fit into an array.</exception>
     internal static void CheckSize(long width, long height)
     {
-        if (width < 1 || height < 1) throw new PictureFileException($"its size is {width} × {height} pixels, but each side must be at least 1");
+        if (width < 1 || height < 1)
+            throw new PictureFileException($"its size is {width} × {height} pixels, but each side must be at least 1");
         var bytes = (Int128)width * height * 3;
-        if (bytes > MostBytes)
-            throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {MostBytes:N0}");
+        if (bytes <= MostBytes) return;
+        throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {MostBytes:N0}");
     }
 
     /// <summary>A piece of a damaged file, fit for a message.</summary>
@@ -92,6 +97,10 @@ public static class PictureFile
         return text.ToString();
     }
 
+    private static bool IsPng(ReadOnlySpan<byte> file) => file[0] == PngChunk.Signature[0];
+
+    private static bool IsPnm(ReadOnlySpan<byte> file) => file[0] == 'P';
+
     /// <summary>The bytes that are there; a pipe or a device promises no length, so that memory grows with them.</summary>
     private static ReadOnlySpan<byte> ReadToEnd(Stream stream)
     {
@@ -103,6 +112,7 @@ public static class PictureFile
             var count = stream.Read(bytes.AsSpan(length));
             if (count == 0) return bytes.AsSpan(0, length);
             length += count;
+            if (length == count && !IsPng(bytes) && !IsPnm(bytes)) return bytes.AsSpan(0, length); // enough to see what it is not
             if (length < bytes.Length) continue;
             if (length == MostBytes) throw TooLong();
             Array.Resize(ref bytes, (int)Math.Min(2L * length, MostBytes));

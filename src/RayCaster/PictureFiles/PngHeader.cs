@@ -5,14 +5,17 @@ namespace RayCaster;
 /// <summary>What a PNG's first chunk, IHDR, says about its pixels.</summary>
 internal readonly record struct PngHeader(int Width, int Height, int BitDepth, int ColorType, bool Interlaced)
 {
-    /// <summary>Colour type 3, whose samples are places in the palette.</summary>
+    /// <summary>The colour type of samples red, green, blue.</summary>
+    public const int Rgb = 2;
+
+    /// <summary>The colour type whose samples are places in the palette.</summary>
     public const int Palette = 3;
 
     /// <summary>A line of pixels of up to 8 bytes then fits into an array with room to spare.</summary>
     private const int MostColumns = 1 << 27;
 
     /// <summary>Colour types by their samples: grey, red-green-blue, palette, grey and alpha, red-green-blue and alpha.</summary>
-    public int Channels => ColorType switch { 0 or Palette => 1, 4 => 2, 2 => 3, _ => 4 };
+    public int Channels => ColorType switch { 0 or Palette => 1, 4 => 2, Rgb => 3, _ => 4 };
 
     public int BitsPerPixel => Channels * BitDepth;
 
@@ -61,7 +64,7 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
         {
             0 => header.BitDepth is 1 or 2 or 4 or 8 or 16,
             Palette => header.BitDepth is 1 or 2 or 4 or 8,
-            2 or 4 or 6 => header.BitDepth is 8 or 16,
+            Rgb or 4 or 6 => header.BitDepth is 8 or 16,
             _ => throw new PictureFileException($"its colour type is {data[9]}, but must be 0, 2, 3, 4 or 6"),
         };
         if (!allowed) throw new PictureFileException($"its bit depth is {data[8]}, which colour type {data[9]} does not allow");

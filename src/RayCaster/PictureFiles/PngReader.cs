@@ -3,7 +3,9 @@ using System.IO.Compression;
 
 namespace RayCaster;
 
-/// <summary>PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checksums are checked; alpha and transparency are dropped.</summary>
+/// <summary>
+/// PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checksums are checked; alpha and transparency are dropped.
+/// </summary>
 internal static class PngReader
 {
     /// <summary>Deflate describes 258 bytes with two bits at best.</summary>
@@ -36,7 +38,8 @@ internal static class PngReader
                     return Decompress(header!.Value, palette, compressed);
                 default:
                     // A small first letter says that the picture can be shown without this chunk.
-                    if (char.IsAsciiLetterUpper(type[0])) throw new PictureFileException($"its chunk {type} is not known here or out of place");
+                    if (char.IsAsciiLetterUpper(type[0]))
+                        throw new PictureFileException($"its chunk {type} is not known here or out of place");
                     break;
             }
         }
@@ -46,12 +49,14 @@ internal static class PngReader
     private static ReadOnlySpan<byte> ReadChunk(ReadOnlySpan<byte> file, scoped ref int at, out string type)
     {
         var rest = file[at..];
-        if (rest.Length < PngChunk.Frame) throw new PictureFileException($"the file is cut short: it ends at byte {file.Length:N0}, before its chunk IEND");
+        if (rest.Length < PngChunk.Frame)
+            throw new PictureFileException($"the file is cut short: it ends at byte {file.Length:N0}, before its chunk IEND");
         var length = BinaryPrimitives.ReadUInt32BigEndian(rest);
+        var follow = rest.Length - PngChunk.Frame;
         type = PictureFile.Printable(rest.Slice(4, 4));
-        if (length > rest.Length - PngChunk.Frame)
+        if (length > follow)
             throw new PictureFileException(
-                $"the file is cut short: its chunk {type} at byte {at:N0} needs {length:N0} bytes, but {rest.Length - PngChunk.Frame:N0} follow");
+                $"the file is cut short: its chunk {type} at byte {at:N0} needs {length:N0} bytes, but {follow:N0} follow");
         var data = rest.Slice(8, (int)length);
         var crc = BinaryPrimitives.ReadUInt32BigEndian(rest[(8 + data.Length)..]);
         if (crc != PngChunk.Crc(0, rest.Slice(4, 4 + data.Length)))
@@ -65,7 +70,8 @@ internal static class PngReader
         if (header.ColorType == PngHeader.Palette && (palette.Length % 3 != 0 || palette.Length / 3 is < 1 or > 256))
             throw new PictureFileException($"its palette has {palette.Length} bytes, but must be 1 to 256 colours of 3 bytes");
         if (header.DataBytes > (Int128)compressed.Length * MostBytesFromOne)
-            throw new PictureFileException($"the file is cut short: {header.Width:N0} × {header.Height:N0} pixels are {header.DataBytes:N0} bytes, "
+            throw new PictureFileException("the file is cut short: "
+                + $"{header.Width:N0} × {header.Height:N0} pixels are {header.DataBytes:N0} bytes, "
                 + $"which no compression brings down to the {compressed.Length:N0} that it holds");
 
         compressed.Position = 0;
@@ -101,13 +107,12 @@ internal static class PngReader
             filtered[0] = 0;
             PngFilter.Undo(filter, line, above, margin);
             Unpack(line.AsSpan(margin), header, samples);
-            for (int x = pass.X, i = 0; i < columns; x += pass.StepX, i++)
-                picture[x, y] = ColorOf(samples.AsSpan(i * header.Channels, header.Channels), header, palette);
+            Place(samples, y, header, pass, palette, picture);
             (line, above) = (above, line);
         }
     }
 
-    /// <summary>Brings the samples of a line to a byte each: places in the palette as they are, all others scaled and rounded to nearest.</summary>
+    /// <summary>Brings the samples of a line to a byte each: places in the palette as they are, all others scaled and rounded.</summary>
     private static void Unpack(ReadOnlySpan<byte> line, PngHeader header, Span<byte> samples)
     {
         switch (header.BitDepth)
@@ -132,6 +137,19 @@ internal static class PngReader
         }
     }
 
+    /// <summary>Puts a line of a pass where it belongs in the picture.</summary>
+    private static void Place(
+        ReadOnlySpan<byte> samples, int y, PngHeader header, PngPass pass, ReadOnlySpan<byte> palette, Picture picture)
+    {
+        if (header.ColorType == PngHeader.Rgb && pass.StepX == 1)
+        {
+            samples.CopyTo(picture.Rgb.AsSpan(y * samples.Length)); // a whole line, as it is
+            return;
+        }
+        for (var x = pass.X; x < picture.Width; x += pass.StepX, samples = samples[header.Channels..])
+            picture[x, y] = ColorOf(samples, header, palette);
+    }
+
     private static (byte R, byte G, byte B) ColorOf(ReadOnlySpan<byte> samples, PngHeader header, ReadOnlySpan<byte> palette)
     {
         switch (header.ColorType)
@@ -140,7 +158,8 @@ internal static class PngReader
                 return (samples[0], samples[0], samples[0]);
             case PngHeader.Palette:
                 var i = 3 * samples[0];
-                if (i >= palette.Length) throw new PictureFileException($"a pixel has colour {samples[0]} of a palette that has {palette.Length / 3}");
+                if (i >= palette.Length)
+                    throw new PictureFileException($"a pixel has colour {samples[0]} of a palette that has {palette.Length / 3}");
                 return (palette[i], palette[i + 1], palette[i + 2]);
             default:
                 return (samples[0], samples[1], samples[2]);

@@ -19,12 +19,12 @@ internal sealed class PngWriter : PictureWriter
 
     private readonly MemoryStream compressed = new();
     private readonly ZLibStream compressor;
-    private readonly byte[] above, filtered;
+    private readonly byte[] lastLine, filtered;
 
     public PngWriter(Stream output, int width, int height) : base(output, width, height)
     {
         compressor = new ZLibStream(compressed, options, leaveOpen: true);
-        above = new byte[LineBytes];
+        lastLine = new byte[LineBytes];
         filtered = new byte[1 + LineBytes];
         filtered[0] = FilterUp;
 
@@ -46,14 +46,16 @@ internal sealed class PngWriter : PictureWriter
 
     private protected override void Encode(ReadOnlySpan<byte> lines)
     {
+        ReadOnlySpan<byte> above = lastLine;
         for (; !lines.IsEmpty; lines = lines[LineBytes..])
         {
             var line = lines[..LineBytes];
             Subtract(line, above, filtered.AsSpan(1));
-            line.CopyTo(above);
             compressor.Write(filtered);
             if (compressed.Length >= ChunkSize) WriteCompressed();
+            above = line;
         }
+        above.CopyTo(lastLine);
     }
 
     private protected override void EncodeEnd()
@@ -65,8 +67,9 @@ internal sealed class PngWriter : PictureWriter
 
     private void WriteCompressed()
     {
-        for (var data = compressed.GetBuffer().AsSpan(0, (int)compressed.Length); !data.IsEmpty; data = data[Math.Min(ChunkSize, data.Length)..])
-            PngChunk.Write(Output, "IDAT"u8, data[..Math.Min(ChunkSize, data.Length)]);
+        var data = compressed.GetBuffer().AsSpan(0, (int)compressed.Length);
+        for (; data.Length > ChunkSize; data = data[ChunkSize..]) PngChunk.Write(Output, "IDAT"u8, data[..ChunkSize]);
+        PngChunk.Write(Output, "IDAT"u8, data);
         compressed.SetLength(0);
     }
 

@@ -22,7 +22,10 @@ internal ref struct PnmReader
         this.file = file;
         kind = file.Length < 2 ? 0 : file[1] - '0';
         if (kind is < 1 or > 6)
-            throw new PictureFileException($"it begins with '{PictureFile.Printable(file[..Math.Min(2, file.Length)])}'; P1 to P6 can be read, and PNG");
+        {
+            var start = PictureFile.Printable(file[..Math.Min(2, file.Length)]);
+            throw new PictureFileException($"it begins with '{start}'; P1 to P6 can be read, and PNG");
+        }
         width = ReadNumber("the width");
         height = ReadNumber("the height");
         maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval");
@@ -44,9 +47,9 @@ internal ref struct PnmReader
             4 => ((width + 7L) / 8 * height, ""),
             _ => (maxval > 255 ? 2 * samples : samples, ""),
         };
-        if (file.Length - at < bytes)
-            throw new PictureFileException(
-                $"the file is cut short: {width:N0} × {height:N0} pixels need {least}{bytes:N0} bytes after the header, but there are {file.Length - at:N0}");
+        if (file.Length - at >= bytes) return;
+        throw new PictureFileException($"the file is cut short: {width:N0} × {height:N0} pixels need {least}{bytes:N0} bytes "
+            + $"after the header, but there are {file.Length - at:N0}");
     }
 
     private Picture ReadPixels()
@@ -101,7 +104,8 @@ internal ref struct PnmReader
         for (; at < file.Length && char.IsAsciiDigit((char)file[at]); at++)
         {
             number = number * 10 + file[at] - '0';
-            if (number > int.MaxValue) throw new PictureFileException($"{what} at byte {start} is greater than {int.MaxValue:N0}, which is the limit");
+            if (number > int.MaxValue)
+                throw new PictureFileException($"{what} at byte {start} is greater than {int.MaxValue:N0}, which is the limit");
         }
         return (int)number;
     }
@@ -120,7 +124,7 @@ internal ref struct PnmReader
         while (at < file.Length - 1 && file[at] is not ((byte)'\n' or (byte)'\r')) at++;
     }
 
-    /// <summary>Exactly one blank stands between a header and its bytes, which may look like blanks too; a comment's line end is also one.</summary>
+    /// <summary>Exactly one blank, or a comment with its line end, stands before the bytes, which may look like blanks too.</summary>
     private void SkipSeparator()
     {
         if (at < file.Length && file[at] == '#') SkipComment();

@@ -20,16 +20,18 @@ public sealed class ReplacedFile : Stream
         this.path = path;
         try
         {
-            if (path.Length == 0 || path.Contains('\0')) throw Failure($"'{path.Replace("\0", "\\0")}' is no file name");
+            if (path.Length == 0 || path.Contains('\0')) throw new PictureFileException($"'{path.Replace("\0", @"\x00")}' is no file name");
             target = Path.GetFullPath(path);
             var folder = Path.GetDirectoryName(target);
-            if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(target)) throw Failure("it is a folder; name a file in it");
+            if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(target))
+                throw Failure("it is a folder; name a file in it");
             if (!Directory.Exists(folder)) throw Failure("its folder does not exist", $"\n  make the folder {folder} first");
-            if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly)) throw Failure("the old file is read-only");
+            if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly))
+                throw Failure("the old file is read-only");
             temporary = $"{target}.{Random.Shared.Next():x8}.tmp";
             file = new FileStream(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 1 << 16);
         }
-        catch (UnauthorizedAccessException e)
+        catch (Exception e) when (e is UnauthorizedAccessException or FileNotFoundException) // the latter in a folder like /proc
         {
             throw Failure("you may not write to its folder", cause: e);
         }

@@ -120,7 +120,10 @@ public class BrokenPictureTests
             "P1 26000 26000 0"u8.ToArray(),
             "the file is cut short: 26,000 × 26,000 pixels need at least 676,000,000 bytes after the header, but there are 2"
         },
-        { [0x89, (byte)'P', (byte)'N', (byte)'G', (byte)'\n'], "it begins like a PNG, but its first eight bytes are damaged, as by a transfer as text" },
+        {
+            [0x89, (byte)'P', (byte)'N', (byte)'G', (byte)'\n'],
+            "it begins like a PNG, but its first eight bytes are damaged, as by a transfer as text"
+        },
         { Png(Chunk("CgBI", 1, 2, 3, 4), Header(1, 1, 8, 2)), "its first chunk is CgBI instead of IHDR" },
         { Png(Chunk("IHDR", 1, 2, 3)), "its chunk IHDR has 3 bytes instead of 13" },
         { Png(Header(1, 1, 8, 5)), "its colour type is 5, but must be 0, 2, 3, 4 or 6" },
@@ -189,11 +192,20 @@ public class BrokenPictureTests
     }
 
     [Fact]
+    public void APipeOfSomethingElseIsNotReadToItsEnd()
+    {
+        using var pipe = new Pipe(new byte[1000]);
+        Assert.Throws<PictureFileException>(() => PictureFile.Read(pipe));
+        Assert.Equal(7, pipe.Position);
+    }
+
+    [Fact]
     public void TheMessageNamesTheFile()
     {
         using var folder = new TemporaryFolder();
         var path = folder.Write("mine.png", "hello"u8);
-        Assert.StartsWith($"cannot read {path}: it begins with 'hello'", Assert.Throws<PictureFileException>(() => PictureFile.Read(path)).Message);
+        var message = Assert.Throws<PictureFileException>(() => PictureFile.Read(path)).Message;
+        Assert.StartsWith($"cannot read {path}: it begins with 'hello'", message);
     }
 
     [Fact]
@@ -211,7 +223,8 @@ public class BrokenPictureTests
         Assert.Equal($"cannot read {folder.Path}: it is a folder, not a picture", message);
     }
 
-    private static PictureFileException Refused(byte[] file) => Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(file)));
+    private static PictureFileException Refused(byte[] file) =>
+        Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(file)));
 
     private static void RefusedOrRead(byte[] file)
     {
@@ -245,8 +258,12 @@ public class BrokenPictureTests
         return compressed.ToArray();
     }
 
-    private static byte[] Chunk(string type, params byte[] data) =>
-        WithRightChecksums([.. Png(), .. BitConverter.GetBytes(BinaryPrimitives.ReverseEndianness(data.Length)), .. Encoding.ASCII.GetBytes(type), .. data, 0, 0, 0, 0])[8..];
+    private static byte[] Chunk(string type, params byte[] data)
+    {
+        var length = new byte[4];
+        BinaryPrimitives.WriteInt32BigEndian(length, data.Length);
+        return WithRightChecksums([.. Png(), .. length, .. Encoding.ASCII.GetBytes(type), .. data, 0, 0, 0, 0])[8..];
+    }
 
     private static byte[] WithRightChecksums(byte[] file)
     {

@@ -5,7 +5,8 @@ namespace RayCaster.Tests.PictureFiles;
 /// <summary>Every kind of PNG and PNM that ImageMagick and netpbm write is read to the pixels that they read themselves.</summary>
 public class ForeignPictureTests
 {
-    private static IEnumerable<string> Names => Directory.EnumerateFiles(TestData.Folder).Select(path => Path.GetFileName(path)).Where(IsPicture);
+    private static IEnumerable<string> Names =>
+        Directory.EnumerateFiles(TestData.Folder).Select(path => Path.GetFileName(path)).Where(IsPicture);
 
     public static TheoryData<string> Files => [.. Names.Order(StringComparer.Ordinal)];
 
@@ -27,5 +28,6 @@ public class ForeignPictureTests
         Assert.Equal(15 * 2, kinds.Count());
     }
 
-    private static bool IsPicture(string name) => Path.GetExtension(name) is ".png" or ".ppm" or ".pgm" or ".pbm" && !name.Contains(".expected.");
+    private static bool IsPicture(string name) =>
+        Path.GetExtension(name) is ".png" or ".ppm" or ".pgm" or ".pbm" && !name.Contains(".expected.");
 }

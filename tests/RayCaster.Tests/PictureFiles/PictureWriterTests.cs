@@ -10,7 +10,8 @@ public class PictureWriterTests
         {
             var data = new TheoryData<PictureFormat, int, int>();
             foreach (var format in Enum.GetValues<PictureFormat>())
-                foreach (var (width, height) in new[] { (1, 1), (1, 300), (300, 1), (5, 2), (6, 2), (37, 23), (641, 481) }) data.Add(format, width, height);
+                foreach (var (width, height) in new[] { (1, 1), (1, 300), (300, 1), (5, 2), (6, 2), (37, 23), (641, 481) })
+                    data.Add(format, width, height);
             return data;
         }
     }

@@ -77,8 +77,11 @@ public sealed class ReplacedFileTests : IDisposable
     }
 
     [Fact]
-    public void AFolderThatIsNotThereIsNotMade() =>
-        Refused(folder["a/room.png"], $"cannot write {folder["a/room.png"]}: its folder does not exist\n  make the folder {folder["a"]} first", left: []);
+    public void AFolderThatIsNotThereIsNotMade()
+    {
+        var path = folder["a/room.png"];
+        Refused(path, $"cannot write {path}: its folder does not exist\n  make the folder {folder["a"]} first", left: []);
+    }
 
     [Fact]
     public void AReadOnlyFileIsNotReplaced()
@@ -93,13 +96,18 @@ public sealed class ReplacedFileTests : IDisposable
     public void AFileIsNotAFolder()
     {
         folder.Write("room.png", "old"u8);
-        Refused(folder["room.png/x.png"], $"cannot write {folder["room.png/x.png"]}: its folder does not exist\n  make the folder {folder["room.png"]} first");
+        var path = folder["room.png/x.png"];
+        Refused(path, $"cannot write {path}: its folder does not exist\n  make the folder {folder["room.png"]} first");
     }
 
     [Theory]
-    [InlineData("")]
-    [InlineData("a\0.png")]
-    public void AnImpossibleNameIsRefused(string path) => Assert.Throws<PictureFileException>(() => new ReplacedFile(path));
+    [InlineData("", "'' is no file name")]
+    [InlineData("a\0.png", @"'a\x00.png' is no file name")]
+    public void AnImpossibleNameIsRefused(string path, string message)
+    {
+        Assert.Equal(message, Assert.Throws<PictureFileException>(() => new ReplacedFile(path)).Message);
+        Assert.Equal(message, Assert.Throws<PictureFileException>(() => PictureFile.Read(path)).Message);
+    }
 
     [Fact]
     public void ATooLongNameIsRefused()
