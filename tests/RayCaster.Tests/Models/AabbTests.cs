@@ -50,7 +50,8 @@ public class AabbTests
     public void ARayThatStartsAndStaysInAFaceLeavesAtItsEdge() => Assert.Equal((-2, 2), Cast.Line(box, new(1, 0, 0), new(0, 1, 0)));
 
     [Fact]
-    public void AFlatBoxIsHitFromItsFront() => Assert.Equal((4, 4), Cast.Line(new Aabb(new(-1, -1, 2), new(1, 1, 2)), new(0, 0, 6), new(0, 0, -1)));
+    public void AFlatBoxIsHitFromItsFront() =>
+        Assert.Equal((4, 4), Cast.Line(new Aabb(new(-1, -1, 2), new(1, 1, 2)), new(0, 0, 6), new(0, 0, -1)));
 
     [Fact]
     public void AFlatBoxIsHitByARayInItsPlane() =>

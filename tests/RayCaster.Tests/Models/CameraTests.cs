@@ -70,7 +70,8 @@ public class CameraTests
     [Fact]
     public void WithAnotherSizeEverythingElseStays()
     {
-        var camera = new Camera(new(1, 2, 3), new(4, 5, 7), new(1, 0, 0), 50, 10, 20, 0.5, 60, 0.25, Clip.Distance, Sample.Center).WithSize(7, 9);
+        var camera = new Camera(new(1, 2, 3), new(4, 5, 7), new(1, 0, 0), 50, 10, 20, 0.5, 60, 0.25, Clip.Distance, Sample.Center)
+            .WithSize(7, 9);
         Assert.Equal((7, 9), (camera.Width, camera.Height));
         Assert.Equal((new(1, 2, 3), new(4, 5, 7), new(1, 0, 0), 50, 0.5, 60, 0.25, Clip.Distance, Sample.Center),
             (camera.Position, camera.Target, camera.Up, camera.FovY, camera.ZNear, camera.ZFar, camera.Bias, camera.Clip, camera.Sample));

@@ -5,18 +5,22 @@ public class InvarianceTests
 {
     private const int Cases = 5000;
 
-    /// <summary>A kind of shape: how to make a random one, move it, scale it; and how far a point is off its surface.</summary>
+    /// <summary>What can be checked of any kind of shape, one random case at a time.</summary>
     private abstract class Kind
     {
-        /// <summary>Checks moving and scaling with grid coordinates, where they are exact, so that t must be the same to the last bit.</summary>
+        /// <summary>Coordinates on a grid move exactly, so t must stay the same to the last bit.</summary>
         public abstract void CheckMoved(Random random);
 
+        /// <summary>A power of two changes no digit.</summary>
         public abstract void CheckScaled(Random random);
 
-        public abstract int CheckOnSurface(Random random);
+        /// <summary>Returns whether there was a hit to check.</summary>
+        public abstract bool CheckOnSurface(Random random);
     }
 
-    private sealed class Kind<P>(Func<Random, P> make, Func<P, Vector3, P> move, Func<P, double, P> scale, Func<P, Vector3, double> off) : Kind
+    /// <summary>How to make a random shape, move it, scale it; and how far a point is off its surface.</summary>
+    private sealed class Kind<P>(
+        Func<Random, P> make, Func<P, Vector3, P> move, Func<P, double, P> scale, Func<P, Vector3, double> off) : Kind
         where P : struct, IPrimitive
     {
         public override void CheckMoved(Random random)
@@ -36,13 +40,13 @@ public class InvarianceTests
             Assert.True(expected.Equals(got), $"{shape} from {origin} along {d}, scaled by {factor}: {expected} became {got}");
         }
 
-        public override int CheckOnSurface(Random random)
+        public override bool CheckOnSurface(Random random)
         {
             var (shape, origin, d) = (make(random), Some.Point(random, 16), Some.Direction(random));
-            if (Cast.At(shape, origin, d) is not { } t || t > 1000) return 0; // far along a plane few digits are left
+            if (Cast.At(shape, origin, d) is not { } t || t > 1000) return false; // far along a plane few digits are left
             var distance = off(shape, origin + t * d);
             Assert.True(distance < 1e-9, $"{shape} from {origin} along {d}: t = {t} is {distance} off");
-            return 1;
+            return true;
         }
     }
 
@@ -90,7 +94,7 @@ public class InvarianceTests
     public void TheHitIsOnTheSurface(string shape)
     {
         var hits = 0;
-        Repeat(shape, 8, (kind, random) => hits += kind.CheckOnSurface(random));
+        Repeat(shape, 8, (kind, random) => hits += kind.CheckOnSurface(random) ? 1 : 0);
         Assert.True(hits > 100, $"only {hits} rays hit");
     }
 
@@ -110,7 +114,7 @@ public class InvarianceTests
         return new[] { a.X, a.Y, a.Z, b.X, b.Y, b.Z }.Max();
     }
 
-    /// <summary>How far a point is off the plane, and how much larger than the triangle the three are that it makes with the sides.</summary>
+    /// <summary>How far a point is off the plane, and how much more area than the triangle the three have that it makes with the sides.</summary>
     private static double Off(Triangle triangle, Vector3 X)
     {
         var (a, b, c) = (triangle.A - X, triangle.B - X, triangle.C - X);

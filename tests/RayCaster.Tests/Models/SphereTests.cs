@@ -63,7 +63,7 @@ public class SphereTests
         Assert.InRange(hits, 500, 19_500);
     }
 
-    /// <summary>By Pythagoras a ray that passes the centre at 0.6 R enters 0.8 R before the nearest point, however far away it starts.</summary>
+    /// <summary>By Pythagoras a ray that passes the centre at 0.8 R is inside for 0.6 R before and after, however far away it starts.</summary>
     [Theory]
     [InlineData(1e3)]
     [InlineData(1e6)]

@@ -61,7 +61,10 @@ public class WatertightTests(ITestOutputHelper output)
         return u >= 0 && v >= 0 && u + v <= 1 && t > 0;
     }
 
-    /// <summary>The signs of d·(a×b), d·(b×c), d·(c×a), with the corners taken from the ray's origin: both triangles of an edge agree, those of a corner do not.</summary>
+    /// <summary>
+    /// The signs of d·(a×b), d·(b×c), d·(c×a), with the corners taken from the ray's origin: the two triangles of an edge always agree, those of a
+    /// corner do not.
+    /// </summary>
     private static bool TripleProducts(Triangle triangle, Vector3 origin, Vector3 d)
     {
         var (a, b, c) = (triangle.A - origin, triangle.B - origin, triangle.C - origin);
@@ -82,9 +85,9 @@ public class WatertightTests(ITestOutputHelper output)
     [InlineData(3, 3, 3)]   // a corner in the middle
     public void ACubeOfTrianglesCoversWhatTheBoxCovers(double x, double y, double z)
     {
-        var camera = new Camera(new(x, y, z), default, up: new(0.0, x == 0 && y == 0 ? 1 : 0, z == 0 || x != 0 ? 1 : 0), fovY: 60, width: 128, height: 128);
-        bool[] Covered(params Model[] models) =>
-            [.. Pixels(camera).Select(pixel => ScalarRenderer.Cast(new Scene(camera, models), pixel.Column, pixel.Row).HitModel is not null)];
+        var up = x == 0 && y == 0 ? new Vector3(0, 1, 0) : new(0, 0, 1);
+        var camera = new Camera(new(x, y, z), default, up, fovY: 60, width: 128, height: 128);
+        bool[] Covered(Model model) => [.. Pixels(camera).Select(pixel => Hits(camera, model, pixel))];
 
         var mesh = Covered(Solids.Cube());
         var (smaller, larger) = (Covered(Box(1 - 1e-12)), Covered(Box(1 + 1e-12)));
@@ -100,13 +103,16 @@ public class WatertightTests(ITestOutputHelper output)
     public void AnIcosphereSeenFromItsMiddleFillsThePictureInEveryDirection()
     {
         var mesh = Solids.Icosphere(2);
-        foreach (var target in new Vector3[] { new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(1, 1, 1), mesh[0].A, mesh[40].B })
+        Vector3[] targets = [new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(1, 1, 1), mesh[0].A, mesh[40].B];
+        foreach (var target in targets)
         {
             var camera = new Camera(default, target, up: new(0.1, 0.2, 1), fovY: 90, width: 48, height: 48);
-            foreach (var (column, row) in Pixels(camera))
-                Assert.True(ScalarRenderer.Cast(new Scene(camera, [mesh]), column, row).HitModel is not null, $"column {column}, row {row} of {target}");
+            foreach (var pixel in Pixels(camera)) Assert.True(Hits(camera, mesh, pixel), $"a hole at {pixel}, looking at {target}");
         }
     }
+
+    private static bool Hits(Camera camera, Model model, (int Column, int Row) pixel) =>
+        ScalarRenderer.Cast(new Scene(camera, [model]), pixel.Column, pixel.Row).HitModel is not null;
 
     private static Model Box(double size) => Model.Of(new Aabb(-size * new Vector3(1, 1, 1), size * new Vector3(1, 1, 1)));
 

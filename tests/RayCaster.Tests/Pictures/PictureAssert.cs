@@ -4,8 +4,9 @@ namespace RayCaster.Tests.Pictures;
 internal static class PictureAssert
 {
     /// <summary>
-    /// Fails unless a picture is equal to a reference as <see cref="PictureComparison"/> has it. A failure leaves the picture and one of the differences
-    /// beside the reference, as NAME.received.png and NAME.diff.png. Nothing is ever accepted here: references are remade by tests/References/remake.sh.
+    /// Fails unless a picture is equal to a reference as <see cref="PictureComparison"/> has it. A failure leaves the picture and one of the
+    /// differences beside the reference, as NAME.received.png and NAME.diff.png. Nothing is ever accepted here: references are remade
+    /// by tests/References/remake.sh.
     /// </summary>
     /// <param name="name">The reference's name, without <c>.png</c>.</param>
     /// <param name="actual">The picture.</param>

@@ -1,8 +1,8 @@
 namespace RayCaster.Tests.Pictures;
 
 /// <summary>
-/// Compares a picture with a reference: equal within 1 of 255, and off by 1 in at most 1 % of the pixels, so that truncating instead of rounding
-/// shows. On an outline a pixel may show either neighbour, and nothing else.
+/// Compares a picture with a reference: equal within 1 of 255, and off by 1 in at most 1 % of the pixels, so that truncating instead
+/// of rounding shows. On an outline a pixel may show either neighbour, and nothing else.
 /// </summary>
 internal sealed class PictureComparison
 {
@@ -49,8 +49,8 @@ internal sealed class PictureComparison
         if (!SameSize) return $"{name}: expected {expected.Width} × {expected.Height} pixels, got {actual.Width} × {actual.Height}";
         if (first is not var (x, y))
             return $"{name}: {OffByOne} of {Pixels} pixels ({100.0 * OffByOne / Pixels:0.##} %) are off by 1; at most 1 % may be";
-        return $"{name}: {Wrong} of {Pixels} pixels ({100.0 * Wrong / Pixels:0.##} %) differ, by at most {largest}; the first at column {x}, "
-            + $"row {expected.Height - 1 - y} from the bottom: expected {expected[x, y]}, got {actual[x, y]}";
+        return $"{name}: {Wrong} of {Pixels} pixels ({100.0 * Wrong / Pixels:0.##} %) differ, by at most {largest}; "
+            + $"the first at column {x}, row {expected.Height - 1 - y} from the bottom: expected {expected[x, y]}, got {actual[x, y]}";
     }
 
     /// <summary>The reference, dark; red where the picture differs, yellow where it is off by 1; nothing if the sizes differ.</summary>
@@ -72,7 +72,7 @@ internal sealed class PictureComparison
         return picture;
     }
 
-    /// <summary>The largest difference of a channel; on an outline the distance from the range of the pixel and its eight neighbours.</summary>
+    /// <summary>The largest difference of a channel; on an outline how far it is out of the range of the pixel and its neighbours.</summary>
     private int Difference(int x, int y)
     {
         var reach = reference.IsOutline(x, y) ? 1 : 0;

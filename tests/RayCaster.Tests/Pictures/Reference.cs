@@ -27,7 +27,7 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
         {
             var folder = AppContext.BaseDirectory;
             while (!File.Exists(Path.Combine(folder, "RayCaster.sln")))
-                folder = Path.GetDirectoryName(folder) ?? throw new InvalidOperationException("The tests run outside the project's folder.");
+                folder = Path.GetDirectoryName(folder) ?? throw new InvalidOperationException("The tests run outside the project.");
             return folder;
         }
     }

@@ -17,7 +17,8 @@ public class ReferenceTests
 
     [Theory]
     [MemberData(nameof(WithoutMeshes))]
-    public void TheDefinitionsPictureIsTheOneThatPovRayDraws(string name) => PictureAssert.Equal(name, ScalarRenderer.Render(SceneOf(name)));
+    public void TheDefinitionsPictureIsTheOneThatPovRayDraws(string name) =>
+        PictureAssert.Equal(name, ScalarRenderer.Render(SceneOf(name)));
 
     /// <summary>A reference that half a pixel does not change would notice little else.</summary>
     [Theory]
@@ -28,7 +29,8 @@ public class ReferenceTests
         var c = scene.Camera;
         var other = c.Sample == Sample.Corner ? Sample.Center : Sample.Corner;
         var camera = new Camera(c.Position, c.Target, c.Up, c.FovY, c.Width, c.Height, c.ZNear, c.ZFar, c.Bias, c.Clip, other);
-        Assert.False(new PictureComparison(Reference.Read(Reference.Folder, name), Renderer.Render(scene with { Camera = camera })).IsEqual);
+        var picture = Renderer.Render(scene with { Camera = camera });
+        Assert.False(new PictureComparison(Reference.Read(Reference.Folder, name), picture).IsEqual);
     }
 
     [Fact]
