@@ -13,7 +13,7 @@ public static class SceneReader
         try
         {
             if (!File.Exists(path)) return Unreadable(path, NotFound(path));
-            return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(Path.GetFullPath(path))!);
+            return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(path) ?? "");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or OutOfMemoryException)
         {
@@ -128,7 +128,7 @@ public static class SceneReader
     {
         if (path.Length == 0) return "the name of the scene file is empty";
         if (Directory.Exists(path)) return "this is a folder, not a scene file";
-        return $"there is no such file; looked for {Path.GetFullPath(path)}{FileNames.DidYouMean(path)}";
+        return $"file not found{FileNames.Hint(path)}";
     }
 
     private static SceneReading Unreadable(string path, string message) =>

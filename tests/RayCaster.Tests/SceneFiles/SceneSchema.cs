@@ -92,8 +92,8 @@ internal static class SceneSchema
             KeyKind.Objects => new JsonObject { ["type"] = "array", ["items"] = new JsonObject { ["$ref"] = "#/definitions/model" } },
             _ => throw new InvalidOperationException($"no schema for {key.Kind}"),
         };
-        var limits = key.Limits == Limits.None ? "" : $" A number {key.Limits.Words}.";
-        var orElse = key.Default is { } value ? $" Default: {ToJson(value).ToJsonString(Style).ReplaceLineEndings("").Replace("  ", " ")}." : "";
+        var limits = key.Limits == Limits.None ? "" : $" {char.ToUpperInvariant(key.Limits.Words[0])}{key.Limits.Words[1..]}.";
+        var orElse = key.Default is { } value ? $" Default: {InWords(value)}." : "";
         schema.Insert(0, "description", key.Meaning + limits + orElse);
         if (key.Default is not null) schema["default"] = ToJson(key.Default);
         return schema;
@@ -124,6 +124,8 @@ internal static class SceneSchema
     }
 
     private static JsonArray ArrayOf(IEnumerable<JsonNode> nodes) => new([.. nodes]);
+
+    private static string InWords(object value) => ToJson(value).ToJsonString(new(Style) { WriteIndented = false }).Replace(",", ", ");
 
     private static JsonNode ToJson(object value) => value switch
     {
