@@ -93,7 +93,7 @@ public static class SceneReader
             o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
 
         if ((long)width * height > MostPixels)
-            o.Refuse("height", $": {width} x {height} are {(long)width * height} pixels; {MostPixels} are the most");
+            o.Refuse("height", $" times {o.PathOf("width")} must be at most {MostPixels}, but is {height} x {width} = {(long)width * height}");
         if (fovY < 3)
             o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
         return o.IsSound ? new(position, target, up, fovY, width, height, zNear, zFar, bias, clip, sample) : null;

@@ -61,7 +61,7 @@ internal static class SceneSchema
         ["required"] = ArrayOf(["type"]),
         ["allOf"] = ArrayOf(PrimitiveList.All.Select(type => (JsonNode)new JsonObject
         {
-            ["if"] = new JsonObject { ["properties"] = new JsonObject { ["type"] = new JsonObject { ["const"] = type.Name } } },
+            ["if"] = new JsonObject { ["properties"] = new JsonObject { ["type"] = new JsonObject { ["const"] = type.Name } }, ["required"] = ArrayOf(["type"]) },
             ["then"] = new JsonObject { ["$ref"] = $"#/definitions/{type.Name}" },
         })),
     };
@@ -104,7 +104,7 @@ internal static class SceneSchema
         var schema = new JsonObject { ["type"] = type };
         if (double.IsFinite(limits.Least)) schema[limits.IsOpen ? "exclusiveMinimum" : "minimum"] = limits.Least;
         if (double.IsFinite(limits.Most)) schema[limits.IsOpen ? "exclusiveMaximum" : "maximum"] = limits.Most;
-        return ReferenceEquals(limits, Limits.NotZero) ? With(schema, "not", new JsonObject { ["const"] = 0 }) : schema;
+        return limits.IsZeroRefused ? With(schema, "not", new JsonObject { ["const"] = 0 }) : schema;
     }
 
     private static JsonObject VectorOf(Limits limits) => new()
