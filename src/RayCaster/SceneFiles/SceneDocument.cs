@@ -38,11 +38,11 @@ internal sealed class SceneDocument(SourceText text, string folder)
         return problems;
     }
 
-    /// <summary>The full path of a file that the scene names; both / and \ separate folders.</summary>
-    public string FullPath(string file) => Path.GetFullPath(Path.Combine(folder, file.Replace('\\', '/')));
+    /// <summary>The path of a file that the scene names; both / and \ separate folders.</summary>
+    public string PathOf(string file) => Path.Combine(folder, file.Replace('\\', '/'));
 
     /// <summary>A mesh file's content; a file that several models show is read once.</summary>
-    /// <param name="path">The full path.</param>
+    /// <param name="path">The path, as messages name it.</param>
     public MeshData Mesh(string path)
     {
         if (!meshes.TryGetValue(path, out var mesh)) meshes.Add(path, mesh = MeshFile.Read(path));

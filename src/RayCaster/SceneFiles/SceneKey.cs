@@ -43,7 +43,7 @@ internal sealed record Limits(double Least, double Most, bool IsOpen, string Wor
     public static readonly Limits None = new(double.NegativeInfinity, double.PositiveInfinity, false, "a number");
     public static readonly Limits Positive = new(0, double.PositiveInfinity, true, "greater than 0");
     public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false, "at least 0");
-    public static readonly Limits NotZero = new(double.NegativeInfinity, double.PositiveInfinity, false, "other than 0");
+    public static readonly Limits NotZero = new(double.NegativeInfinity, double.PositiveInfinity, false, "other than 0") { IsZeroRefused = true };
 
     /// <summary>Numbers between two that are refused themselves.</summary>
     public static Limits Between(double least, double most) =>
@@ -52,7 +52,10 @@ internal sealed record Limits(double Least, double Most, bool IsOpen, string Wor
     /// <summary>Numbers from one to another, both included.</summary>
     public static Limits From(double least, double most) => new(least, most, false, FormattableString.Invariant($"from {least} to {most}"));
 
+    /// <summary>Whether 0 is refused although it lies between the limits.</summary>
+    public bool IsZeroRefused { get; private init; }
+
     /// <summary>Whether a finite number is allowed.</summary>
     public bool Allow(double number) =>
-        (IsOpen ? number > Least && number < Most : number >= Least && number <= Most) && (!ReferenceEquals(this, NotZero) || number != 0);
+        (IsOpen ? number > Least && number < Most : number >= Least && number <= Most) && !(IsZeroRefused && number == 0);
 }

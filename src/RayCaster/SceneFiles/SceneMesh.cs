@@ -35,20 +35,15 @@ internal static class SceneMesh
             o.Refuse("file", $" must name a mesh file");
             return null;
         }
-        var path = o.Document!.FullPath(file);
+        var path = o.Document!.PathOf(file);
         try
         {
-            if (File.Exists(path)) return o.Document.Mesh(path);
-            if (Directory.Exists(path)) o.Refuse("file", $" must name a mesh file, but {path} is a folder");
-            else o.Refuse("file", $": there is no file {path}{FileNames.DidYouMean(path)}");
+            if (File.Exists(path) || Directory.Exists(path)) return o.Document.Mesh(path);
+            o.Refuse("file", $": {path}: file not found{FileNames.Hint(path)}");
         }
         catch (MeshFileException e)
         {
             o.Refuse("file", $": {e.Message}");
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            o.Refuse("file", $": {path} cannot be read: {e.Message}");
         }
         return null;
     }

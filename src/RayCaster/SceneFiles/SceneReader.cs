@@ -13,7 +13,7 @@ public static class SceneReader
         try
         {
             if (!File.Exists(path)) return Unreadable(path, NotFound(path));
-            return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(Path.GetFullPath(path))!);
+            return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(path) ?? "");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or OutOfMemoryException)
         {
@@ -93,7 +93,7 @@ public static class SceneReader
             o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
 
         if ((long)width * height > MostPixels)
-            o.Refuse("height", $": {width} x {height} are {(long)width * height} pixels; {MostPixels} are the most");
+            o.Refuse("height", $" times {o.PathOf("width")} must be at most {MostPixels}, but is {height} x {width} = {(long)width * height}");
         if (fovY < 3)
             o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
         return o.IsSound ? new(position, target, up, fovY, width, height, zNear, zFar, bias, clip, sample) : null;
@@ -128,7 +128,7 @@ public static class SceneReader
     {
         if (path.Length == 0) return "the name of the scene file is empty";
         if (Directory.Exists(path)) return "this is a folder, not a scene file";
-        return $"there is no such file; looked for {Path.GetFullPath(path)}{FileNames.DidYouMean(path)}";
+        return $"file not found{FileNames.Hint(path)}";
     }
 
     private static SceneReading Unreadable(string path, string message) =>

@@ -43,7 +43,7 @@ public class BrokenSceneTests
             var shown = excerpt[0].PadRight(excerpt[1].Length);
             var character = (lines[problem.Line - 1] + " ")[problem.Column - 1];
 
-            Assert.Equal(character < ' ' ? '\uFFFD' : character, shown[excerpt[1].IndexOf('^')]);
+            Assert.Equal(char.IsControl(character) && character != '\t' ? '\uFFFD' : character, shown[excerpt[1].IndexOf('^')]);
         }
     }
 

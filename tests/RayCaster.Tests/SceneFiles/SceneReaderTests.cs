@@ -72,27 +72,29 @@ public class SceneReaderTests
         var scene = File.ReadAllBytes(SceneFolders.InTests("Good/mesh-with-flat-triangles.json"));
 
         Assert.NotNull(SceneReader.Parse(scene, "<stdin>", SceneFolders.InTests("Good")).Scene);
+        Assert.Null(SceneReader.Parse(scene, "<stdin>", SceneFolders.InTests("Broken")).Scene);
     }
 
     [Fact]
     public void AMistakeInAMeshFileIsReportedAtTheScenesLineThatNamesIt()
     {
-        var file = SceneFolders.InTests("Broken/Sense/broken.obj").Replace('\\', '/');
-        var scene = $$"""
+        var scene = """
             { "camera": { "position": [9, 9, 9], "target": [0, 0, 0] }, "models": [
-              { "type": "mesh", "file": "{{file}}" } ] }
-            """;
-        var problem = Assert.Single(SceneReader.Parse(Encoding.UTF8.GetBytes(scene), "<stdin>", ".").Problems);
+              { "type": "mesh", "file": "broken.obj" } ] }
+            """u8;
+        var folder = SceneFolders.InTests("Broken/Sense");
+        var problem = Assert.Single(SceneReader.Parse(scene.ToArray(), "<stdin>", folder).Problems);
 
-        Assert.StartsWith("<stdin>(2,29): error: models[0].file: broken.obj(4): ", problem.ToString());
+        Assert.StartsWith($"<stdin>(2,29): error: models[0].file: {folder}/broken.obj(4): ", problem.ToString());
     }
 
     [Fact]
     public void AFileThatDoesNotExistHasNoLineButTheFullPathAndTheNearestName()
     {
-        var path = SceneFolders.InTests("Good/everithing.json");
+        var full = SceneFolders.InTests("Good/everithing.json");
+        var path = Path.GetRelativePath(Environment.CurrentDirectory, full);
 
-        Assert.Equal($"{path}: error: there is no such file; looked for {Path.GetFullPath(path)}; did you mean \"everything.json\"?\n",
+        Assert.Equal($"{path}: error: file not found; looked for {Path.GetFullPath(full)}; did you mean \"everything.json\"?\n",
             SceneReader.Read(path).Report());
     }
 

@@ -61,7 +61,7 @@ internal static class SceneSchema
         ["required"] = ArrayOf(["type"]),
         ["allOf"] = ArrayOf(PrimitiveList.All.Select(type => (JsonNode)new JsonObject
         {
-            ["if"] = new JsonObject { ["properties"] = new JsonObject { ["type"] = new JsonObject { ["const"] = type.Name } } },
+            ["if"] = new JsonObject { ["properties"] = new JsonObject { ["type"] = new JsonObject { ["const"] = type.Name } }, ["required"] = ArrayOf(["type"]) },
             ["then"] = new JsonObject { ["$ref"] = $"#/definitions/{type.Name}" },
         })),
     };
@@ -92,8 +92,8 @@ internal static class SceneSchema
             KeyKind.Objects => new JsonObject { ["type"] = "array", ["items"] = new JsonObject { ["$ref"] = "#/definitions/model" } },
             _ => throw new InvalidOperationException($"no schema for {key.Kind}"),
         };
-        var limits = key.Limits == Limits.None ? "" : $" A number {key.Limits.Words}.";
-        var orElse = key.Default is { } value ? $" Default: {ToJson(value).ToJsonString(Style).ReplaceLineEndings("").Replace("  ", " ")}." : "";
+        var limits = key.Limits == Limits.None ? "" : $" {char.ToUpperInvariant(key.Limits.Words[0])}{key.Limits.Words[1..]}.";
+        var orElse = key.Default is { } value ? $" Default: {InWords(value)}." : "";
         schema.Insert(0, "description", key.Meaning + limits + orElse);
         if (key.Default is not null) schema["default"] = ToJson(key.Default);
         return schema;
@@ -104,7 +104,7 @@ internal static class SceneSchema
         var schema = new JsonObject { ["type"] = type };
         if (double.IsFinite(limits.Least)) schema[limits.IsOpen ? "exclusiveMinimum" : "minimum"] = limits.Least;
         if (double.IsFinite(limits.Most)) schema[limits.IsOpen ? "exclusiveMaximum" : "maximum"] = limits.Most;
-        return ReferenceEquals(limits, Limits.NotZero) ? With(schema, "not", new JsonObject { ["const"] = 0 }) : schema;
+        return limits.IsZeroRefused ? With(schema, "not", new JsonObject { ["const"] = 0 }) : schema;
     }
 
     private static JsonObject VectorOf(Limits limits) => new()
@@ -124,6 +124,8 @@ internal static class SceneSchema
     }
 
     private static JsonArray ArrayOf(IEnumerable<JsonNode> nodes) => new([.. nodes]);
+
+    private static string InWords(object value) => ToJson(value).ToJsonString(new(Style) { WriteIndented = false }).Replace(",", ", ");
 
     private static JsonNode ToJson(object value) => value switch
     {

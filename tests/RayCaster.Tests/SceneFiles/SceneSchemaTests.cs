@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.Json.Nodes;
 
 namespace RayCaster.Tests.SceneFiles;
 
@@ -7,6 +8,19 @@ public class SceneSchemaTests
     private static readonly SchemaValidator Schema = new(SceneSchema.Write());
 
     public static TheoryData<string> Good => SceneFolders.Scenes("Good");
+
+    /// <summary>The scenes that come with the program.</summary>
+    public static TheoryData<string> Shipped
+    {
+        get
+        {
+            var scenes = new TheoryData<string>();
+            foreach (var file in Directory.GetFiles(Path.Combine(SceneFolders.Root, "scenes"), "*.json", SearchOption.AllDirectories))
+                if (file != SceneSchema.File)
+                    scenes.Add(Path.GetRelativePath(SceneFolders.Root, file));
+            return scenes;
+        }
+    }
 
     /// <summary>Scenes with wrong keys, types, numbers of elements, limits: what a schema can say.</summary>
     public static TheoryData<string> Shape => SceneFolders.Scenes("Broken/Shape");
@@ -30,6 +44,19 @@ public class SceneSchemaTests
     [Theory]
     [MemberData(nameof(Good))]
     public void TheSchemaAcceptsWhatTheReaderAccepts(string scene) => Assert.True(Schema.Accepts(Text(scene)));
+
+    [Theory]
+    [MemberData(nameof(Shipped))]
+    public void AShippedSceneIsGoodAndNamesTheSchemaForEditors(string scene)
+    {
+        var file = Path.Combine(SceneFolders.Root, scene);
+        var text = File.ReadAllText(file);
+        var named = JsonNode.Parse(text, null, SchemaValidator.Lenient)!["$schema"]!.GetValue<string>();
+
+        Assert.Equal("", SceneReader.Read(file).Report());
+        Assert.True(Schema.Accepts(text));
+        Assert.Equal(Path.GetFullPath(SceneSchema.File), Path.GetFullPath(Path.Combine(Path.GetDirectoryName(file)!, named)));
+    }
 
     [Theory]
     [MemberData(nameof(Shape))]

@@ -6,7 +6,7 @@ namespace RayCaster.Tests.SceneFiles;
 /// <summary>Checks a JSON value against a JSON Schema; knows only the keywords that our schema uses and refuses others.</summary>
 internal sealed class SchemaValidator(string schema)
 {
-    private static readonly JsonDocumentOptions Lenient = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };
+    public static readonly JsonDocumentOptions Lenient = new() { AllowTrailingCommas = true, CommentHandling = JsonCommentHandling.Skip };
 
     private readonly JsonElement root = JsonDocument.Parse(schema).RootElement;
 
