@@ -33,7 +33,7 @@ public static class MeshFile
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new MeshFileException(path, $"file not found{FullPath(path)}{FileNames.DidYouMean(path)}", inner: e);
+            throw new MeshFileException(path, $"file not found{FileNames.Hint(path)}", inner: e);
         }
         catch (UnauthorizedAccessException e)
         {

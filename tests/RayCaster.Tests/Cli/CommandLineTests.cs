@@ -65,6 +65,6 @@ public sealed class CommandLineTests : IDisposable
     public void AfterTwoDashesEverythingIsAScene()
     {
         raycaster.Run("--", "-q");
-        Assert.Contains("-q: error: there is no such file", raycaster.Error);
+        Assert.Contains("-q: error: file not found", raycaster.Error);
     }
 }
