@@ -3,22 +3,20 @@ namespace RayCaster;
 /// <summary>Finds the file that somebody meant.</summary>
 internal static class FileNames
 {
-    /// <summary>Where a path was looked for and which name is like it: the end of a message about a file that is not there.</summary>
-    public static string Hint(string path)
+    /// <summary>"; did you mean …?", or that the folder is missing, or nothing.</summary>
+    public static string DidYouMean(string path)
     {
-        var full = Path.GetFullPath(path);
-        var sought = full == path ? "" : $"; looked for {full}";
         try
         {
-            var folder = Path.GetDirectoryName(full)!;
-            if (!Directory.Exists(folder)) return $"{sought}; there is no folder {folder}";
+            var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
+            if (!Directory.Exists(folder)) return $"; there is no folder {folder}";
             var names = Array.ConvertAll(Directory.GetFiles(folder), name => Path.GetFileName(name)!);
             Array.Sort(names, StringComparer.Ordinal);
-            return sought + Spelling.DidYouMean(Path.GetFileName(path), names);
+            return Spelling.DidYouMean(Path.GetFileName(path), names);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return sought; // a folder that may not be listed has no hint to give
+            return ""; // a folder that may not be listed has no hint to give
         }
     }
 }

@@ -22,7 +22,6 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
     public JsonMistake Explain(JsonException refusal)
     {
         var at = SkipBlanks(lastEnd);
-        if (IsComment(at)) return new(at, at + 2, "this comment is never closed; */ is missing");
         if (at == utf8.Length && last == JsonTokenType.None) return new(at, at, "the file is empty; a scene is an object in braces { }");
         if (at == utf8.Length) return CutOff();
 
@@ -39,18 +38,17 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
     private JsonMistake? AfterValue(int at, int valueEnd)
     {
         if (Lookalike(at) is { } lookalike) return lookalike;
+        if (utf8[at] == '/') return Slash(at);
         if (open.Count == 0) return new(at, LineEnd(at), "the scene has ended before this; a file holds one object");
         if (utf8[at] == ',')
         {
             var next = SkipBlanks(at + 1);
-            if (IsComment(next)) return new(next, next + 2, "this comment is never closed; */ is missing");
             if (next == utf8.Length) return CutOff();
             return InObject ? Key(next) : Value(next);
         }
         if (utf8[at] is (byte)'}' or (byte)']') return WrongBracket(at);
         if (utf8[at] == ';') return new(at, at + 1, "a comma, not a semicolon, stands between two values");
         if (utf8[at] == '#') return Comment(at);
-        if (utf8[at] == '/') return Slash(at);
         if (utf8[at] is (byte)':' or (byte)'=') return new(at, at + 1, $"'{(char)utf8[at]}' cannot follow a value; a comma or a bracket can");
         return new(at, TokenEnd(at), $"a comma is missing after line {tree.Text.LineOf(valueEnd - 1)}");
     }
@@ -66,6 +64,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
                 var colon = SkipBlanks(end);
                 if (colon == utf8.Length) return CutOff();
                 if (utf8[colon] == ':') return null;
+                if (utf8[colon] == '/') return Slash(colon);
                 var hint = utf8[colon] == '=' ? ", not '='," : "";
                 return new(colon, TokenEnd(colon), $"a colon{hint} must follow the key {tree.Text.Quote(at, end)}");
             case '\'':
@@ -235,18 +234,16 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
 
     private static JsonMistake Comment(int at) => new(at, at + 1, "a comment starts with //, not with #");
 
-    private static JsonMistake Slash(int at) => new(at, at + 1, "a comment starts with // or stands between /* and */");
+    private JsonMistake Slash(int at) => IsComment(at)
+        ? new(at, at + 2, "this comment is never closed; */ is missing")
+        : new(at, at + 1, "a comment starts with // or stands between /* and */");
 
-    /// <summary>What the JSON reader says, without its own count of lines, at its own place.</summary>
+    /// <summary>What the JSON reader says, without its own count of lines.</summary>
     private JsonMistake Fallback(JsonException refusal)
     {
-        var at = 0;
-        for (var line = refusal.LineNumber ?? 0; line > 0 && utf8[at..].IndexOf((byte)'\n') is >= 0 and var length; line--) at += length + 1;
-        at = (int)Math.Clamp(at + (refusal.BytePositionInLine ?? 0), lastEnd, utf8.Length);
-        while (at > 0 && at < utf8.Length && (utf8[at] & 0xC0) == 0x80) at--;
-        var message = refusal.Message;
-        var count = message.IndexOf(" LineNumber:", StringComparison.Ordinal);
-        return new(at, at, "this is not JSON: " + (count > 0 ? message[..count] : message));
+        var at = SkipBlanks(lastEnd);
+        var count = refusal.Message.IndexOf(" LineNumber:", StringComparison.Ordinal);
+        return new(at, at, "this is not JSON: " + (count > 0 ? refusal.Message[..count] : refusal.Message));
     }
 
     private static string Bracket(JsonTree.Node node) => node.Kind == JsonTokenType.StartObject ? "{" : "[";

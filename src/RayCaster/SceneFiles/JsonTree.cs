@@ -38,10 +38,9 @@ internal sealed class JsonTree
     {
         var tree = new JsonTree(text);
         var open = new Stack<int>();
-        var reader = new Utf8JsonReader(text.Utf8, new JsonReaderOptions
+        var reader = new Utf8JsonReader(WithoutComments(text.Utf8), new JsonReaderOptions
         {
             AllowTrailingCommas = true,
-            CommentHandling = JsonCommentHandling.Skip,
             MaxDepth = MaxDepth,
         });
         var lastEnd = 0;
@@ -71,16 +70,44 @@ internal sealed class JsonTree
             nodes[opening] = nodes[opening] with { End = end, Next = nodes.Count };
             return;
         }
-        if (kind == JsonTokenType.PropertyName) end = EndOfText(start); // the reader's ends after the colon
+        if (kind == JsonTokenType.PropertyName) end = EndOfText(Text.Utf8, start); // the reader's ends after the colon
         if (kind is JsonTokenType.StartObject or JsonTokenType.StartArray) open.Push(nodes.Count);
         nodes.Add(new(kind, start, end, nodes.Count + 1));
     }
 
-    private int EndOfText(int start)
+    /// <summary>The text with blanks in place of comments. The JSON reader's own skipping stumbles over a comment between a key and its colon.</summary>
+    private static ReadOnlySpan<byte> WithoutComments(ReadOnlySpan<byte> utf8)
     {
-        var utf8 = Text.Utf8;
+        byte[]? copy = null;
+        for (var i = 0; utf8[i..].IndexOfAny((byte)'"', (byte)'/') is >= 0 and var way;)
+        {
+            i += way;
+            var end = i + 1;
+            if (utf8[i] == '"')
+            {
+                end = EndOfText(utf8, i);
+            }
+            else if (utf8[i..].StartsWith("//"u8))
+            {
+                end = utf8[i..].IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? i + length : utf8.Length;
+                (copy ??= utf8.ToArray()).AsSpan(i..end).Fill((byte)' ');
+            }
+            else if (utf8[i..].StartsWith("/*"u8))
+            {
+                if (utf8[(i + 2)..].IndexOf("*/"u8) is not (>= 0 and var length)) break; // never closed, which the reader refuses
+                end = i + length + 4;
+                (copy ??= utf8.ToArray()).AsSpan(i..end).Fill((byte)' ');
+            }
+            i = end;
+        }
+        return copy ?? utf8;
+    }
+
+    /// <summary>The place after the quote that closes a text, or where its line ends without one.</summary>
+    private static int EndOfText(ReadOnlySpan<byte> utf8, int start)
+    {
         var i = start + 1;
-        while (utf8[i] != '"') i += utf8[i] == '\\' ? 2 : 1;
-        return i + 1;
+        while (i < utf8.Length && utf8[i] is not ((byte)'"' or (byte)'\r' or (byte)'\n')) i += utf8[i] == '\\' ? 2 : 1;
+        return Math.Min(i + 1, utf8.Length);
     }
 }

@@ -38,13 +38,12 @@ internal sealed class SceneDocument(SourceText text, string folder)
         return problems;
     }
 
-    /// <summary>The path of a file that the scene names; both / and \ separate folders.</summary>
-    public string PathOf(string file) => Path.Combine(folder, file.Replace('\\', '/'));
-
-    /// <summary>A mesh file's content; a file that several models show is read once.</summary>
-    /// <param name="path">The path, as messages name it.</param>
-    public MeshData Mesh(string path)
+    /// <summary>The content of a mesh file that the scene names; one that several models show is read once.</summary>
+    /// <param name="file">The path as the scene writes it; both / and \ separate folders.</param>
+    /// <exception cref="MeshFileException">The file cannot be read.</exception>
+    public MeshData Mesh(string file)
     {
+        var path = Path.Combine(folder, file.Replace('\\', '/'));
         if (!meshes.TryGetValue(path, out var mesh)) meshes.Add(path, mesh = MeshFile.Read(path));
         return mesh;
     }

@@ -35,16 +35,14 @@ internal static class SceneMesh
             o.Refuse("file", $" must name a mesh file");
             return null;
         }
-        var path = o.Document!.PathOf(file);
         try
         {
-            if (File.Exists(path) || Directory.Exists(path)) return o.Document.Mesh(path);
-            o.Refuse("file", $": {path}: file not found{FileNames.Hint(path)}");
+            return o.Document!.Mesh(file);
         }
         catch (MeshFileException e)
         {
             o.Refuse("file", $": {e.Message}");
+            return null;
         }
-        return null;
     }
 }

@@ -59,6 +59,19 @@ public class SceneReaderTests
     public void EscapesInTextsAreUndone() => Assert.Equal("🙂é \"\\", Read("Good/text-with-escapes.json").Models[0].Name);
 
     [Fact]
+    public void ACommentMayStandBetweenAnyTwoTokens()
+    {
+        var scene = """
+            // line separator \u2028, "
+            /* * / */{/**/"camera"// three " {
+            :/* " */ { "position": [20, 0, 0], "target"/*
+            */: [0, 0, 0] } /* // */, "models" /*://*/ :[/* // */],}// end
+            """.Replace("\\u2028", "\u2028");
+
+        Assert.Equal("", SceneReader.Parse(Encoding.UTF8.GetBytes(scene), "x", ".").Report());
+    }
+
+    [Fact]
     public void HalfACharacterInAKeyIsShownAsWritten() => Assert.Equal(
         "\\ud83d is an unknown key; what could be added here is $schema, background",
         SceneReader.Parse("""{ "camera": null, "models": [], "\ud83d": 1 }"""u8.ToArray(), "x", ".").Problems[1].Message);
