@@ -3,20 +3,22 @@ namespace RayCaster;
 /// <summary>Finds the file that somebody meant.</summary>
 internal static class FileNames
 {
-    /// <summary>"; did you mean …?", or that the folder is missing, or nothing.</summary>
-    public static string DidYouMean(string path)
+    /// <summary>The end of a message about a file that is not there: where it was looked for, unless the path says so, and which file may be meant.</summary>
+    public static string Hint(string path)
     {
+        var full = Path.GetFullPath(path);
+        var sought = full == path ? "" : $"; looked for {full}";
         try
         {
-            var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
-            if (!Directory.Exists(folder)) return $"; there is no folder {folder}";
+            var folder = Path.GetDirectoryName(full)!;
+            if (!Directory.Exists(folder)) return $"{sought}; there is no folder {folder}";
             var names = Array.ConvertAll(Directory.GetFiles(folder), name => Path.GetFileName(name)!);
             Array.Sort(names, StringComparer.Ordinal);
-            return Spelling.DidYouMean(Path.GetFileName(path), names);
+            return sought + Spelling.DidYouMean(Path.GetFileName(path), names);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return ""; // a folder that may not be listed has no hint to give
+            return sought; // a folder that may not be listed has no other hint to give
         }
     }
 }

@@ -128,7 +128,7 @@ public static class SceneReader
     {
         if (path.Length == 0) return "the name of the scene file is empty";
         if (Directory.Exists(path)) return "this is a folder, not a scene file";
-        return $"file not found; looked for {Path.GetFullPath(path)}{FileNames.DidYouMean(path)}";
+        return $"file not found{FileNames.Hint(path)}";
     }
 
     private static SceneReading Unreadable(string path, string message) =>
