@@ -76,7 +76,14 @@ internal static class StlFile
             Expect("endfacet");
         }
 
-        double Number(string what) => scanner.ToNumber(scanner.Next(), what);
+        // On a later line if need be, but where that has no number, it is this line that misses one.
+        double Number(string what)
+        {
+            var word = scanner.NextInLine();
+            if (!word.IsEmpty) return scanner.ToNumber(word, what);
+            var lineEnd = scanner.WordAt;
+            return DecimalNumber.TryParse(scanner.Next(), out var number) ? number : throw source.ErrorAtLine(lineEnd, $"{what} is missing");
+        }
 
         // A solid's name is the rest of its line, unless somebody has written the whole solid as one line.
         ReadOnlySpan<byte> NextAfterName()

@@ -129,7 +129,7 @@ internal sealed class SceneObject
             return orElse;
         }
         var color = VectorAt(value, key, Limits.NotNegative, What);
-        if (LooksLikeBytes(color)) Warn(key, $" is {value.AsWritten}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
+        if (LooksLikeBytes(color)) Warn(key, $" is {color}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
         return new(color.X, color.Y, color.Z);
     }
 
@@ -217,11 +217,19 @@ internal sealed class SceneObject
         foreach (var (key, member) in written)
         {
             if (asked.Contains(key)) continue;
-            var free = asked.FindAll(known => !written.ContainsKey(known));
-            var help = Spelling.DidYouMean(key, free);
-            if (help.Length == 0 && free.Count is > 0 and <= 8) help = $"; what could be added here is {string.Join(", ", free)}";
-            Report(true, member.Key, PathOf(document!.Text.Quote(member.Key.Start + 1, member.Key.End - 1)), " is an unknown key" + help);
+            var name = SourceText.Printable(key.Length > 60 ? key[..60] + "…" : key);
+            Report(true, member.Key, PathOf(name), " is an unknown key" + RightKey(key));
         }
+    }
+
+    /// <summary>Which key somebody may have meant: first of those that are missing, then of those that are there already.</summary>
+    private string RightKey(string wrong)
+    {
+        var free = asked.FindAll(known => !written.ContainsKey(known));
+        if (Spelling.DidYouMean(wrong, free) is { Length: > 0 } help) return help;
+        if (Spelling.Nearest(wrong, asked) is { } near && written.TryGetValue(near, out var there))
+            return $"; \"{near}\" is already there, in line {document!.Text.LineOf(there.Key.Start)}";
+        return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
     }
 
     /// <summary>The value of a key, or null if it is not written, which is a problem where it is required.</summary>
@@ -299,7 +307,7 @@ internal sealed class SceneObject
     }
 
     private static bool LooksLikeBytes(Vector3 c) =>
-        Math.Max(c.X, Math.Max(c.Y, c.Z)) is > 1 and <= 255 && c.X == Math.Floor(c.X) && c.Y == Math.Floor(c.Y) && c.Z == Math.Floor(c.Z);
+        Math.Max(c.X, Math.Max(c.Y, c.Z)) is > 9 and <= 255 && c.X == Math.Floor(c.X) && c.Y == Math.Floor(c.Y) && c.Z == Math.Floor(c.Z);
 
     private static string InWords(string[] words)
     {

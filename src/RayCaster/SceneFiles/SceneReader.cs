@@ -3,9 +3,6 @@ namespace RayCaster;
 /// <summary>Makes a scene of a scene file (docs/scene-file.md), or says all that is wrong with it.</summary>
 public static class SceneReader
 {
-    private const int MostPixelsOfASide = 1_000_000;
-    private const long MostPixels = 10_000_000_000;
-
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     public static SceneReading Read(string path)
@@ -68,8 +65,8 @@ public static class SceneReader
         var target = o.Vector("target", "T, the point that the camera looks at; it is seen in the middle of the picture.");
         var up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", new(0, 0, 1));
         var fovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), 45);
-        var width = o.Whole("width", "Pixels in a row.", 1, MostPixelsOfASide, 500);
-        var height = o.Whole("height", "Rows of pixels.", 1, MostPixelsOfASide, 500);
+        var width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, 500);
+        var height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, 500);
         var zNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, 0.01);
         var zFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", 100);
         var bias = o.Number("bias", "The least ray parameter that is a hit.", Limits.NotNegative, 1e-6);
@@ -92,9 +89,9 @@ public static class SceneReader
         else if (zFar <= zNear)
             o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
 
-        if ((long)width * height > MostPixels)
-            o.Refuse("height", $" times {o.PathOf("width")} must be at most {MostPixels}, but is {height} x {width} = {(long)width * height}");
-        if (fovY < 3)
+        if ((long)width * height > Camera.MaxPixels)
+            o.Refuse("height", $" times {o.PathOf("width")} must be at most {Camera.MaxPixels}, but is {height} x {width} = {(long)width * height}");
+        if (fovY is >= 0.2 and < 3)
             o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
         return o.IsSound ? new(position, target, up, fovY, width, height, zNear, zFar, bias, clip, sample) : null;
     }

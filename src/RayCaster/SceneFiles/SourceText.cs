@@ -58,7 +58,7 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         var cutBefore = to - from > LongestExcerpt && start - from > LongestExcerpt / 2;
         if (cutBefore) from = WholeCharacter(start - LongestExcerpt / 2);
         var cutAfter = to - from > LongestExcerpt;
-        if (cutAfter) to = WholeCharacter(from + LongestExcerpt);
+        if (cutAfter) to = Math.Max(start, WholeCharacter(from + LongestExcerpt));
         end = Math.Min(end, to);
 
         var before = (cutBefore ? "…" : "") + Printable(Encoding.UTF8.GetString(Utf8[from..start]));
@@ -86,15 +86,17 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         return [.. starts];
     }
 
-    /// <summary>The place itself, or a little before, where a character starts.</summary>
+    /// <summary>The place itself, or up to three bytes before, where a character starts; what is not UTF-8 has no such place.</summary>
     private int WholeCharacter(int offset)
     {
-        while ((Utf8[offset] & 0xC0) == 0x80) offset--;
+        for (var back = 0; back <= 3; back++)
+            if ((Utf8[offset - back] & 0xC0) != 0x80)
+                return offset - back;
         return offset;
     }
 
     /// <summary>Without what could move a terminal's cursor.</summary>
-    private static string Printable(string text) => string.Create(text.Length, text, (span, from) =>
+    public static string Printable(string text) => string.Create(text.Length, text, (span, from) =>
     {
         for (var i = 0; i < span.Length; i++)
         {

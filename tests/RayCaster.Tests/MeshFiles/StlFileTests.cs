@@ -37,7 +37,7 @@ public class StlFileTests
     [InlineData("solid a\nfacet normal 0 0 1 outer\nvertex", "(3): expected 'loop', found 'vertex'")]
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 1 2 x", "(5): the vertex's z must be a finite number, but is 'x'")]
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex inf 2 3", "(5): the vertex's x must be a finite number, but is 'inf'")]
-    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2\nvertex 1 2 3", "(5): the vertex's z must be a finite number, but is 'vertex'")]
+    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2\nvertex 1 2 3", "(4): the vertex's z is missing")]
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2", "(4): the vertex's z is missing")]
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 1 2 3\nendloop", "(6): a facet needs at least three vertices, but this one has 2")]
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertices", "(5): expected 'vertex' or 'endloop', found 'vertices'")]
