@@ -1,0 +1,34 @@
+namespace RayCaster;
+
+/// <summary>
+/// A model as the camera of one picture sees it. It may say early that it does not show in a tile; which pixels it shows in, and at which t, it answers
+/// by the model's own formula.
+/// </summary>
+internal abstract class ModelView
+{
+    /// <summary>Where in the picture the model can show at all; the whole picture if it does not know.</summary>
+    public virtual Tile Extent => new(0, 0, int.MaxValue, int.MaxValue);
+
+    /// <summary>A view for the use of one thread at a time; the same one where a view keeps nothing between calls.</summary>
+    public virtual ModelView ForThread() => this;
+
+    /// <summary>Comes to a tile, before <see cref="Meet"/> is called for parts of its rows: between which t the model's hits lie.</summary>
+    public virtual Reach Enter(in Tile tile) => Reach.Unknown;
+
+    /// <summary>Keeps the hits of a span of pixels of the tile that are nearer than all before.</summary>
+    /// <param name="span">The rays.</param>
+    /// <param name="index">The model's place in the scene; calls for one span come in any order of places.</param>
+    public abstract void Meet(RaySpan span, int index);
+}
+
+/// <summary>Where the hits of a model in a tile lie.</summary>
+/// <param name="Least">No hit is nearer; +∞ if there is none.</param>
+/// <param name="Cover">Every pixel of the tile surely has a hit that is not farther; +∞ if that is not sure.</param>
+internal readonly record struct Reach(double Least, double Cover)
+{
+    /// <summary>Anything is possible.</summary>
+    public static Reach Unknown => new(0, double.PositiveInfinity);
+
+    /// <summary>No hit.</summary>
+    public static Reach None => new(double.PositiveInfinity, double.PositiveInfinity);
+}
