@@ -92,7 +92,7 @@ internal sealed class DrawCommand(CommandLine line)
             ? null
             : new ProgressLine(Console.Error, width, height, TerminalWidth());
         using var writer = PictureWriter.Create(format, output, width, height);
-        new Renderer(scene, line.Threads).Draw(writer.WriteRows, progress is null ? null : progress.LineDone, cancellation);
+        new Renderer(scene, line.Threads).Draw(writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
         writer.Finish();
     }
 

@@ -24,10 +24,10 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         && Environment.GetEnvironmentVariable("TERM") != "dumb"
         && string.IsNullOrEmpty(Environment.GetEnvironmentVariable("CI"));
 
-    /// <summary>Counts a line of the picture; any thread may call it.</summary>
-    public void LineDone()
+    /// <summary>Counts lines of the picture; any thread may call it.</summary>
+    public void LinesDone(int lines)
     {
-        var done = Interlocked.Increment(ref linesDone);
+        var done = Interlocked.Add(ref linesDone, lines);
         var elapsed = Stopwatch.GetElapsedTime(start);
         if (elapsed < Patience || !drawing.TryEnter()) return;
         try

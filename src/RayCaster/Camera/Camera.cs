@@ -125,18 +125,37 @@ public sealed class Camera
         return new Ray(Position, new(d.X, d.Y, d.Z)) { Clip = ClipRange, ZPerT = ZPerT(d) };
     }
 
-    /// <summary>ur = h r / height − h / 2; uc = w c / width − w / 2; d = (uc U + ur V − W) normalised.</summary>
+    /// <summary>d = (uc U + ur V − W) normalised.</summary>
     /// <param name="c">The column; any kind of number.</param>
     /// <param name="r">The row, from the bottom.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector3<N> Direction<N>(N c, N r) where N : struct, IReal<N>
+    public Vector3<N> Direction<N>(N c, N r) where N : struct, IReal<N> => Direction(Across(c), Upwards(r));
+
+    /// <summary>The same from its parts, for a caller that has many rays of one column and one row.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
-        if (Sample == Sample.Center) (c, r) = (c + 0.5, r + 0.5);
-        var ur = PlaneHeight * r / Height - PlaneHeight / 2;
-        var uc = PlaneWidth * c / Width - PlaneWidth / 2;
-        var d = uc * (Vector3<N>)U + ur * (Vector3<N>)V - W;
+        var d = across + upwards - W;
         return d / N.Sqrt(d * d);
+    }
+
+    /// <summary>uc U, where uc = w c / width − w / 2.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal Vector3<N> Across<N>(N c) where N : struct, IReal<N>
+    {
+        if (Sample == Sample.Center) c += 0.5;
+        var uc = PlaneWidth * c / Width - PlaneWidth / 2;
+        return uc * (Vector3<N>)U;
+    }
+
+    /// <summary>ur V, where ur = h r / height − h / 2.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal Vector3<N> Upwards<N>(N r) where N : struct, IReal<N>
+    {
+        if (Sample == Sample.Center) r += 0.5;
+        var ur = PlaneHeight * r / Height - PlaneHeight / 2;
+        return ur * (Vector3<N>)V;
     }
 
     /// <summary>What z gains for one unit of t along d: −d·W for planes across the view, 1 for spheres.</summary>

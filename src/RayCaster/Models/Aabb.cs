@@ -5,8 +5,11 @@ namespace RayCaster;
 /// <summary>A box with its sides along the axes (slide "Axis-aligned bounding box"); it may be flat.</summary>
 /// <param name="Min">B0, the corner with the least coordinates.</param>
 /// <param name="Max">B1, the corner with the greatest coordinates.</param>
-public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive
+public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBounded
 {
+    /// <inheritdoc/>
+    public Bounds Bounds => new(Min, Max);
+
     /// <summary>The box is what three slabs share: t_min is the last of the ways in, t_max the first of the ways out, if t_min ≤ t_max.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>

@@ -28,9 +28,5 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
     }
 
     /// <inheritdoc/>
-    internal override void Meet(RaySpan span, int index)
-    {
-        for (var i = 0; i < span.PacketCount; i++)
-            span.Keep(i, hierarchy.Value.Nearest(span, i), index);
-    }
+    internal override ModelView See(Camera camera) => new HierarchyView(hierarchy.Value);
 }

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>
@@ -17,10 +15,8 @@ public abstract class Model
     /// <summary>The parameter t of the first crossing with the ray that counts (<see cref="Ray.Counts"/>), or null.</summary>
     public abstract double? Intersect(Ray ray);
 
-    /// <summary>The same for a span of pixels at once; lane by lane where a model knows only single rays.</summary>
-    /// <param name="span">The rays; keeps the hits that are nearer than all before.</param>
-    /// <param name="index">The model's place in the scene.</param>
-    internal virtual void Meet(RaySpan span, int index) => span.MeetLaneByLane(this, index);
+    /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
+    internal virtual ModelView See(Camera camera) => new SingleRayView(this);
 
     /// <summary>Makes a model of a shape.</summary>
     public static Model<P> Of<P>(P primitive) where P : struct, IPrimitive => new(primitive);
@@ -43,11 +39,5 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     }
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
-    internal override void Meet(RaySpan span, int index)
-    {
-        var primitive = Primitive; // a local, so that its constants stay in registers
-        for (var i = 0; i < span.PacketCount; i++)
-            span.Keep(i, span.First(i, primitive.Cross(span.RaysOf(i))), index);
-    }
+    internal override ModelView See(Camera camera) => new PrimitiveView<P>(Primitive, camera);
 }

@@ -5,8 +5,11 @@ namespace RayCaster;
 /// <summary>A sphere, seen from outside or, where the camera is in it, from inside.</summary>
 /// <param name="Center">C.</param>
 /// <param name="Radius">R &gt; 0.</param>
-public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive
+public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IBounded
 {
+    /// <inheritdoc/>
+    public Bounds Bounds => new(Center - new Vector3(Radius, Radius, Radius), Center + new Vector3(Radius, Radius, Radius));
+
     /// <summary>
     /// Slide "Sphere – Geometric Solution": t = tca ∓ thc, with tca the parameter of the point nearest to C and thc half of the chord.
     /// </summary>

@@ -6,8 +6,11 @@ namespace RayCaster;
 /// <param name="A">The first corner.</param>
 /// <param name="B">The second corner.</param>
 /// <param name="C">The third corner, not on one line with the others.</param>
-public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimitive
+public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimitive, IBounded
 {
+    /// <inheritdoc/>
+    public Bounds Bounds => Bounds.Empty.With(A).With(B).With(C);
+
     /// <summary>The crossing X = w A + u B + v C of the triangle's plane, where w, u and v, which add up to 1, are all ≥ 0.</summary>
     /// <remarks>
     /// <para>Seen along the ray the triangle is flat and the ray is the point (0, 0): w, u and v are to each other as the areas of the three

@@ -1,71 +1,64 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
-/// <summary>Draws pictures the fast way: spans of pixels on several threads. Every byte is that of <see cref="ScalarRenderer"/>.</summary>
+/// <summary>Draws pictures the fast way: tile by tile, several pixels at once, on several threads. Every bit is that of <see cref="ScalarRenderer"/>.</summary>
 /// <param name="scene">What to draw.</param>
 /// <param name="threads">How many threads cast rays; one per core if left out.</param>
 public sealed class Renderer(Scene scene, int? threads = null)
 {
-    private const int PixelsAtOnce = 1 << 20;
-
     private readonly Camera camera = scene.Camera;
-    private readonly Model[] models = [.. scene.Models];
+    private readonly int threadCount = threads ?? Environment.ProcessorCount;
 
     /// <summary>Draws a whole picture in memory, which must not have more than 2³¹ bytes.</summary>
     public static Picture Render(Scene scene, int? threads = null)
     {
         var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
-        new Renderer(scene, threads).DrawLines(0, picture.Height, picture.Rgb, null, default);
+        new Renderer(scene, threads).Cast(new PictureSink(new(scene), picture.Rgb, picture.Width, picture.Height - 1));
         return picture;
     }
 
-    /// <summary>Draws the picture from top to bottom, a part at a time, so that memory does not grow with its height.</summary>
-    /// <param name="write">Takes the lines of each part: red, green and blue bytes of whole lines.</param>
-    /// <param name="lineDone">Called for each line when it is cast, from any thread.</param>
+    /// <summary>Finds out what each pixel hits, and at which t.</summary>
+    public HitMap CastHits()
+    {
+        var hits = new HitMap(camera.Width, camera.Height);
+        Cast(hits);
+        return hits;
+    }
+
+    /// <summary>Draws the picture from top to bottom, some lines at a time, so that memory does not grow with its height.</summary>
+    /// <param name="write">Takes whole lines of red, green and blue bytes; called in order, one call at a time, on the thread that calls this.</param>
+    /// <param name="linesDone">Told how many more lines have been cast, from any thread.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
-    public void Draw(Action<ReadOnlySpan<byte>> write, Action? lineDone = null, CancellationToken cancellation = default)
-    {
-        var linesAtOnce = Math.Clamp(PixelsAtOnce / camera.Width, 1, camera.Height);
-        var rgb = new byte[linesAtOnce * camera.Width * 3];
-        for (var line = 0; line < camera.Height; line += linesAtOnce)
-        {
-            var lines = Math.Min(linesAtOnce, camera.Height - line);
-            DrawLines(line, lines, rgb, lineDone, cancellation);
-            write(rgb.AsSpan(0, lines * camera.Width * 3));
-        }
-    }
+    public void Draw(Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default) =>
+        new BandQueue(scene, threadCount, linesDone, cancellation).WriteAll(write);
 
-    private void DrawLines(int firstLine, int lines, byte[] rgb, Action? lineDone, CancellationToken cancellation)
+    /// <summary>Casts all rays; this thread is one of those that do.</summary>
+    private void Cast(ISpanSink sink)
     {
-        var options = new ParallelOptions { CancellationToken = cancellation, MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
-        Parallel.For(0, lines, options, () => new RaySpan(camera), (i, _, span) =>
-        {
-            DrawLine(span, camera.Height - 1 - (firstLine + i), rgb.AsSpan(i * camera.Width * 3, camera.Width * 3));
-            lineDone?.Invoke();
-            return span;
-        }, _ => { });
-    }
+        var frame = new Frame(scene);
+        var (across, up) = (Frame.TilesOf(camera.Width), Frame.TilesOf(camera.Height));
+        var next = -1;
+        Exception? failure = null;
+        var helpers = new Thread[Math.Min(threadCount, across * up) - 1];
+        for (var i = 0; i < helpers.Length; i++) (helpers[i] = new(Work) { IsBackground = true, Name = "caster" }).Start();
+        Work();
+        foreach (var helper in helpers) helper.Join();
+        if (failure is not null) throw failure;
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
-    private void DrawLine(RaySpan span, int row, Span<byte> rgb)
-    {
-        for (var column = 0; column < camera.Width; column += RaySpan.MaxLength)
+        void Work()
         {
-            var length = Math.Min(RaySpan.MaxLength, camera.Width - column);
-            Cast(span, column, row, length);
-            for (var i = 0; i < length; i++, rgb = rgb[3..])
+            try
             {
-                var model = span.ModelAt(i);
-                (rgb[0], rgb[1], rgb[2]) = scene.Shade(span.T[i], model < 0 ? null : models[model]).ToBytes();
+                var caster = new TileCaster(frame);
+                while (failure is null && Interlocked.Increment(ref next) is var i && i < across * up)
+                {
+                    var (column, row) = (i % across * Tile.MaxSide, i / across * Tile.MaxSide);
+                    caster.Cast(new(column, row, Math.Min(Tile.MaxSide, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), sink);
+                }
+            }
+            catch (Exception e)
+            {
+                failure = e;
             }
         }
-    }
-
-    /// <summary>Finds the nearest hits of up to <see cref="RaySpan.MaxLength"/> pixels.</summary>
-    internal void Cast(RaySpan span, int column, int row, int length)
-    {
-        span.Aim(column, row, length);
-        for (var i = 0; i < models.Length; i++) models[i].Meet(span, i);
     }
 }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>A world and the camera that looks at it.</summary>
@@ -9,8 +11,11 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     /// <summary>Slide "Attenuation": the farther the hit, the darker; black from twice the target's distance on.</summary>
     /// <param name="t">The parameter of the nearest hit.</param>
     /// <param name="model">The model hit there; null for none, which shows the background, not attenuated.</param>
-    public Color Shade(double t, Model? model) => model is null ? Background : Attenuation(t) * model.Color;
+    public Color Shade(double t, Model? model) => model is null ? Background : Attenuation<Scalar>(t) * model.Color;
 
     /// <summary>1 − t / (2 |T − P|), not below 0.</summary>
-    public double Attenuation(double t) => Math.Max(0, 1 - t / Camera.Reach);
+    /// <param name="t">The parameter of the hit; any kind of number.</param>
+    /// <typeparam name="N">The kind of number.</typeparam>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N Attenuation<N>(N t) where N : struct, IReal<N> => N.Max(0, 1 - t / Camera.Reach);
 }

@@ -9,7 +9,7 @@ public class ProgressLineTests
     {
         var terminal = new StringWriter();
         using (var line = new ProgressLine(terminal, 10, 100, 80))
-            for (var i = 0; i < 100; i++) line.LineDone();
+            for (var i = 0; i < 100; i++) line.LinesDone(1);
         Assert.Empty(terminal.ToString());
     }
 
@@ -19,9 +19,9 @@ public class ProgressLineTests
         var terminal = new StringWriter();
         using (var line = new ProgressLine(terminal, 1000, 4, 80))
         {
-            line.LineDone();
+            line.LinesDone(1);
             Thread.Sleep(TimeSpan.FromSeconds(0.7));
-            line.LineDone();
+            line.LinesDone(1);
         }
         var drawn = terminal.ToString().Split('\r', StringSplitOptions.RemoveEmptyEntries);
         Assert.Equal(2, drawn.Length);
@@ -37,7 +37,7 @@ public class ProgressLineTests
         using (var line = new ProgressLine(terminal, 1000, 4, 30))
         {
             Thread.Sleep(TimeSpan.FromSeconds(0.7));
-            line.LineDone();
+            line.LinesDone(1);
         }
         Assert.All(terminal.ToString().Split('\r'), drawn => Assert.InRange(drawn.Length, 0, 29));
     }

@@ -39,7 +39,7 @@ public class RendererTests
         scene = scene with { Camera = scene.Camera.WithSize(width, height) };
         var bytes = new List<byte>();
         var lines = 0;
-        new Renderer(scene).Draw(part => bytes.AddRange(part), () => Interlocked.Increment(ref lines));
+        new Renderer(scene).Draw(part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, bytes);
         Assert.Equal(height, lines);
     }
@@ -67,23 +67,18 @@ public class RendererTests
     /// <summary>Model and bits of t of every pixel.</summary>
     internal static void AssertEqual(Scene scene, string what)
     {
-        var camera = scene.Camera;
-        var renderer = new Renderer(scene);
-        var span = new RaySpan(camera);
-        for (var row = 0; row < camera.Height; row++)
+        var hits = new Renderer(scene).CastHits();
+        for (var line = 0; line < hits.Height; line++)
         {
-            for (var column = 0; column < camera.Width; column += RaySpan.MaxLength)
+            for (var column = 0; column < hits.Width; column++)
             {
-                var length = Math.Min(RaySpan.MaxLength, camera.Width - column);
-                renderer.Cast(span, column, row, length);
-                for (var i = 0; i < length; i++)
-                {
-                    var ray = ScalarRenderer.Cast(scene, column + i, row);
-                    var fast = span.ModelAt(i) < 0 ? null : scene.Models[span.ModelAt(i)];
-                    if (fast == ray.HitModel && span.T[i].Equals(ray.HitParameter)) continue;
-                    Assert.Fail($"{what}: column {column + i}, row {row}: the definition hits {ray.HitModel?.Name ?? "nothing"} at {ray.HitParameter:R}, " +
-                        $"the renderer {fast?.Name ?? "nothing"} at {span.T[i]:R}");
-                }
+                var row = hits.Height - 1 - line;
+                var ray = ScalarRenderer.Cast(scene, column, row);
+                var (t, index) = (hits.T[line * hits.Width + column], hits.Model[line * hits.Width + column]);
+                var model = index < 0 ? null : scene.Models[index];
+                if (model == ray.HitModel && t.Equals(ray.HitParameter)) continue;
+                Assert.Fail($"{what}: column {column}, row {row}: the definition hits {ray.HitModel?.Name ?? "nothing"} at {ray.HitParameter:R}, " +
+                    $"the renderer {model?.Name ?? "nothing"} at {t:R}");
             }
         }
     }

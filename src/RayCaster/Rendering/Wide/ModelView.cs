@@ -6,18 +6,24 @@ namespace RayCaster;
 /// </summary>
 internal abstract class ModelView
 {
-    /// <summary>Where in the picture the model can show at all; the whole picture if it does not know.</summary>
-    public virtual Tile Extent => new(0, 0, int.MaxValue, int.MaxValue);
+    /// <summary>Where in the picture the model can show at all.</summary>
+    public virtual Tile Extent => Tile.Everywhere;
 
     /// <summary>A view for the use of one thread at a time; the same one where a view keeps nothing between calls.</summary>
     public virtual ModelView ForThread() => this;
 
-    /// <summary>Comes to a tile, before <see cref="Meet"/> is called for parts of its rows: between which t the model's hits lie.</summary>
-    public virtual Reach Enter(in Tile tile) => Reach.Unknown;
+    /// <summary>Comes to a tile, before <see cref="Meet"/> is called for rows in it: between which t the model's hits lie.</summary>
+    /// <param name="rays">The tile and its rays.</param>
+    public virtual Reach Enter(TileRays rays) => Reach.Unknown;
 
-    /// <summary>Keeps the hits of a span of pixels of the tile that are nearer than all before.</summary>
+    /// <summary>The same for a part of the tile, where the model knows more of it.</summary>
+    /// <param name="rays">The part and its rays.</param>
+    /// <param name="whole">What was said of the whole.</param>
+    public virtual Reach Narrow(TileRays rays, Reach whole) => whole;
+
+    /// <summary>Keeps the hits of a span of pixels in the tile that are nearer than all before.</summary>
     /// <param name="span">The rays.</param>
-    /// <param name="index">The model's place in the scene; calls for one span come in any order of places.</param>
+    /// <param name="index">The model's place in the scene; a span meets the models in the order of their places.</param>
     public abstract void Meet(RaySpan span, int index);
 }
 

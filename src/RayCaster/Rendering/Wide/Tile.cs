@@ -1,14 +1,17 @@
 namespace RayCaster;
 
-/// <summary>A rectangle of pixels that is worked on at once.</summary>
+/// <summary>A rectangle of pixels.</summary>
 /// <param name="Column">The first column, from the left.</param>
 /// <param name="Row">The lowest row, from the bottom.</param>
 /// <param name="Width">Columns.</param>
 /// <param name="Height">Rows.</param>
 internal readonly record struct Tile(int Column, int Row, int Width, int Height)
 {
-    /// <summary>The most columns and rows of a tile.</summary>
+    /// <summary>The most columns and rows of a tile that is worked on at once; such tiles lie at multiples of it.</summary>
     public const int MaxSide = 64;
+
+    /// <summary>More than any picture.</summary>
+    public static Tile Everywhere => new(0, 0, int.MaxValue, int.MaxValue);
 
     /// <summary>The column after the last.</summary>
     public int EndColumn => Column + Width;
@@ -19,4 +22,39 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>Whether the tiles share a pixel.</summary>
     public bool Overlaps(in Tile other) =>
         Column < other.EndColumn && other.Column < EndColumn && Row < other.EndRow && other.Row < EndRow;
+
+    /// <summary>Where in a picture something may show that lies in bounds; nowhere if that is behind the camera.</summary>
+    /// <remarks>
+    /// The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="Bounds.PaddedFrom"/>); the
+    /// projection rounds by some 1e-15 of the picture's size, against a margin of a whole pixel.
+    /// </remarks>
+    public static Tile Of(Bounds bounds, Camera camera)
+    {
+        var padded = bounds.PaddedFrom(camera.Position);
+        var (center, half) = (0.5 * (padded.Min + padded.Max), 0.5 * (padded.Max - padded.Min));
+        var (depth, depthHalf) = (-(center * camera.W), Spread(camera.W));
+        var (nearest, farthest) = (depth - depthHalf, depth + depthHalf);
+        if (farthest < 0) return default;
+        if (!(nearest > 0)) return Everywhere; // it reaches the eye's plane, or is no number
+
+        var (column, endColumn) = Pixels(center * camera.U, Spread(camera.U), camera.PlaneWidth, camera.Width);
+        var (row, endRow) = Pixels(center * camera.V, Spread(camera.V), camera.PlaneHeight, camera.Height);
+        return new(column, row, endColumn - column, endRow - row);
+
+        double Spread(Vector3 axis) => Math.Abs(axis.X) * half.X + Math.Abs(axis.Y) * half.Y + Math.Abs(axis.Z) * half.Z;
+
+        (int First, int End) Pixels(double middle, double spread, double planeSize, int pixels)
+        {
+            var (least, most) = (middle - spread, middle + spread);
+            var first = least / (least < 0 ? nearest : farthest);
+            var last = most / (most < 0 ? farthest : nearest);
+            return (Pixel(first, -2), Pixel(last, +2)); // a sample lies up to a pixel beside its pixel's number
+
+            int Pixel(double u, int margin)
+            {
+                var pixel = (u / planeSize + 0.5) * pixels + margin;
+                return double.IsNaN(pixel) ? margin < 0 ? 0 : pixels : (int)Math.Clamp(Math.Floor(pixel), 0, pixels);
+            }
+        }
+    }
 }

@@ -5,15 +5,15 @@ namespace RayCaster;
 /// <summary>A box around something. It only rejects: a ray that misses it misses all that is in it.</summary>
 /// <param name="Min">The least coordinates.</param>
 /// <param name="Max">The greatest coordinates.</param>
-internal readonly record struct Bounds(Vector3 Min, Vector3 Max)
+public readonly record struct Bounds(Vector3 Min, Vector3 Max)
 {
     /// <summary>Bounds of nothing.</summary>
-    public static Bounds Empty => new(
+    internal static Bounds Empty => new(
         new(double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity),
         new(double.NegativeInfinity, double.NegativeInfinity, double.NegativeInfinity));
 
     /// <summary>Half of the surface; 0 for bounds of nothing.</summary>
-    public double HalfArea
+    internal double HalfArea
     {
         get
         {
@@ -23,19 +23,19 @@ internal readonly record struct Bounds(Vector3 Min, Vector3 Max)
     }
 
     /// <summary>The bounds of these and a point.</summary>
-    public Bounds With(Vector3 p) => new(
+    internal Bounds With(Vector3 p) => new(
         new(Math.Min(Min.X, p.X), Math.Min(Min.Y, p.Y), Math.Min(Min.Z, p.Z)),
         new(Math.Max(Max.X, p.X), Math.Max(Max.Y, p.Y), Math.Max(Max.Z, p.Z)));
 
     /// <summary>The bounds of both.</summary>
-    public Bounds With(Bounds other) => With(other.Min).With(other.Max);
+    internal Bounds With(Bounds other) => With(other.Min).With(other.Max);
 
     /// <summary>
     /// Seen from a point, these bounds grown by far more than a formula's rounding can move a hit sideways: a few units in the last place
     /// of the largest coordinate, against 1e-12 of it here. Without that margin hits at the silhouette of far things are lost.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Bounds PaddedFrom(Vector3 origin)
+    internal Bounds PaddedFrom(Vector3 origin)
     {
         var (min, max) = (Min - origin, Max - origin);
         var x = Math.Max(Math.Abs(min.X), Math.Abs(max.X));
@@ -44,4 +44,14 @@ internal readonly record struct Bounds(Vector3 Min, Vector3 Max)
         var margin = 1e-12 * Math.Max(x, Math.Max(y, z));
         return new(new(min.X - margin, min.Y - margin, min.Z - margin), new(max.X + margin, max.Y + margin, max.Z + margin));
     }
+}
+
+/// <summary>
+/// A shape that says what it does not reach beyond. It need not: without bounds a shape is looked for everywhere, which takes
+/// longer where there are thousands of them.
+/// </summary>
+public interface IBounded
+{
+    /// <summary>A box around the shape; it may be larger than needed, never smaller.</summary>
+    Bounds Bounds { get; }
 }

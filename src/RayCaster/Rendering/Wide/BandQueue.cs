@@ -1,0 +1,164 @@
+namespace RayCaster;
+
+/// <summary>
+/// Draws a picture in bands of lines, from top to bottom: several threads cast the tiles of the next bands while the finished ones are written in order.
+/// Only a few bands are in memory at a time.
+/// </summary>
+/// <remarks>
+/// Tiles are handed out one after another over all bands, so no thread waits at the end of a band. A thread that comes to a band for which there is no room
+/// waits until the oldest one is written.
+/// </remarks>
+internal sealed class BandQueue
+{
+    private const int BytesOfBand = 1 << 24;
+
+    private readonly Frame frame;
+    private readonly Camera camera;
+    private readonly SpanShader shader;
+    private readonly Action<int>? linesDone;
+    private readonly CancellationToken cancellation;
+    private readonly int rowsOfBand, tilesAcross;
+    private readonly long bandCount;
+
+    private readonly byte[][] buffers;
+    private readonly int[] tilesMissing;     // of the band in each buffer
+    private long nextTile;
+    private long bandsWritten;               // guarded by the lock on buffers, as tilesMissing and failure are
+    private Exception? failure;
+
+    /// <param name="scene">What to draw.</param>
+    /// <param name="threads">How many threads cast.</param>
+    /// <param name="linesDone">Told how many lines have been cast, from any thread.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public BandQueue(Scene scene, int threads, Action<int>? linesDone, CancellationToken cancellation)
+    {
+        (frame, camera, shader) = (new(scene), scene.Camera, new(scene));
+        (this.linesDone, this.cancellation) = (linesDone, cancellation);
+
+        // A band is a row of tiles, or of very wide pictures a half, a quarter … of one, so that no tile lies in two bands.
+        for (rowsOfBand = Tile.MaxSide; rowsOfBand > 1 && 3L * camera.Width * rowsOfBand > BytesOfBand;) rowsOfBand /= 2;
+        tilesAcross = Frame.TilesOf(camera.Width);
+        bandCount = (camera.Height + rowsOfBand - 1) / rowsOfBand;
+        buffers = new byte[Math.Min(bandCount, threads + 2)][];
+        tilesMissing = new int[buffers.Length];
+        for (var i = 0; i < buffers.Length; i++) (buffers[i], tilesMissing[i]) = (new byte[3 * camera.Width * rowsOfBand], tilesAcross);
+        Threads = threads;
+    }
+
+    private int Threads { get; }
+
+    /// <summary>Draws it all.</summary>
+    /// <param name="write">Takes whole lines, in order, on this thread.</param>
+    public void WriteAll(Action<ReadOnlySpan<byte>> write)
+    {
+        var workers = new Thread[Threads];
+        for (var i = 0; i < workers.Length; i++)
+        {
+            workers[i] = new(Work) { IsBackground = true, Name = "caster" };
+            workers[i].Start();
+        }
+        try
+        {
+            for (var band = 0L; band < bandCount; band++)
+            {
+                var buffer = WaitForBand(band);
+                write(buffer.AsSpan(0, 3 * camera.Width * RowsOf(band).Height));
+                Release(band);
+            }
+        }
+        catch (Exception e)
+        {
+            Fail(e);
+            throw;
+        }
+        finally
+        {
+            foreach (var worker in workers) worker.Join();
+        }
+    }
+
+    /// <summary>The rows of a band; band 0 is the top of the picture.</summary>
+    private (int Row, int Height) RowsOf(long band)
+    {
+        var row = (int)(bandCount - 1 - band) * rowsOfBand;
+        return (row, Math.Min(rowsOfBand, camera.Height - row));
+    }
+
+    private void Work()
+    {
+        try
+        {
+            var caster = new TileCaster(frame);
+            while (true)
+            {
+                var tile = Interlocked.Increment(ref nextTile) - 1;
+                var (band, column) = Math.DivRem(tile, tilesAcross);
+                if (band >= bandCount || !WaitForRoom(band)) return;
+                var (row, height) = RowsOf(band);
+                var (left, buffer) = ((int)column * Tile.MaxSide, (int)(band % buffers.Length));
+                var sink = new PictureSink(shader, buffers[buffer], camera.Width, row + height - 1);
+                caster.Cast(new(left, row, Math.Min(Tile.MaxSide, camera.Width - left), height), sink);
+                TileDone(buffer, height);
+            }
+        }
+        catch (Exception e)
+        {
+            Fail(e);
+        }
+    }
+
+    /// <summary>Waits until the band before the last that used the same buffer is written; false if the work is off.</summary>
+    private bool WaitForRoom(long band)
+    {
+        lock (buffers)
+        {
+            while (failure is null && band >= bandsWritten + buffers.Length) Monitor.Wait(buffers);
+            return failure is null && !cancellation.IsCancellationRequested;
+        }
+    }
+
+    private void TileDone(int buffer, int lines)
+    {
+        lock (buffers)
+        {
+            if (--tilesMissing[buffer] > 0) return;
+            Monitor.PulseAll(buffers);
+        }
+        linesDone?.Invoke(lines);
+    }
+
+    private byte[] WaitForBand(long band)
+    {
+        var buffer = band % buffers.Length;
+        lock (buffers)
+        {
+            while (failure is null && tilesMissing[buffer] > 0)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                Monitor.Wait(buffers, TimeSpan.FromMilliseconds(50)); // looks up now and then whether it is cancelled
+            }
+            if (failure is not null) throw failure;
+        }
+        cancellation.ThrowIfCancellationRequested();
+        return buffers[buffer];
+    }
+
+    private void Release(long band)
+    {
+        lock (buffers)
+        {
+            tilesMissing[band % buffers.Length] = tilesAcross;
+            bandsWritten = band + 1;
+            Monitor.PulseAll(buffers);
+        }
+    }
+
+    private void Fail(Exception e)
+    {
+        lock (buffers)
+        {
+            failure ??= e;
+            Monitor.PulseAll(buffers);
+        }
+    }
+}

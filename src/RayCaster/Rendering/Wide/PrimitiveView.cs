@@ -1,0 +1,50 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster;
+
+/// <summary>A primitive: its own formula over intervals tells what a tile may hit, and over packets what each pixel hits.</summary>
+/// <typeparam name="P">The kind of shape.</typeparam>
+internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
+{
+    private readonly P primitive;
+    private readonly ClipRange clip;
+    private readonly bool isSmall;
+
+    public PrimitiveView(P primitive, Camera camera)
+    {
+        (this.primitive, clip) = (primitive, camera.ClipRange);
+        Extent = primitive is IBounded bounded ? Tile.Of(bounded.Bounds, camera) : Tile.Everywhere;
+        isSmall = (long)Extent.Width * Extent.Height < Tile.MaxSide * Tile.MaxSide / 4;
+    }
+
+    /// <inheritdoc/>
+    public override Tile Extent { get; }
+
+    /// <inheritdoc/>
+    public override Reach Enter(TileRays rays) => isSmall ? Reach.Unknown : Range(rays);
+
+    /// <inheritdoc/>
+    public override Reach Narrow(TileRays rays, Reach whole) => isSmall ? whole : Range(rays);
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
+    public override void Meet(RaySpan span, int index)
+    {
+        var first = 0;
+        var end = span.PacketCount;
+        if (isSmall) // its extent spares most of the span, at a cost that a large model would not win back
+        {
+            if (span.Row < Extent.Row || span.Row >= Extent.EndRow) return;
+            first = Math.Max(0, Extent.Column - span.Column) / Packet.Count;
+            end = Math.Min(end, (Math.Max(0, Extent.EndColumn - span.Column) + Packet.Count - 1) / Packet.Count);
+        }
+        var shape = primitive; // a local, so that its constants stay in registers
+        for (var i = first; i < end; i++) span.Keep(i, span.First(i, shape.Cross(span.RaysOf(i))), index);
+    }
+
+    private Reach Range(TileRays rays)
+    {
+        var hit = clip.First(primitive.Cross(rays.Rays), rays.ZPerT);
+        return hit.IsSurelyNaN ? Reach.None : new(hit.Lo, hit.MayBeNaN ? double.PositiveInfinity : hit.Hi);
+    }
+}

@@ -1,0 +1,115 @@
+namespace RayCaster;
+
+/// <summary>
+/// One thread's tool: finds for the pixels of a tile the nearest hits. The tile is halved and halved again, and each part drops the models that
+/// cannot show in it; what is left meets the rays row by row.
+/// </summary>
+internal sealed class TileCaster
+{
+    /// <summary>Parts of this size are not halved again: a row of it is four packets, for which a call is still cheap.</summary>
+    private const int LeastSide = 16;
+
+    private readonly Frame frame;
+    private readonly ModelView[] views;
+    private readonly RaySpan span;
+    private readonly TileRays rays;
+    private ISpanSink sink = null!;
+    private readonly List<Candidate>[] candidates = [[], [], []]; // of the tile, its halves and their halves
+
+    /// <param name="frame">What all threads share.</param>
+    public TileCaster(Frame frame)
+    {
+        this.frame = frame;
+        views = Array.ConvertAll(frame.Views, view => view.ForThread());
+        span = new(frame.Scene.Camera);
+        rays = new(frame.Scene.Camera);
+    }
+
+    /// <summary>Casts all rays of a tile.</summary>
+    /// <param name="tile">A tile of at most <see cref="Tile.MaxSide"/> pixels a side that does not cross a multiple of it.</param>
+    /// <param name="sink">Takes the spans.</param>
+    public void Cast(in Tile tile, ISpanSink sink)
+    {
+        this.sink = sink;
+        var list = candidates[0];
+        list.Clear();
+        frame.AddModelsOf(tile, list);
+        rays.Aim(tile);
+        var cover = double.PositiveInfinity;
+        for (var i = 0; i < list.Count; i++)
+        {
+            var view = views[list[i].Index];
+            var reach = view.Extent.Overlaps(tile) ? view.Enter(rays) : Reach.None;
+            cover = Math.Min(cover, reach.Cover);
+            list[i] = list[i] with { Reach = reach };
+        }
+        Keep(list, list, cover);
+        Descend(tile, 0);
+    }
+
+    /// <summary>Casts a part whose models are known.</summary>
+    private void Descend(in Tile part, int level)
+    {
+        var list = candidates[level];
+        if (list.Count <= 1 || level == candidates.Length - 1 || Math.Max(part.Width, part.Height) <= LeastSide)
+        {
+            CastRows(part, list);
+            return;
+        }
+        var (width, height) = (Half(part.Width), Half(part.Height));
+        Descend(new(part.Column, part.Row, width, height), list, level);
+        Descend(new(part.Column + width, part.Row, part.Width - width, height), list, level);
+        Descend(new(part.Column, part.Row + height, width, part.Height - height), list, level);
+        Descend(new(part.Column + width, part.Row + height, part.Width - width, part.Height - height), list, level);
+    }
+
+    private void Descend(in Tile part, List<Candidate> whole, int level)
+    {
+        if (part.Width == 0 || part.Height == 0) return;
+        rays.Aim(part);
+        var list = candidates[level + 1];
+        list.Clear();
+        var cover = double.PositiveInfinity;
+        foreach (var candidate in whole)
+        {
+            var view = views[candidate.Index];
+            if (!view.Extent.Overlaps(part)) continue;
+            var reach = view.Narrow(rays, candidate.Reach);
+            cover = Math.Min(cover, reach.Cover);
+            list.Add(candidate with { Reach = reach });
+        }
+        Keep(list, list, cover);
+        Descend(part, level + 1);
+    }
+
+    /// <summary>Drops what does not show, or lies behind what covers all.</summary>
+    private static void Keep(List<Candidate> from, List<Candidate> to, double cover)
+    {
+        var kept = 0;
+        for (var i = 0; i < from.Count; i++)
+            if (from[i].Reach.Least <= cover && from[i].Reach.Least < double.PositiveInfinity)
+                to[kept++] = from[i];
+        to.RemoveRange(kept, to.Count - kept);
+    }
+
+    private void CastRows(in Tile part, List<Candidate> list)
+    {
+        span.Enter(part.Column, part.Width);
+        for (var row = part.Row; row < part.EndRow; row++)
+        {
+            span.Aim(row);
+            foreach (var candidate in list) views[candidate.Index].Meet(span, candidate.Index);
+            sink.Take(span);
+        }
+    }
+
+    /// <summary>Half of a length of at least <see cref="LeastSide"/>, in whole packets.</summary>
+    private static int Half(int length) => length <= LeastSide ? length : (length / 2 + Packet.Count - 1) / Packet.Count * Packet.Count;
+}
+
+/// <summary>Takes what tiles come to, a span at a time, in any order and from any thread.</summary>
+internal interface ISpanSink
+{
+    /// <summary>Takes the hits of a span, before the next span is cast into it.</summary>
+    void Take(RaySpan span);
+}
