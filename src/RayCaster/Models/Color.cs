@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>A colour by its light, not by its bytes: 1 is full intensity, more is allowed and clamped only in the picture.</summary>
@@ -19,5 +21,9 @@ public readonly record struct Color(double R, double G, double B)
     /// <summary>The three bytes of a pixel: each channel clamped to 0 … 1, times 255, rounded to nearest; no gamma.</summary>
     public (byte R, byte G, byte B) ToBytes() => (ToByte(R), ToByte(G), ToByte(B));
 
-    private static byte ToByte(double channel) => (byte)(Math.Clamp(channel, 0, 1) * 255 + 0.5);
+    /// <summary>A channel clamped to 0 … 1, times 255, plus a half; the byte is the whole part of it.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static N Level<N>(N channel) where N : struct, IReal<N> => N.Min(N.Max(channel, 0), 1) * 255 + 0.5;
+
+    private static byte ToByte(double channel) => (byte)Level<Scalar>(channel);
 }

@@ -12,16 +12,32 @@ public sealed class Renderer(Scene scene, int? threads = null)
     public static Picture Render(Scene scene, int? threads = null)
     {
         var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
-        new Renderer(scene, threads).Cast(new PictureSink(new(scene), picture.Rgb, picture.Width, picture.Height - 1));
+        new Renderer(scene, threads).DrawInto(picture);
         return picture;
+    }
+
+    /// <summary>The same into a picture of the right size that is there already.</summary>
+    public void DrawInto(Picture picture)
+    {
+        if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
+            throw new ArgumentException($"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
+        Cast(new PictureSink(new(scene), picture.Rgb, picture.Width, picture.Height - 1));
     }
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>
     public HitMap CastHits()
     {
         var hits = new HitMap(camera.Width, camera.Height);
-        Cast(hits);
+        CastHits(hits);
         return hits;
+    }
+
+    /// <summary>The same into a map of the picture's size that is there already.</summary>
+    public void CastHits(HitMap hits)
+    {
+        if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
+            throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(hits));
+        Cast(hits);
     }
 
     /// <summary>Draws the picture from top to bottom, some lines at a time, so that memory does not grow with its height.</summary>

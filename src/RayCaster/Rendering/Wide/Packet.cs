@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster;
 
@@ -84,4 +85,10 @@ internal readonly struct Packet(Vector256<double> lanes) : IReal<Packet>
     /// <summary>Puts the packet back at its place.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Store(double[] numbers, int packet) => Lanes.StoreUnsafe(ref numbers[packet * Count]);
+
+    /// <summary>The whole parts of numbers from 0 to 2³¹.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector128<int> ToInts() => Avx.IsSupported
+        ? Avx.ConvertToVector128Int32WithTruncation(Lanes)
+        : Vector128.Create((int)Lanes[0], (int)Lanes[1], (int)Lanes[2], (int)Lanes[3]);
 }

@@ -1,20 +1,21 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
 
 namespace RayCaster;
 
-/// <summary>Turns the hits of spans into bytes: <see cref="Scene.Shade"/> and <see cref="Color.ToBytes"/>, the same operations for four pixels at once.</summary>
+/// <summary>Turns the hits of spans into bytes: the formulas of <see cref="Scene.Shade"/> and <see cref="Color.ToBytes"/> for four pixels at once.</summary>
 internal sealed class SpanShader
 {
     private readonly Scene scene;
-    private readonly Color[] colors;                           // the background, then the models
-    private readonly (byte R, byte G, byte B) background;
+    private readonly Color[] colors; // the background, then the models
 
     public SpanShader(Scene scene)
     {
         this.scene = scene;
-        colors = new Color[scene.Models.Count];
-        for (var i = 0; i < colors.Length; i++) colors[i] = scene.Models[i].Color;
-        background = scene.Background.ToBytes();
+        colors = new Color[scene.Models.Count + 1];
+        colors[0] = scene.Background;
+        for (var i = 1; i < colors.Length; i++) colors[i] = scene.Models[i - 1].Color;
     }
 
     /// <summary>Writes the pixels of a span.</summary>
@@ -23,16 +24,43 @@ internal sealed class SpanShader
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Shade(RaySpan span, Span<byte> rgb)
     {
-        for (var i = 0; i < span.Length; i += Packet.Count)
+        var packed = Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
+        Span<byte> rest = stackalloc byte[16];
+        for (var packet = 0; packet < span.PacketCount; packet++)
         {
-            var packet = i / Packet.Count;
-            var attenuation = scene.Attenuation(span.NearestOf(packet));
-            for (var lane = 0; lane < Math.Min(Packet.Count, span.Length - i); lane++)
+            var models = span.ModelsOf(packet);
+            var isMiss = models < 0;
+            var attenuation = Packet.Select(isMiss, 1, scene.Attenuation(span.NearestOf(packet))); // 1 leaves the background as it is
+            ref var a = ref colors[(int)models.Lanes[0] + 1];
+            Packet r = a.R, g = a.G, b = a.B;
+            if (!Packet.All(Packet.Equal(models, models.Lanes[0])))
             {
-                var pixel = rgb.Slice(3 * (i + lane), 3);
-                var model = span.ModelAt(i + lane);
-                (pixel[0], pixel[1], pixel[2]) = model < 0 ? background : (attenuation.Lanes[lane] * colors[model]).ToBytes();
+                ref var c = ref colors[(int)models.Lanes[1] + 1];
+                ref var d = ref colors[(int)models.Lanes[2] + 1];
+                ref var e = ref colors[(int)models.Lanes[3] + 1];
+                r = new(Vector256.Create(a.R, c.R, d.R, e.R));
+                g = new(Vector256.Create(a.G, c.G, d.G, e.G));
+                b = new(Vector256.Create(a.B, c.B, d.B, e.B));
+            }
+            var pixels = Bytes(attenuation * r) | (Bytes(attenuation * g) << 8) | (Bytes(attenuation * b) << 16);
+            var bytes = Vector128.Shuffle(pixels.AsByte(), packed);
+
+            // Twelve bytes; the four zeros after them fall on pixels that come next, but not beyond the span, where another thread may be at work.
+            if (rgb.Length >= 16)
+            {
+                bytes.StoreUnsafe(ref MemoryMarshal.GetReference(rgb));
+                rgb = rgb[12..];
+            }
+            else
+            {
+                bytes.CopyTo(rest);
+                rest[..Math.Min(12, rgb.Length)].CopyTo(rgb);
+                rgb = rgb[Math.Min(12, rgb.Length)..];
             }
         }
     }
+
+    /// <summary>The bytes of a channel of four pixels, each in an int.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector128<int> Bytes(Packet channel) => Color.Level(channel).ToInts();
 }
