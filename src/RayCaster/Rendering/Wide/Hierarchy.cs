@@ -37,14 +37,14 @@ internal sealed class Hierarchy
         if (order.Length > 0) depth = Build(bounds, 0, order.Length, 1);
     }
 
-    /// <summary>The t of the nearest hit in each lane of a packet, or NaN; nothing beyond the nearest hit so far is looked for.</summary>
+    /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel, or NaN; nothing beyond the nearest hit so far is looked for.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
-    public Packet Nearest(RaySpan span, int packet)
+    public Packet Nearest(RaySpan span, int pixel)
     {
-        Packet best = span.NearestOf(packet), hit = double.NaN;
+        Packet best = span.NearestAt<Packet>(pixel), hit = double.NaN;
         if (nodes.Count == 0) return hit;
 
-        var ray = span.RaysOf(packet);
+        var ray = span.RaysAt<Packet>(pixel);
         var along = new AlongRay<Packet>(ray);
         var origin = new Vector3(ray.Origin.X.Lanes[0], ray.Origin.Y.Lanes[0], ray.Origin.Z.Lanes[0]);
         var test = new BoundsTest(ray.Direction);
@@ -69,7 +69,7 @@ internal sealed class Hierarchy
             {
                 var corner = 3 * order[i];
                 var triangle = new Triangle(vertices[indices[corner]], vertices[indices[corner + 1]], vertices[indices[corner + 2]]);
-                var t = span.First(packet, triangle.Cross(along));
+                var t = span.First(pixel, triangle.Cross(along));
                 var nearer = t < best;
                 best = Packet.Select(nearer, t, best);
                 hit = Packet.Select(nearer, t, hit);

@@ -6,6 +6,6 @@ internal sealed class HierarchyView(Hierarchy hierarchy) : ModelView
     /// <inheritdoc/>
     public override void Meet(RaySpan span, int index)
     {
-        for (var i = 0; i < span.PacketCount; i++) span.Keep(i, hierarchy.Nearest(span, i), index);
+        for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hierarchy.Nearest(span, i), index);
     }
 }

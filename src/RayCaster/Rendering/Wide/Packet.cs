@@ -7,12 +7,11 @@ namespace RayCaster;
 /// <summary>Four doubles, one for each of four pixels side by side: a formula over it gives each lane the bits that <see cref="Scalar"/> gives.</summary>
 /// <param name="lanes">The numbers; as a mask all bits of a lane set for true, none for false.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly struct Packet(Vector256<double> lanes) : IReal<Packet>
+internal readonly struct Packet(Vector256<double> lanes) : IPacket<Packet>
 {
-    /// <summary>How many pixels there are in a packet.</summary>
-    public const int Count = 4;
-
     public readonly Vector256<double> Lanes = lanes;
+
+    public static int Count => Vector256<double>.Count;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static implicit operator Packet(double value) => new(Vector256.Create(value));
@@ -62,29 +61,20 @@ internal readonly struct Packet(Vector256<double> lanes) : IReal<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Select(Packet mask, Packet a, Packet b) => new(Vector256.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes));
 
-    /// <summary>Where a equals b; false where either is NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Equal(Packet a, Packet b) => new(Vector256.Equals(a.Lanes, b.Lanes));
 
-    /// <summary>Whether a mask holds in any lane.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool Any(Packet mask) => mask.Lanes.ExtractMostSignificantBits() != 0;
+    public static bool All(Packet mask) => mask.Lanes.ExtractMostSignificantBits() == (1 << Vector256<double>.Count) - 1;
 
-    /// <summary>Whether a mask holds in every lane.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool All(Packet mask) => mask.Lanes.ExtractMostSignificantBits() == (1 << Count) - 1;
-
-    /// <summary>first, first + 1, first + 2, first + 3.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Sequence(int first) => new(Vector256.Create((double)first) + Vector256.Create(0.0, 1, 2, 3));
 
-    /// <summary>The packet at a place in an array of numbers, counted in packets.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Load(double[] numbers, int packet) => new(Vector256.LoadUnsafe(ref numbers[packet * Count]));
+    public static Packet Load(double[] numbers, int first) => new(Vector256.LoadUnsafe(ref numbers[first]));
 
-    /// <summary>Puts the packet back at its place.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(double[] numbers, int packet) => Lanes.StoreUnsafe(ref numbers[packet * Count]);
+    public void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
 
     /// <summary>The whole parts of numbers from 0 to 2³¹.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

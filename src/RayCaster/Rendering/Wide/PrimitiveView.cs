@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 
 namespace RayCaster;
 
@@ -27,19 +28,24 @@ internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
     public override Reach Narrow(TileRays rays, Reach whole) => isSmall ? whole : Range(rays);
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
     public override void Meet(RaySpan span, int index)
     {
-        var first = 0;
-        var end = span.PacketCount;
+        var (first, end) = (0, span.Length);
         if (isSmall) // its extent spares most of the span, at a cost that a large model would not win back
         {
             if (span.Row < Extent.Row || span.Row >= Extent.EndRow) return;
-            first = Math.Max(0, Extent.Column - span.Column) / Packet.Count;
-            end = Math.Min(end, (Math.Max(0, Extent.EndColumn - span.Column) + Packet.Count - 1) / Packet.Count);
+            first = Math.Max(0, Extent.Column - span.Column);
+            end = Math.Min(end, Extent.EndColumn - span.Column);
         }
+        if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(span, first / WidePacket.Count * WidePacket.Count, end, index);
+        else Meet<Packet>(span, first / Packet.Count * Packet.Count, end, index);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
+    private void Meet<N>(RaySpan span, int first, int end, int index) where N : struct, IPacket<N>
+    {
         var shape = primitive; // a local, so that its constants stay in registers
-        for (var i = first; i < end; i++) span.Keep(i, span.First(i, shape.Cross(span.RaysOf(i))), index);
+        for (var i = first; i < end; i += N.Count) span.Keep(i, span.First(i, shape.Cross(span.RaysAt<N>(i))), index);
     }
 
     private Reach Range(TileRays rays)

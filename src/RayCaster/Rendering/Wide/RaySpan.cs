@@ -2,18 +2,20 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>The rays of up to 64 pixels side by side in one row of a tile, and the nearest hit of each so far. Reused from span to span.</summary>
+/// <summary>
+/// The rays of up to 64 pixels side by side in one row of a tile, and the nearest hit of each so far. Reused from span to span.
+/// Its numbers lie in arrays, a place for each pixel, from which packets of any kind are taken; the lanes of the last packet that
+/// reach beyond the span's end are cast, too, and ignored.
+/// </summary>
 internal sealed class RaySpan(Camera camera)
 {
     /// <summary>The most pixels in a span: few enough to stay in the first-level cache, many enough to make a virtual call cheap.</summary>
     public const int MaxLength = Tile.MaxSide;
 
-    private const int MaxPackets = MaxLength / Packet.Count;
-
-    private readonly Vector3<Packet> origin = camera.Position;
-    private readonly Vector3<Packet>[] across = new Vector3<Packet>[MaxPackets];
-    private readonly Vector3<Packet>[] direction = new Vector3<Packet>[MaxPackets];
-    private readonly Packet[] zPerT = new Packet[MaxPackets];
+    private readonly Vector3 origin = camera.Position;
+    private readonly double[] acrossX = new double[MaxLength], acrossY = new double[MaxLength], acrossZ = new double[MaxLength];
+    private readonly double[] x = new double[MaxLength], y = new double[MaxLength], z = new double[MaxLength];
+    private readonly double[] zPerT = new double[MaxLength];
     private readonly double[] t = new double[MaxLength];
     private readonly double[] model = new double[MaxLength];
 
@@ -26,86 +28,93 @@ internal sealed class RaySpan(Camera camera)
     /// <summary>How many pixels.</summary>
     public int Length { get; private set; }
 
-    /// <summary>How many packets the span has; the lanes of the last one beyond the span's end are cast, too, and ignored.</summary>
-    public int PacketCount { get; private set; }
-
     /// <summary>The t of the nearest hit of each pixel, +∞ for none; numbers beyond the span's length mean nothing.</summary>
     public ReadOnlySpan<double> T => t;
 
     /// <summary>Which model that is, by its place in the scene; −1 for none.</summary>
     public int ModelAt(int pixel) => (int)model[pixel];
 
-    /// <summary>The models of a packet's hits.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Packet ModelsOf(int packet) => Packet.Load(model, packet);
-
     /// <summary>Comes to the columns that the next rows have in common.</summary>
     /// <param name="column">The first column.</param>
     /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
+    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Enter(int column, int length)
+    public void Enter<N>(int column, int length) where N : struct, IPacket<N>
     {
         (Column, Length) = (column, length);
-        PacketCount = (length + Packet.Count - 1) / Packet.Count;
-        for (var i = 0; i < PacketCount; i++) across[i] = camera.Across(Packet.Sequence(column + i * Packet.Count));
+        for (var i = 0; i < length; i += N.Count)
+        {
+            var across = camera.Across(N.Sequence(column + i));
+            across.X.Store(acrossX, i);
+            across.Y.Store(acrossY, i);
+            across.Z.Store(acrossZ, i);
+        }
     }
 
     /// <summary>Aims the rays of a row and forgets all hits.</summary>
     /// <param name="row">The row, from the bottom.</param>
+    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Aim(int row)
+    public void Aim<N>(int row) where N : struct, IPacket<N>
     {
         Row = row;
-        var upwards = camera.Upwards<Packet>(row);
-        for (var i = 0; i < PacketCount; i++)
+        var upwards = camera.Upwards(All<N>(row));
+        for (var i = 0; i < Length; i += N.Count)
         {
-            direction[i] = camera.Direction(across[i], upwards);
-            zPerT[i] = camera.ZPerT(direction[i]);
-            ((Packet)double.PositiveInfinity).Store(t, i);
-            ((Packet)(-1)).Store(model, i);
+            var direction = camera.Direction(new Vector3<N>(N.Load(acrossX, i), N.Load(acrossY, i), N.Load(acrossZ, i)), upwards);
+            direction.X.Store(x, i);
+            direction.Y.Store(y, i);
+            direction.Z.Store(z, i);
+            camera.ZPerT(direction).Store(zPerT, i);
+            All<N>(double.PositiveInfinity).Store(t, i);
+            All<N>(-1).Store(model, i);
         }
     }
 
-    /// <summary>The rays of a packet.</summary>
+    /// <summary>The rays of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Ray<Packet> RaysOf(int packet) => new(origin, direction[packet]);
+    public Ray<N> RaysAt<N>(int pixel) where N : struct, IPacket<N> =>
+        new(origin, new Vector3<N>(N.Load(x, pixel), N.Load(y, pixel), N.Load(z, pixel)));
 
-    /// <summary>The t of the nearest hits of a packet so far.</summary>
+    /// <summary>The t of the nearest hits so far of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Packet NearestOf(int packet) => Packet.Load(t, packet);
+    public N NearestAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(t, pixel);
+
+    /// <summary>The models of these hits.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N ModelsAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(model, pixel);
 
     /// <summary>The first of the crossings that counts, in each lane, or NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Packet First(int packet, Crossings<Packet> crossings) => camera.ClipRange.First(crossings, zPerT[packet]);
+    public N First<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N> =>
+        camera.ClipRange.First(crossings, N.Load(zPerT, pixel));
 
     /// <summary>Keeps the hits of a model that are nearer than all before.</summary>
-    /// <param name="packet">The packet.</param>
+    /// <param name="pixel">Where the packet begins.</param>
     /// <param name="hit">The model's t in each lane, NaN for none.</param>
     /// <param name="modelIndex">The model's place in the scene, greater than that of all models before, so that of equal hits the first stays.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Keep(int packet, Packet hit, int modelIndex)
+    public void Keep<N>(int pixel, N hit, int modelIndex) where N : struct, IPacket<N>
     {
-        var nearest = NearestOf(packet);
+        var nearest = NearestAt<N>(pixel);
         var nearer = hit < nearest;
-        Packet.Select(nearer, hit, nearest).Store(t, packet);
-        Packet.Select(nearer, modelIndex, ModelsOf(packet)).Store(model, packet);
+        N.Select(nearer, hit, nearest).Store(t, pixel);
+        N.Select(nearer, All<N>(modelIndex), ModelsAt<N>(pixel)).Store(model, pixel);
     }
 
     /// <summary>Meets a model that knows only single rays.</summary>
-    public void MeetLaneByLane(Model only, int modelIndex)
+    public void MeetOneByOne(Model only, int modelIndex)
     {
         for (var i = 0; i < Length; i++)
         {
-            var (packet, lane) = Math.DivRem(i, Packet.Count);
-            var d = direction[packet];
-            var ray = new Ray(camera.Position, new(d.X.Lanes[lane], d.Y.Lanes[lane], d.Z.Lanes[lane]))
-            {
-                Clip = camera.ClipRange,
-                ZPerT = zPerT[packet].Lanes[lane],
-            };
+            var ray = new Ray(origin, new(x[i], y[i], z[i])) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
             if (only.Intersect(ray) is not { } hit || !(hit < t[i])) continue;
             t[i] = hit;
             model[i] = modelIndex;
         }
     }
+
+    /// <summary>A packet of one number in all lanes: the compiler finds the conversion only through this constraint.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static N All<N>(double number) where N : struct, IReal<N> => number;
 }

@@ -4,5 +4,5 @@ namespace RayCaster;
 internal sealed class SingleRayView(Model model) : ModelView
 {
     /// <inheritdoc/>
-    public override void Meet(RaySpan span, int index) => span.MeetLaneByLane(model, index);
+    public override void Meet(RaySpan span, int index) => span.MeetOneByOne(model, index);
 }

@@ -26,11 +26,11 @@ internal sealed class SpanShader
     {
         var packed = Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
         Span<byte> rest = stackalloc byte[16];
-        for (var packet = 0; packet < span.PacketCount; packet++)
+        for (var i = 0; i < span.Length; i += Packet.Count)
         {
-            var models = span.ModelsOf(packet);
+            var models = span.ModelsAt<Packet>(i);
             var isMiss = models < 0;
-            var attenuation = Packet.Select(isMiss, 1, scene.Attenuation(span.NearestOf(packet))); // 1 leaves the background as it is
+            var attenuation = Packet.Select(isMiss, 1, scene.Attenuation(span.NearestAt<Packet>(i))); // 1 leaves the background as it is
             ref var a = ref colors[(int)models.Lanes[0] + 1];
             Packet r = a.R, g = a.G, b = a.B;
             if (!Packet.All(Packet.Equal(models, models.Lanes[0])))

@@ -1,3 +1,5 @@
+using System.Runtime.Intrinsics;
+
 namespace RayCaster;
 
 /// <summary>
@@ -94,17 +96,23 @@ internal sealed class TileCaster
 
     private void CastRows(in Tile part, List<Candidate> list)
     {
-        span.Enter(part.Column, part.Width);
+        if (Vector512.IsHardwareAccelerated) CastRows<WidePacket>(part, list);
+        else CastRows<Packet>(part, list);
+    }
+
+    private void CastRows<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
+    {
+        span.Enter<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row++)
         {
-            span.Aim(row);
+            span.Aim<N>(row);
             foreach (var candidate in list) views[candidate.Index].Meet(span, candidate.Index);
             sink.Take(span);
         }
     }
 
     /// <summary>Half of a length of at least <see cref="LeastSide"/>, in whole packets.</summary>
-    private static int Half(int length) => length <= LeastSide ? length : (length / 2 + Packet.Count - 1) / Packet.Count * Packet.Count;
+    private static int Half(int length) => length <= LeastSide ? length : (length / 2 + WidePacket.Count - 1) / WidePacket.Count * WidePacket.Count;
 }
 
 /// <summary>Takes what tiles come to, a span at a time, in any order and from any thread.</summary>

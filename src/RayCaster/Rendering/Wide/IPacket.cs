@@ -1,0 +1,24 @@
+namespace RayCaster;
+
+/// <summary>Numbers of several pixels side by side; as a mask all bits of a lane set for true, none for false.</summary>
+/// <typeparam name="N">The packet itself.</typeparam>
+internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
+{
+    /// <summary>How many pixels there are in a packet.</summary>
+    static abstract int Count { get; }
+
+    /// <summary>Where a equals b; false where either is NaN.</summary>
+    static abstract N Equal(N a, N b);
+
+    /// <summary>Whether a mask holds in every lane.</summary>
+    static abstract bool All(N mask);
+
+    /// <summary>first, first + 1, first + 2 …</summary>
+    static abstract N Sequence(int first);
+
+    /// <summary>The packet that begins at a place in an array.</summary>
+    static abstract N Load(double[] numbers, int first);
+
+    /// <summary>Puts the packet at a place in an array.</summary>
+    void Store(double[] numbers, int first);
+}
