@@ -17,29 +17,24 @@ internal sealed class Frame
         Views = new ModelView[scene.Models.Count];
         for (var i = 0; i < Views.Length; i++) Views[i] = scene.Models[i].See(camera);
 
+        Extents = Array.ConvertAll(Views, view => view.Extent);
+
         tilesAcross = TilesOf(camera.Width);
-        var tiles = tilesAcross * TilesOf(camera.Height);
-        var all = new int[Views.Length];
-        for (var i = 0; i < all.Length; i++) all[i] = i;
-        if (Views.Length <= FewModels)
-        {
-            everywhere = all;
-            return;
-        }
+        var large = Views.Length <= FewModels ? -1 : Math.Max(1 << 16, (long)camera.Width * camera.Height / 16);
+        var places = new List<int>();
+        for (var i = 0; i < Views.Length; i++)
+            if (Extents[i].Area > large)
+                places.Add(i);
+        everywhere = [.. places];
+        if (everywhere.Length == Views.Length) return;
 
-        everywhere = Array.FindAll(all, i => IsLarge(i));
-        starts = new int[tiles + 1];
-        foreach (var i in all)
-            if (!IsLarge(i))
-                ForTilesOf(Views[i].Extent, tile => starts[tile + 1]++);
-        for (var tile = 0; tile < tiles; tile++) starts[tile + 1] += starts[tile];
-        listed = new int[starts[tiles]];
-        var next = starts.AsSpan(0, tiles).ToArray();
-        foreach (var i in all)
-            if (!IsLarge(i))
-                ForTilesOf(Views[i].Extent, tile => listed[next[tile]++] = i);
-
-        bool IsLarge(int i) => (long)Views[i].Extent.Width * Views[i].Extent.Height > Math.Max(1 << 16, (long)camera.Width * camera.Height / 16);
+        // Counts first, then places: all lists in one array, each in the order of the scene.
+        starts = new int[tilesAcross * TilesOf(camera.Height) + 1];
+        List(large, (tile, _) => starts[tile + 1]++);
+        for (var tile = 1; tile < starts.Length; tile++) starts[tile] += starts[tile - 1];
+        listed = new int[starts[^1]];
+        var next = starts[..^1];
+        List(large, (tile, i) => listed[next[tile]++] = i);
     }
 
     /// <summary>The scene.</summary>
@@ -47,6 +42,9 @@ internal sealed class Frame
 
     /// <summary>The models' views, in the order of the scene.</summary>
     public ModelView[] Views { get; }
+
+    /// <summary>Where in the picture each of them can show at all.</summary>
+    public Tile[] Extents { get; }
 
     /// <summary>How many tiles lie side by side, or one upon another.</summary>
     public static int TilesOf(int pixels) => (pixels + Tile.MaxSide - 1) / Tile.MaxSide;
@@ -68,12 +66,17 @@ internal sealed class Frame
         foreach (var rest in some) candidates.Add(new(rest, Reach.Unknown));
     }
 
-    private void ForTilesOf(Tile extent, Action<int> act)
+    /// <summary>Visits the tiles of all models that are not large.</summary>
+    private void List(long large, Action<int, int> visit)
     {
-        if (extent.Width <= 0 || extent.Height <= 0) return;
-        for (var row = extent.Row / Tile.MaxSide; row < TilesOf(extent.EndRow); row++)
-            for (var column = extent.Column / Tile.MaxSide; column < TilesOf(extent.EndColumn); column++)
-                act(row * tilesAcross + column);
+        for (var i = 0; i < Extents.Length; i++)
+        {
+            var extent = Extents[i];
+            if (extent.Area == 0 || extent.Area > large) continue;
+            for (var row = extent.Row / Tile.MaxSide; row < TilesOf(extent.EndRow); row++)
+                for (var column = extent.Column / Tile.MaxSide; column < TilesOf(extent.EndColumn); column++)
+                    visit(row * tilesAcross + column, i);
+        }
     }
 }
 

@@ -9,31 +9,28 @@ internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
 {
     private readonly P primitive;
     private readonly ClipRange clip;
-    private readonly bool isSmall;
 
     public PrimitiveView(P primitive, Camera camera)
     {
         (this.primitive, clip) = (primitive, camera.ClipRange);
         Extent = primitive is IBounded bounded ? Tile.Of(bounded.Bounds, camera) : Tile.Everywhere;
-        isSmall = (long)Extent.Width * Extent.Height < Tile.MaxSide * Tile.MaxSide / 4;
     }
 
     /// <inheritdoc/>
     public override Tile Extent { get; }
 
     /// <inheritdoc/>
-    public override Reach Enter(TileRays rays) => isSmall ? Reach.Unknown : Range(rays);
+    public override Reach Enter(TileRays rays) => Extent.IsSmall ? Reach.Unknown : Range(rays);
 
     /// <inheritdoc/>
-    public override Reach Narrow(TileRays rays, Reach whole) => isSmall ? whole : Range(rays);
+    public override Reach Narrow(TileRays rays, Reach whole) => Extent.IsSmall ? whole : Range(rays);
 
     /// <inheritdoc/>
     public override void Meet(RaySpan span, int index)
     {
         var (first, end) = (0, span.Length);
-        if (isSmall) // its extent spares most of the span, at a cost that a large model would not win back
+        if (Extent.IsSmall) // its extent spares most of the span, at a cost that a large model would not win back
         {
-            if (span.Row < Extent.Row || span.Row >= Extent.EndRow) return;
             first = Math.Max(0, Extent.Column - span.Column);
             end = Math.Min(end, Extent.EndColumn - span.Column);
         }

@@ -10,6 +10,8 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>The most columns and rows of a tile that is worked on at once; such tiles lie at multiples of it.</summary>
     public const int MaxSide = 64;
 
+    private const double Margin = 0.01;
+
     /// <summary>More than any picture.</summary>
     public static Tile Everywhere => new(0, 0, int.MaxValue, int.MaxValue);
 
@@ -19,14 +21,20 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>The row above the topmost.</summary>
     public int EndRow => Row + Height;
 
+    /// <summary>How many pixels; 0 for an empty tile.</summary>
+    public long Area => (long)Width * Height;
+
+    /// <summary>Whether it is small enough to be looked for by its place alone.</summary>
+    public bool IsSmall => Area < MaxSide * MaxSide / 4;
+
     /// <summary>Whether the tiles share a pixel.</summary>
     public bool Overlaps(in Tile other) =>
         Column < other.EndColumn && other.Column < EndColumn && Row < other.EndRow && other.Row < EndRow;
 
     /// <summary>Where in a picture something may show that lies in bounds; nowhere if that is behind the camera.</summary>
     /// <remarks>
-    /// The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="Bounds.PaddedFrom"/>); the
-    /// projection rounds by some 1e-15 of the picture's size, against a margin of a whole pixel.
+    /// The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="Bounds.PaddedFrom"/>). The projection
+    /// itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.
     /// </remarks>
     public static Tile Of(Bounds bounds, Camera camera)
     {
@@ -39,7 +47,7 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
 
         var (column, endColumn) = Pixels(center * camera.U, Spread(camera.U), camera.PlaneWidth, camera.Width);
         var (row, endRow) = Pixels(center * camera.V, Spread(camera.V), camera.PlaneHeight, camera.Height);
-        return new(column, row, endColumn - column, endRow - row);
+        return column < endColumn && row < endRow ? new(column, row, endColumn - column, endRow - row) : default;
 
         double Spread(Vector3 axis) => Math.Abs(axis.X) * half.X + Math.Abs(axis.Y) * half.Y + Math.Abs(axis.Z) * half.Z;
 
@@ -48,12 +56,13 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
             var (least, most) = (middle - spread, middle + spread);
             var first = least / (least < 0 ? nearest : farthest);
             var last = most / (most < 0 ? farthest : nearest);
-            return (Pixel(first, -2), Pixel(last, +2)); // a sample lies up to a pixel beside its pixel's number
+            return (Pixel(first, -Margin), Pixel(last, 1 + Margin));
 
-            int Pixel(double u, int margin)
+            // The sample of pixel c lies at u = planeSize · c / pixels − planeSize / 2, half a pixel further for centres.
+            int Pixel(double u, double beyond)
             {
-                var pixel = (u / planeSize + 0.5) * pixels + margin;
-                return double.IsNaN(pixel) ? margin < 0 ? 0 : pixels : (int)Math.Clamp(Math.Floor(pixel), 0, pixels);
+                var c = (u / planeSize + 0.5) * pixels - (camera.Sample == Sample.Center ? 0.5 : 0);
+                return double.IsNaN(c) ? beyond < 0 ? 0 : pixels : (int)Math.Clamp(beyond < 0 ? Math.Ceiling(c + beyond) : Math.Floor(c + beyond), 0, pixels);
             }
         }
     }

@@ -13,6 +13,7 @@ internal sealed class TileCaster
 
     private readonly Frame frame;
     private readonly ModelView[] views;
+    private readonly Tile[] extents;
     private readonly RaySpan span;
     private readonly TileRays rays;
     private ISpanSink sink = null!;
@@ -23,6 +24,7 @@ internal sealed class TileCaster
     {
         this.frame = frame;
         views = Array.ConvertAll(frame.Views, view => view.ForThread());
+        extents = frame.Extents;
         span = new(frame.Scene.Camera);
         rays = new(frame.Scene.Camera);
     }
@@ -40,8 +42,7 @@ internal sealed class TileCaster
         var cover = double.PositiveInfinity;
         for (var i = 0; i < list.Count; i++)
         {
-            var view = views[list[i].Index];
-            var reach = view.Extent.Overlaps(tile) ? view.Enter(rays) : Reach.None;
+            var reach = extents[list[i].Index].Overlaps(tile) ? views[list[i].Index].Enter(rays) : Reach.None;
             cover = Math.Min(cover, reach.Cover);
             list[i] = list[i] with { Reach = reach };
         }
@@ -74,9 +75,9 @@ internal sealed class TileCaster
         var cover = double.PositiveInfinity;
         foreach (var candidate in whole)
         {
-            var view = views[candidate.Index];
-            if (!view.Extent.Overlaps(part)) continue;
-            var reach = view.Narrow(rays, candidate.Reach);
+            ref var extent = ref extents[candidate.Index];
+            if (!extent.Overlaps(part)) continue;
+            var reach = extent.IsSmall ? candidate.Reach : views[candidate.Index].Narrow(rays, candidate.Reach);
             cover = Math.Min(cover, reach.Cover);
             list.Add(candidate with { Reach = reach });
         }
@@ -106,7 +107,11 @@ internal sealed class TileCaster
         for (var row = part.Row; row < part.EndRow; row++)
         {
             span.Aim<N>(row);
-            foreach (var candidate in list) views[candidate.Index].Meet(span, candidate.Index);
+            foreach (var candidate in list)
+            {
+                ref var extent = ref extents[candidate.Index];
+                if (row >= extent.Row && row < extent.EndRow) views[candidate.Index].Meet(span, candidate.Index);
+            }
             sink.Take(span);
         }
     }
