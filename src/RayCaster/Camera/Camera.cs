@@ -137,7 +137,7 @@ public sealed class Camera
     internal Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
         var d = across + upwards - W;
-        return 1 / N.Sqrt(d * d) * d; // one division in place of three: dividing is most of the cost of a ray
+        return d / N.Sqrt(d * d);
     }
 
     /// <summary>uc U, where uc = w c / width − w / 2.</summary>
