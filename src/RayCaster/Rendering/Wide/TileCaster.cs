@@ -46,7 +46,7 @@ internal sealed class TileCaster
             cover = Math.Min(cover, reach.Cover);
             list[i] = list[i] with { Reach = reach };
         }
-        Keep(list, list, cover);
+        DropHidden(list, cover);
         Descend(tile, 0);
     }
 
@@ -81,18 +81,18 @@ internal sealed class TileCaster
             cover = Math.Min(cover, reach.Cover);
             list.Add(candidate with { Reach = reach });
         }
-        Keep(list, list, cover);
+        DropHidden(list, cover);
         Descend(part, level + 1);
     }
 
     /// <summary>Drops what does not show, or lies behind what covers all.</summary>
-    private static void Keep(List<Candidate> from, List<Candidate> to, double cover)
+    private static void DropHidden(List<Candidate> list, double cover)
     {
         var kept = 0;
-        for (var i = 0; i < from.Count; i++)
-            if (from[i].Reach.Least <= cover && from[i].Reach.Least < double.PositiveInfinity)
-                to[kept++] = from[i];
-        to.RemoveRange(kept, to.Count - kept);
+        for (var i = 0; i < list.Count; i++)
+            if (list[i].Reach.Least <= cover && list[i].Reach.Least < double.PositiveInfinity)
+                list[kept++] = list[i];
+        list.RemoveRange(kept, list.Count - kept);
     }
 
     private void CastRows(in Tile part, List<Candidate> list)
