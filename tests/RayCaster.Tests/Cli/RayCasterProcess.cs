@@ -37,6 +37,29 @@ internal sealed class RayCasterProcess : IDisposable
     public RayCasterProcess Run(string input, string[] arguments)
     {
         using var process = Start(arguments);
+        return Finish(process, input);
+    }
+
+    /// <summary>Runs a line of a shell, in which the app is called <c>raycaster</c>.</summary>
+    public RayCasterProcess RunInShell(string line)
+    {
+        using var process = StartProgram("sh", "-c", $"raycaster() {{ '{App}' \"$@\"; }}; {line}");
+        return Finish(process, "");
+    }
+
+    public Process Start(params string[] arguments) => StartProgram(App, arguments);
+
+    /// <summary>Sends a signal as the shell's <c>kill</c> does, and returns the exit code.</summary>
+    public static int Kill(Process process, string signal)
+    {
+        using (var kill = Process.Start("kill", ["-" + signal, $"{process.Id}"])) kill.WaitForExit();
+        if (process.WaitForExit(TimeSpan.FromSeconds(20))) return process.ExitCode;
+        process.Kill();
+        throw new TimeoutException($"the process does not heed SIG{signal}");
+    }
+
+    private RayCasterProcess Finish(Process process, string input)
+    {
         process.StandardInput.Write(input);
         process.StandardInput.Close();
         var error = process.StandardError.ReadToEndAsync();
@@ -48,9 +71,9 @@ internal sealed class RayCasterProcess : IDisposable
         return this;
     }
 
-    public Process Start(params string[] arguments)
+    private Process StartProgram(string program, params string[] arguments)
     {
-        var start = new ProcessStartInfo(App, arguments)
+        var start = new ProcessStartInfo(program, arguments)
         {
             WorkingDirectory = Folder,
             RedirectStandardInput = true,
