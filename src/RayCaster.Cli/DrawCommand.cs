@@ -97,7 +97,7 @@ internal sealed class DrawCommand(CommandLine line)
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         using var progress = line.Quiet || line.NoProgress || !ProgressLine.IsWanted
             ? null
-            : new ProgressLine(Console.Error, width, height, TerminalWidth());
+            : new ProgressLine(Console.Error, width, height, TerminalWidth(), TimeProvider.System);
         using var writer = PictureWriter.Create(format, output, width, height);
         new Renderer(scene, line.Threads).Draw(writer.WriteRows, progress is null ? null : progress.LineDone, cancellation);
         writer.Finish();
