@@ -7,11 +7,13 @@ internal sealed class RayCasterProcess : IDisposable
 {
     private static readonly string App = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raycaster.exe" : "raycaster");
 
+    private readonly TemporaryFolder folder = new();
+
     /// <summary>The project's scenes.</summary>
-    public static string Scenes { get; } = Path.Combine(Root(), "scenes");
+    public static string Scenes { get; } = ProjectFolder.PathOf("scenes");
 
     /// <summary>Where the process runs.</summary>
-    public string Folder { get; } = Directory.CreateTempSubdirectory("raycaster-").FullName;
+    public string Folder => folder.Path;
 
     public int ExitCode { get; private set; }
 
@@ -21,14 +23,14 @@ internal sealed class RayCasterProcess : IDisposable
 
     public string Error { get; private set; } = "";
 
-    /// <summary>The names of the files that are in the folder now.</summary>
-    public string[] Files => [.. Directory.GetFiles(Folder).Select(path => Path.GetFileName(path)).Order()];
+    /// <summary>The names of what is in the folder now.</summary>
+    public string[] Files => [.. folder.Names];
 
-    public string PathOf(string file) => Path.Combine(Folder, file);
+    public string PathOf(string file) => folder[file];
 
     public RayCasterProcess Write(string file, string text)
     {
-        File.WriteAllText(PathOf(file), text);
+        folder.Write(file, text);
         return this;
     }
 
@@ -84,12 +86,5 @@ internal sealed class RayCasterProcess : IDisposable
         return Process.Start(start)!;
     }
 
-    public void Dispose() => Directory.Delete(Folder, recursive: true);
-
-    private static string Root()
-    {
-        var folder = AppContext.BaseDirectory;
-        while (!File.Exists(Path.Combine(folder, "RayCaster.sln"))) folder = Path.GetDirectoryName(folder)!;
-        return folder;
-    }
+    public void Dispose() => folder.Dispose();
 }
