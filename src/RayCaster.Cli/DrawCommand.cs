@@ -17,7 +17,8 @@ internal sealed class DrawCommand(CommandLine line)
         if (output == Standard && !Console.IsOutputRedirected)
             throw new ProblemException("raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
 
-        var scene = ReadScene();
+        // Reading leaves nothing behind, so an interruption need not wait for its end: standard input may have none.
+        var scene = Task.Run(ReadScene).WaitAsync(cancellation).GetAwaiter().GetResult();
         if (scene is null) return ExitCode.CouldNot;
 
         var start = Stopwatch.GetTimestamp();
@@ -63,10 +64,16 @@ internal sealed class DrawCommand(CommandLine line)
         }
     }
 
-    /// <summary>Standard output as a file, which tells when its reader has gone; the console's own stream would swallow that and draw on.</summary>
-    private static Stream OpenStandardOutput() => OperatingSystem.IsWindows()
-        ? Console.OpenStandardOutput()
-        : new FileStream(new SafeFileHandle(1, ownsHandle: false), FileAccess.Write);
+    /// <summary>
+    /// Standard output. A pipe is opened as a file, which tells when its reader has gone: the console's own stream would swallow that and
+    /// draw on. A file is not, for a file stream does not move the place at which the next program goes on writing.
+    /// </summary>
+    private static Stream OpenStandardOutput()
+    {
+        if (OperatingSystem.IsWindows()) return Console.OpenStandardOutput();
+        var file = new FileStream(new SafeFileHandle(1, ownsHandle: false), FileAccess.Write);
+        return file.CanSeek ? Console.OpenStandardOutput() : file;
+    }
 
     /// <summary>The scene, or null after its errors have been printed.</summary>
     private Scene? ReadScene()
@@ -90,7 +97,7 @@ internal sealed class DrawCommand(CommandLine line)
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         using var progress = line.Quiet || line.NoProgress || !ProgressLine.IsWanted
             ? null
-            : new ProgressLine(Console.Error, width, height, TerminalWidth());
+            : new ProgressLine(Console.Error, width, height, TerminalWidth(), TimeProvider.System);
         using var writer = PictureWriter.Create(format, output, width, height);
         new Renderer(scene, line.Threads).Draw(writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
         writer.Finish();

@@ -41,7 +41,8 @@ internal static class HelpText
           dotnet run --project src/RayCaster.Cli -- scenes/room.json -o room.ppm --size 1920x1080
 
         Exit codes:
-          0 done, 2 could not do it, 70 internal error, 130 interrupted, 143 terminated.
+          0 done, 2 could not do it, 70 internal error, 129 hung up, 130 interrupted,
+          143 terminated.
 
         """;
 }

@@ -11,10 +11,16 @@ internal static class Program
         void Cancel(PosixSignalContext context)
         {
             context.Cancel = true; // not the default, which would leave the temporary file behind
-            if (context.Signal == PosixSignal.SIGTERM) exitCode = ExitCode.Terminated;
+            exitCode = context.Signal switch
+            {
+                PosixSignal.SIGHUP => ExitCode.HungUp,
+                PosixSignal.SIGTERM => ExitCode.Terminated,
+                _ => ExitCode.Interrupted,
+            };
             cancellation.Cancel();
         }
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
+        using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Cancel); // the terminal's window was closed
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
 
         try

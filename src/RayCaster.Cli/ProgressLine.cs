@@ -1,19 +1,21 @@
-using System.Diagnostics;
 using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>One line on a terminal that tells how far the work is, drawn only when it lasts, at most ten times a second, and wiped at the end.</summary>
+/// <summary>
+/// One line on a terminal that tells how far the work is, drawn only when it lasts, at most ten times a second, and wiped at the end.
+/// </summary>
 /// <param name="output">Where to draw: the terminal behind standard error.</param>
 /// <param name="width">Pixels in a line of the picture.</param>
 /// <param name="height">Lines of the picture.</param>
 /// <param name="columns">How wide the terminal is; less than 20 means that it does not know.</param>
-internal sealed class ProgressLine(TextWriter output, int width, int height, int columns) : IDisposable
+/// <param name="clock">What tells the time.</param>
+internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock) : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);
     private static readonly TimeSpan Pause = TimeSpan.FromSeconds(0.1);
 
-    private readonly long start = Stopwatch.GetTimestamp();
+    private readonly long start = clock.GetTimestamp();
     private readonly Lock drawing = new();
     private TimeSpan lastDrawn = Patience - Pause;
     private int linesDone, drawn;
@@ -28,7 +30,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     public void LinesDone(int lines)
     {
         var done = Interlocked.Add(ref linesDone, lines);
-        var elapsed = Stopwatch.GetElapsedTime(start);
+        var elapsed = clock.GetElapsedTime(start);
         if (elapsed < Patience || !drawing.TryEnter()) return;
         try
         {
@@ -55,7 +57,8 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         var rays = (double)done * width / elapsed.TotalSeconds;
         var left = TimeSpan.FromSeconds(elapsed.TotalSeconds / share * (1 - share));
         return string.Create(CultureInfo.InvariantCulture,
-            $"{share * 100,3:0} %  {done} of {height} lines  {rays / 1e6:0.0} million rays per second  {left:hh\\:mm\\:ss} left");
+            $"{share * 100,3:0} %  {done} of {height} lines  {rays / 1e6:0.0} million rays per second  " +
+            $"{(long)left.TotalHours:00}:{left:mm\\:ss} left");
     }
 
     private void Draw(string text)

@@ -13,7 +13,7 @@ public readonly struct ClipRange
     public ClipRange(double bias, double zNear, double zFar)
     {
         least = bias == 0 ? 0 : Math.BitIncrement(bias); // t ≥ the next double says the same as t > bias
-        (this.zNear, this.zFar) = (zNear, zFar);
+        (this.zNear, this.zFar) = (zNear, Math.Min(zFar, double.MaxValue)); // a parallel ray's infinite t counts in no case
     }
 
     /// <summary>Everything that is not behind the ray's origin.</summary>

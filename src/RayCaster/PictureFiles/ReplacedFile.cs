@@ -13,7 +13,7 @@ public sealed class ReplacedFile : Stream
 
     /// <summary>Begins to write; the old file stays as it is.</summary>
     /// <exception cref="PictureFileException">
-    /// The path is a folder, its folder does not exist or may not be written to, or the old file is read-only.
+    /// The path is a folder, its folder is that of the devices, does not exist or may not be written to, or the old file is read-only.
     /// </exception>
     public ReplacedFile(string path)
     {
@@ -25,6 +25,7 @@ public sealed class ReplacedFile : Stream
             var folder = Path.GetDirectoryName(target);
             if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(target))
                 throw Failure("it is a folder; name a file in it");
+            if (folder == "/dev") throw Failure("its folder is for devices, not for files"); // root would lose /dev/null
             if (!Directory.Exists(folder)) throw Failure("its folder does not exist", $"\n  make the folder {folder} first");
             if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly))
                 throw Failure("the old file is read-only");

@@ -113,6 +113,7 @@ public sealed class DrawTests : IDisposable
     }
 
     [Theory]
+    [InlineData("HUP", 129)]
     [InlineData("INT", 130)]
     [InlineData("TERM", 143)]
     public void ASignalLeavesTheOldPictureAndNothingElse(string signal, int exitCode)
@@ -120,12 +121,29 @@ public sealed class DrawTests : IDisposable
         if (OperatingSystem.IsWindows()) return; // no kill command there
         raycaster.Write("room.png", "the old picture");
         using var process = raycaster.Start(Room, "--size", "20000x20000");
-        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0) Thread.Sleep(10);
-        using (var kill = System.Diagnostics.Process.Start("kill", ["-" + signal, $"{process.Id}"])) kill.WaitForExit();
-        process.WaitForExit();
-        Assert.Equal(exitCode, process.ExitCode);
+        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(10);
+        Assert.Equal(exitCode, RayCasterProcess.Kill(process, signal));
         Assert.Equal(["room.png"], raycaster.Files);
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("room.png")));
+    }
+
+    [Fact]
+    public void WaitingForASceneCanBeInterrupted()
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        using var process = raycaster.Start("-");
+        Thread.Sleep(500); // it reads by now; where it does not, the runtime's own answer to the signal is the same
+        Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
+    }
+
+    [Fact]
+    public void WhatFollowsThePictureInAFileDoesNotOverwriteIt()
+    {
+        if (OperatingSystem.IsWindows()) return; // no sh there
+        raycaster.RunInShell($"{{ raycaster -q '{Room}' -s 4x2 -o - && echo end; }} > both");
+        var bytes = File.ReadAllBytes(raycaster.PathOf("both"));
+        Assert.Equal("P6\n4 2\n255\n", Encoding.ASCII.GetString(bytes, 0, 11));
+        Assert.Equal("end\n", Encoding.ASCII.GetString(bytes, 11 + 4 * 2 * 3, bytes.Length - (11 + 4 * 2 * 3)));
     }
 
     [Fact]

@@ -7,11 +7,13 @@ internal sealed class RayCasterProcess : IDisposable
 {
     private static readonly string App = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raycaster.exe" : "raycaster");
 
+    private readonly TemporaryFolder folder = new();
+
     /// <summary>The project's scenes.</summary>
-    public static string Scenes { get; } = Path.Combine(Root(), "scenes");
+    public static string Scenes { get; } = ProjectFolder.PathOf("scenes");
 
     /// <summary>Where the process runs.</summary>
-    public string Folder { get; } = Directory.CreateTempSubdirectory("raycaster-").FullName;
+    public string Folder => folder.Path;
 
     public int ExitCode { get; private set; }
 
@@ -21,14 +23,14 @@ internal sealed class RayCasterProcess : IDisposable
 
     public string Error { get; private set; } = "";
 
-    /// <summary>The names of the files that are in the folder now.</summary>
-    public string[] Files => [.. Directory.GetFiles(Folder).Select(path => Path.GetFileName(path)).Order()];
+    /// <summary>The names of what is in the folder now.</summary>
+    public string[] Files => [.. folder.Names];
 
-    public string PathOf(string file) => Path.Combine(Folder, file);
+    public string PathOf(string file) => folder[file];
 
     public RayCasterProcess Write(string file, string text)
     {
-        File.WriteAllText(PathOf(file), text);
+        folder.Write(file, text);
         return this;
     }
 
@@ -37,6 +39,29 @@ internal sealed class RayCasterProcess : IDisposable
     public RayCasterProcess Run(string input, string[] arguments)
     {
         using var process = Start(arguments);
+        return Finish(process, input);
+    }
+
+    /// <summary>Runs a line of a shell, in which the app is called <c>raycaster</c>.</summary>
+    public RayCasterProcess RunInShell(string line)
+    {
+        using var process = StartProgram("sh", "-c", $"raycaster() {{ '{App}' \"$@\"; }}; {line}");
+        return Finish(process, "");
+    }
+
+    public Process Start(params string[] arguments) => StartProgram(App, arguments);
+
+    /// <summary>Sends a signal as the shell's <c>kill</c> does, and returns the exit code.</summary>
+    public static int Kill(Process process, string signal)
+    {
+        using (var kill = Process.Start("kill", ["-" + signal, $"{process.Id}"])) kill.WaitForExit();
+        if (process.WaitForExit(TimeSpan.FromSeconds(20))) return process.ExitCode;
+        process.Kill();
+        throw new TimeoutException($"the process does not heed SIG{signal}");
+    }
+
+    private RayCasterProcess Finish(Process process, string input)
+    {
         process.StandardInput.Write(input);
         process.StandardInput.Close();
         var error = process.StandardError.ReadToEndAsync();
@@ -48,9 +73,9 @@ internal sealed class RayCasterProcess : IDisposable
         return this;
     }
 
-    public Process Start(params string[] arguments)
+    private Process StartProgram(string program, params string[] arguments)
     {
-        var start = new ProcessStartInfo(App, arguments)
+        var start = new ProcessStartInfo(program, arguments)
         {
             WorkingDirectory = Folder,
             RedirectStandardInput = true,
@@ -61,12 +86,5 @@ internal sealed class RayCasterProcess : IDisposable
         return Process.Start(start)!;
     }
 
-    public void Dispose() => Directory.Delete(Folder, recursive: true);
-
-    private static string Root()
-    {
-        var folder = AppContext.BaseDirectory;
-        while (!File.Exists(Path.Combine(folder, "RayCaster.sln"))) folder = Path.GetDirectoryName(folder)!;
-        return folder;
-    }
+    public void Dispose() => folder.Dispose();
 }

@@ -6,17 +6,15 @@ namespace RayCaster.Tests.Docs;
 /// <summary>What the documents show is what is there.</summary>
 public class DocsTests
 {
-    private static readonly string Root = Path.GetDirectoryName(RayCasterProcess.Scenes)!;
-
     public static TheoryData<string> Documents => new(new[] { "README.md" }
-        .Concat(Directory.GetFiles(Path.Combine(Root, "docs"), "*.md").Select(path => "docs/" + Path.GetFileName(path)))
+        .Concat(Directory.GetFiles(ProjectFolder.PathOf("docs"), "*.md").Select(path => "docs/" + Path.GetFileName(path)))
         .Append("tests/References/README.md"));
 
     [Theory]
     [MemberData(nameof(Documents))]
     public void EveryLinkLeadsToAFile(string document)
     {
-        var folder = Path.GetDirectoryName(Path.Combine(Root, document))!;
+        var folder = Path.GetDirectoryName(ProjectFolder.PathOf(document))!;
         foreach (Match link in Regex.Matches(Read(document), @"\]\((?!https?:)([^)#]+)[^)]*\)"))
         {
             var path = Path.Combine(folder, link.Groups[1].Value);
@@ -41,9 +39,9 @@ public class DocsTests
     [InlineData("first", 300, 200)]
     public void ThePicturesOfTheReadmeAreThoseOfTheScenes(string scene, int width, int height)
     {
-        var read = SceneReader.Read(Path.Combine(RayCasterProcess.Scenes, scene + ".json")).Scene!;
+        var read = SceneReader.Read(ProjectFolder.PathOf($"scenes/{scene}.json")).Scene!;
         var picture = ScalarRenderer.Render(read with { Camera = read.Camera.WithSize(width, height) });
-        Assert.Equal(PictureFile.Read(Path.Combine(Root, "docs", scene + ".png")).Rgb, picture.Rgb);
+        Assert.Equal(PictureFile.Read(ProjectFolder.PathOf($"docs/{scene}.png")).Rgb, picture.Rgb);
     }
 
     [Theory]
@@ -55,5 +53,5 @@ public class DocsTests
         Assert.Contains(code[code.IndexOf("internal ", StringComparison.Ordinal)..], Read("docs/adding-a-primitive.md"));
     }
 
-    private static string Read(string file) => File.ReadAllText(Path.Combine(Root, file)).ReplaceLineEndings("\n");
+    private static string Read(string file) => File.ReadAllText(ProjectFolder.PathOf(file)).ReplaceLineEndings("\n");
 }

@@ -57,10 +57,5 @@ public class CommittedMeshesTests
         _ => MeshWriter.PlyFloat(MeshGenerator.TorusKnot(2, 3, major: 1.85, minor: 0.75, tube: 0.45, rings: 240, sides: 12)),
     };
 
-    private static string PathOf(string name)
-    {
-        var folder = new DirectoryInfo(AppContext.BaseDirectory);
-        while (!File.Exists(Path.Combine(folder.FullName, "RayCaster.sln"))) folder = folder.Parent!;
-        return Path.Combine(folder.FullName, "scenes", "meshes", name);
-    }
+    private static string PathOf(string name) => ProjectFolder.PathOf("scenes/meshes/" + name);
 }

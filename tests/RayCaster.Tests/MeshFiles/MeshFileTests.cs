@@ -2,7 +2,7 @@ namespace RayCaster.Tests.MeshFiles;
 
 public sealed class MeshFileTests : IDisposable
 {
-    private readonly string folder = Directory.CreateTempSubdirectory("raycaster-").FullName;
+    private readonly TemporaryFolder folder = new();
 
     [Theory]
     [InlineData("teapot.fbx", "a mesh file must be .obj, .ply or .stl, but this one is .fbx")]
@@ -24,22 +24,21 @@ public sealed class MeshFileTests : IDisposable
     [Fact]
     public void NearestNameInTheFolderIsProposed()
     {
-        File.WriteAllText(Path.Combine(folder, "teapot.obj"), "");
-        Assert.Contains("teapot.obj", Assert.Throws<MeshFileException>(() => MeshFile.Read(Path.Combine(folder, "taepot.obj"))).Reason);
+        folder.Write("teapot.obj", "");
+        Assert.Contains("teapot.obj", Assert.Throws<MeshFileException>(() => MeshFile.Read(folder["taepot.obj"])).Reason);
     }
 
     [Fact]
     public void FolderIsNoFile()
     {
-        var path = Directory.CreateDirectory(Path.Combine(folder, "box.obj")).FullName;
+        var path = Directory.CreateDirectory(folder["box.obj"]).FullName;
         Assert.Equal($"{path}: is a folder, not a mesh file", Assert.Throws<MeshFileException>(() => MeshFile.Read(path)).Message);
     }
 
     [Fact]
     public void FileWithoutPermissionIsNamed()
     {
-        var path = Path.Combine(folder, "box.obj");
-        File.WriteAllText(path, "");
+        var path = folder.Write("box.obj", "");
         if (OperatingSystem.IsWindows()) return;
         File.SetUnixFileMode(path, UnixFileMode.None);
         if (Environment.IsPrivilegedProcess) return; // may read everything
@@ -57,5 +56,5 @@ public sealed class MeshFileTests : IDisposable
         Assert.Equal($"a/box.stl(byte 80): {binary.Reason}", binary.Message);
     }
 
-    public void Dispose() => Directory.Delete(folder, recursive: true);
+    public void Dispose() => folder.Dispose();
 }

@@ -26,6 +26,9 @@ public class ClipRangeTests
     [InlineData(double.NegativeInfinity, false)]
     public void BothEndsOfTheRangeCount(double t, bool counts) => Assert.Equal(counts, Counts(new(1e-6, 2, 5), t));
 
+    [Fact]
+    public void InfinityDoesNotCountHoweverFarTheRangeReaches() => Assert.False(Counts(ClipRange.Everything, double.PositiveInfinity));
+
     [Theory]
     [InlineData(4, true)]
     [InlineData(10, true)]

@@ -17,6 +17,7 @@ public class PlaneTests
     [Theory]
     [InlineData(1)]
     [InlineData(0)] // in the plane
+    [InlineData(-1)]
     public void AParallelRayDoesNotHit(double height) =>
         Assert.Null(Cast.At(new Plane(new(0, 0, 0), new(0, 0, 1)), new(0, 0, height), new(1, 2, 0)));
 

@@ -77,6 +77,14 @@ public sealed class ReplacedFileTests : IDisposable
     }
 
     [Fact]
+    public void ADeviceIsNotReplaced()
+    {
+        if (OperatingSystem.IsWindows()) return; // has no folder of devices
+        var refused = Assert.Throws<PictureFileException>(() => new ReplacedFile("/dev/raycaster-test")); // not a real one, should this fail
+        Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
+    }
+
+    [Fact]
     public void AFolderThatIsNotThereIsNotMade()
     {
         var path = folder["a/room.png"];

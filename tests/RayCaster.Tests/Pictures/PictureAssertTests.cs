@@ -4,9 +4,9 @@ namespace RayCaster.Tests.Pictures;
 
 public sealed class PictureAssertTests : IDisposable
 {
-    private readonly string folder = Directory.CreateTempSubdirectory("raycaster-").FullName;
+    private readonly TemporaryFolder folder = new();
 
-    public void Dispose() => Directory.Delete(folder, recursive: true);
+    public void Dispose() => folder.Dispose();
 
     /// <summary>20 × 10 pixels: grey on the left, red on the right.</summary>
     private static Picture Halves(Action<Picture>? change = null)
@@ -20,20 +20,18 @@ public sealed class PictureAssertTests : IDisposable
 
     private void Keep(Picture picture, Picture? outline = null)
     {
-        PictureFile.Write(Path.Combine(folder, "scene.png"), picture);
-        if (outline is not null) PictureFile.Write(Path.Combine(folder, "scene.outline.png"), outline);
+        PictureFile.Write(folder["scene.png"], picture);
+        if (outline is not null) PictureFile.Write(folder["scene.outline.png"], outline);
     }
 
-    private string FailureOf(Picture actual) => Assert.Throws<FailException>(() => PictureAssert.Equal("scene", actual, folder)).Message;
-
-    private string[] Files => [.. Directory.GetFiles(folder).Select(file => Path.GetFileName(file)).Order()];
+    private string FailureOf(Picture actual) => Assert.Throws<FailException>(() => PictureAssert.Equal("scene", actual, folder.Path)).Message;
 
     [Fact]
     public void AnEqualPicturePassesAndLeavesNothing()
     {
         Keep(Halves());
-        PictureAssert.Equal("scene", Halves(), folder);
-        Assert.Equal(["scene.png"], Files);
+        PictureAssert.Equal("scene", Halves(), folder.Path);
+        Assert.Equal(["scene.png"], folder.Names);
     }
 
     [Fact]
@@ -43,11 +41,11 @@ public sealed class PictureAssertTests : IDisposable
         var lines = FailureOf(Halves(picture => picture[3, 2] = picture[4, 2] = (100, 100, 7))).Split('\n');
         Assert.Equal("scene.png: 2 of 200 pixels (1 %) differ, by at most 93; the first at column 3, row 7 from the bottom: "
             + "expected (100, 100, 100), got (100, 100, 7)", lines[0]);
-        Assert.Equal("  " + Path.Combine(folder, "scene.received.png"), lines[1]);
-        Assert.Equal("  " + Path.Combine(folder, "scene.diff.png"), lines[2]);
-        Assert.Equal(["scene.diff.png", "scene.png", "scene.received.png"], Files);
-        Assert.Equal((255, 0, 0), PictureFile.Read(Path.Combine(folder, "scene.diff.png"))[3, 2]);
-        Assert.Equal((100, 100, 7), PictureFile.Read(Path.Combine(folder, "scene.received.png"))[3, 2]);
+        Assert.Equal("  " + folder["scene.received.png"], lines[1]);
+        Assert.Equal("  " + folder["scene.diff.png"], lines[2]);
+        Assert.Equal(["scene.diff.png", "scene.png", "scene.received.png"], folder.Names);
+        Assert.Equal((255, 0, 0), PictureFile.Read(folder["scene.diff.png"])[3, 2]);
+        Assert.Equal((100, 100, 7), PictureFile.Read(folder["scene.received.png"])[3, 2]);
     }
 
     [Fact]
@@ -55,8 +53,8 @@ public sealed class PictureAssertTests : IDisposable
     {
         Keep(Halves());
         FailureOf(Halves(picture => picture[0, 0] = default));
-        PictureAssert.Equal("scene", Halves(), folder);
-        Assert.Equal(["scene.png"], Files);
+        PictureAssert.Equal("scene", Halves(), folder.Path);
+        Assert.Equal(["scene.png"], folder.Names);
     }
 
     [Fact]
@@ -70,7 +68,7 @@ public sealed class PictureAssertTests : IDisposable
     public void OnePixelInAHundredMayBeOffByOne()
     {
         Keep(Halves());
-        PictureAssert.Equal("scene", Halves(picture => picture[3, 2] = picture[4, 2] = (100, 101, 99)), folder);
+        PictureAssert.Equal("scene", Halves(picture => picture[3, 2] = picture[4, 2] = (100, 101, 99)), folder.Path);
     }
 
     [Fact]
@@ -92,7 +90,7 @@ public sealed class PictureAssertTests : IDisposable
         outline[10, 5] = (255, 255, 255);
         Keep(Halves(), outline);
         var actual = Halves(picture => picture[x, 5] = (red, green, green));
-        if (passes) PictureAssert.Equal("scene", actual, folder);
+        if (passes) PictureAssert.Equal("scene", actual, folder.Path);
         else Assert.Contains($"the first at column {x}, row 4 from the bottom", FailureOf(actual));
     }
 }

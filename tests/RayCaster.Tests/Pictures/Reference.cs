@@ -6,10 +6,10 @@ namespace RayCaster.Tests.Pictures;
 internal sealed record Reference(Picture Picture, Picture? Outline)
 {
     /// <summary>Where references are kept.</summary>
-    public static string Folder => Path.Combine(Root, "tests", "References");
+    public static string Folder => ProjectFolder.PathOf("tests/References");
 
     /// <summary>Where scenes are kept.</summary>
-    public static string SceneFolder => Path.Combine(Root, "scenes");
+    public static string SceneFolder => ProjectFolder.PathOf("scenes");
 
     /// <summary>Reads a reference by its name, which is the scene's path under scenes without the extension.</summary>
     public static Reference Read(string folder, string name)
@@ -20,15 +20,4 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
 
     /// <summary>Whether a pixel lies on an outline.</summary>
     public bool IsOutline(int x, int y) => Outline is not null && Outline[x, y].R != 0;
-
-    private static string Root
-    {
-        get
-        {
-            var folder = AppContext.BaseDirectory;
-            while (!File.Exists(Path.Combine(folder, "RayCaster.sln")))
-                folder = Path.GetDirectoryName(folder) ?? throw new InvalidOperationException("The tests run outside the project.");
-            return folder;
-        }
-    }
 }

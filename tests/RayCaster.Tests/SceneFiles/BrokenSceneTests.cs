@@ -62,7 +62,7 @@ public class BrokenSceneTests
         {
             var line = problem.ToString().Split('\n')[0];
             Assert.StartsWith(file, line);
-            return line[file.Length..].Replace(folder, "FOLDER") + "\n";
+            return line[file.Length..].Replace(folder, "FOLDER").Replace(@"FOLDER\", "FOLDER/") + "\n";
         }));
     }
 }

@@ -3,7 +3,7 @@ namespace RayCaster.Tests.SceneFiles;
 /// <summary>Where the good and the broken scenes lie; beside each the problems to expect, one a line, in a file named .txt.</summary>
 internal static class SceneFolders
 {
-    public static readonly string Root = FindRoot();
+    public static readonly string Root = ProjectFolder.Root;
 
     /// <summary>The scenes in a folder of the tests, as paths from that of the tests.</summary>
     public static TheoryData<string> Scenes(params string[] folders)
@@ -15,12 +15,5 @@ internal static class SceneFolders
         return scenes;
     }
 
-    public static string InTests(string path) => Path.Combine(Root, "tests/RayCaster.Tests", path);
-
-    private static string FindRoot()
-    {
-        var folder = AppContext.BaseDirectory;
-        while (!File.Exists(Path.Combine(folder, "RayCaster.sln"))) folder = Path.GetDirectoryName(folder)!;
-        return folder;
-    }
+    public static string InTests(string path) => ProjectFolder.PathOf("tests/RayCaster.Tests/" + path);
 }

@@ -98,7 +98,7 @@ public class SceneReaderTests
         var folder = SceneFolders.InTests("Broken/Sense");
         var problem = Assert.Single(SceneReader.Parse(scene.ToArray(), "<stdin>", folder).Problems);
 
-        Assert.StartsWith($"<stdin>(2,29): error: models[0].file: {folder}/broken.obj(4): ", problem.ToString());
+        Assert.StartsWith($"<stdin>(2,29): error: models[0].file: {Path.Combine(folder, "broken.obj")}(4): ", problem.ToString());
     }
 
     [Fact]

@@ -1,9 +1,9 @@
-namespace RayCaster.Tests.PictureFiles;
+namespace RayCaster.Tests;
 
 /// <summary>A folder of a test's own, gone when the test ends.</summary>
 internal sealed class TemporaryFolder : IDisposable
 {
-    public string Path { get; } = Directory.CreateTempSubdirectory("raycaster-test-").FullName;
+    public string Path { get; } = Directory.CreateTempSubdirectory("raycaster-").FullName;
 
     public string this[string name] => System.IO.Path.Combine(Path, name);
 
@@ -14,6 +14,8 @@ internal sealed class TemporaryFolder : IDisposable
         File.WriteAllBytes(this[name], bytes);
         return this[name];
     }
+
+    public string Write(string name, string text) => Write(name, System.Text.Encoding.UTF8.GetBytes(text));
 
     public void Dispose() => Directory.Delete(Path, recursive: true);
 }
