@@ -19,14 +19,18 @@ internal static class PngChunk
     /// <param name="output">Takes the bytes.</param>
     /// <param name="type">Four letters.</param>
     /// <param name="data">Up to 2^31 − 1 bytes.</param>
-    public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data)
+    public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data) =>
+        Write(output, type, data, Crc(Crc(0, type), data));
+
+    /// <summary>Writes a chunk whose checksum is known.</summary>
+    public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data, uint crc)
     {
         Span<byte> number = stackalloc byte[4];
         BinaryPrimitives.WriteInt32BigEndian(number, data.Length);
         output.Write(number);
         output.Write(type);
         output.Write(data);
-        BinaryPrimitives.WriteUInt32BigEndian(number, Crc(Crc(0, type), data));
+        BinaryPrimitives.WriteUInt32BigEndian(number, crc);
         output.Write(number);
     }
 

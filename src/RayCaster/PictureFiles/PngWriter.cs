@@ -1,32 +1,32 @@
 using System.Buffers.Binary;
-using System.IO.Compression;
-using System.Numerics;
-using System.Runtime.InteropServices;
 
 namespace RayCaster;
 
 /// <summary>
 /// PNG, 8 bits each of red, green and blue. Each line is stored as its difference to the line above (the filter Up), since neighbours
-/// in a column are often equal, and then compressed.
+/// in a column are often equal, and then compressed. A picture of more than a megabyte is compressed in bands, several at once.
 /// </summary>
+/// <remarks>Only the thread that brings the lines writes to the output, so that an error of the output meets it and nobody else.</remarks>
 internal sealed class PngWriter : PictureWriter
 {
-    private const int ChunkSize = 1 << 16;
-    private const byte FilterUp = 2;
+    /// <summary>Many in a large picture, and each so large that the compressor's fresh start costs next to nothing.</summary>
+    private const int BytesOfBand = 1 << 20;
 
-    /// <summary>Level 2 of 9 takes a fraction of the default's time and hardly more room.</summary>
-    private static readonly ZLibCompressionOptions options = new() { CompressionLevel = 2 };
+    /// <summary>How many bands may be under way; the lines of a further one wait until the oldest is written.</summary>
+    private static int MostBands => Environment.ProcessorCount + 1;
 
-    private readonly MemoryStream compressed = new();
-    private readonly ZLibStream compressor;
-    private readonly byte[] lastLine, filtered;
+    private readonly int linesOfBand, bandCount;
+    private readonly Queue<PngBand> started = [], written = [];
+
+    private PngBand band; // the one that takes the next lines
+    private int bandsBegun;
+    private uint adler = Adler32.OfNothing;
 
     public PngWriter(Stream output, int width, int height) : base(output, width, height)
     {
-        compressor = new ZLibStream(compressed, options, leaveOpen: true);
-        lastLine = new byte[LineBytes];
-        filtered = new byte[1 + LineBytes];
-        filtered[0] = FilterUp;
+        linesOfBand = Math.Clamp(BytesOfBand / LineBytes, 1, height);
+        bandCount = (height - 1) / linesOfBand + 1;
+        band = NextBand([]);
 
         Span<byte> header = stackalloc byte[13];
         BinaryPrimitives.WriteInt32BigEndian(header, width);
@@ -38,48 +38,67 @@ internal sealed class PngWriter : PictureWriter
         PngChunk.Write(output, "IHDR"u8, header);
     }
 
+    /// <summary>Waits, for a band's time at most, until no other thread works for this writer any more.</summary>
     public override void Dispose()
     {
-        compressor.Dispose();
+        foreach (var other in started) other.Dispose();
+        band.Dispose();
         base.Dispose();
     }
 
     private protected override void Encode(ReadOnlySpan<byte> lines)
     {
-        ReadOnlySpan<byte> above = lastLine;
-        for (; !lines.IsEmpty; lines = lines[LineBytes..])
+        if (bandCount == 1)
         {
-            var line = lines[..LineBytes];
-            Subtract(line, above, filtered.AsSpan(1));
-            compressor.Write(filtered);
-            if (compressed.Length >= ChunkSize) WriteCompressed();
-            above = line;
+            band.Compress(lines); // at once: it is done sooner than another thread is awake
+            return;
         }
-        above.CopyTo(lastLine);
+        while (!lines.IsEmpty)
+        {
+            if (band.Room == 0) StartBand();
+            var now = Math.Min(lines.Length, band.Room);
+            band.Collect(lines[..now]);
+            lines = lines[now..];
+        }
     }
 
     private protected override void EncodeEnd()
     {
-        compressor.Dispose();
-        WriteCompressed();
+        if (bandCount == 1) band.End();
+        else band.Start();
+        started.Enqueue(band);
+        while (started.Count > 0) WriteOldest();
+
+        Span<byte> checksum = stackalloc byte[4];
+        BinaryPrimitives.WriteUInt32BigEndian(checksum, adler);
+        PngChunk.Write(Output, "IDAT"u8, checksum);
         PngChunk.Write(Output, "IEND"u8, []);
     }
 
-    private void WriteCompressed()
+    /// <summary>Has the full band compressed, and begins the next.</summary>
+    private void StartBand()
     {
-        var data = compressed.GetBuffer().AsSpan(0, (int)compressed.Length);
-        for (; data.Length > ChunkSize; data = data[ChunkSize..]) PngChunk.Write(Output, "IDAT"u8, data[..ChunkSize]);
-        PngChunk.Write(Output, "IDAT"u8, data);
-        compressed.SetLength(0);
+        var full = band;
+        full.Start();
+        started.Enqueue(full);
+        while (started.Count > 0 && (started.Count == MostBands || started.Peek().IsDone)) WriteOldest();
+        band = NextBand(full.LastLine);
     }
 
-    /// <summary>a − b modulo 256, byte by byte.</summary>
-    private static void Subtract(ReadOnlySpan<byte> a, ReadOnlySpan<byte> b, Span<byte> difference)
+    private PngBand NextBand(ReadOnlySpan<byte> lineAbove)
     {
-        var wideA = MemoryMarshal.Cast<byte, Vector<byte>>(a);
-        var wideB = MemoryMarshal.Cast<byte, Vector<byte>>(b);
-        var wideDifference = MemoryMarshal.Cast<byte, Vector<byte>>(difference);
-        for (var i = 0; i < wideA.Length; i++) wideDifference[i] = wideA[i] - wideB[i];
-        for (var i = wideA.Length * Vector<byte>.Count; i < a.Length; i++) difference[i] = (byte)(a[i] - b[i]);
+        if (!written.TryDequeue(out var next)) next = new(LineBytes, linesOfBand);
+        next.Begin(lineAbove, isFirst: bandsBegun == 0, isLast: bandsBegun == bandCount - 1);
+        bandsBegun++;
+        return next;
+    }
+
+    private void WriteOldest()
+    {
+        var oldest = started.Peek();
+        oldest.Wait();
+        PngChunk.Write(Output, "IDAT"u8, oldest.Data, oldest.Crc);
+        adler = Adler32.Join(adler, oldest.Adler, oldest.FilteredBytes);
+        written.Enqueue(started.Dequeue());
     }
 }
