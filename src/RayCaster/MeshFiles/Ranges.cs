@@ -3,7 +3,7 @@ namespace RayCaster;
 /// <summary>Work on the parts of a long array, side by side.</summary>
 internal static class Ranges
 {
-    /// <summary>The usual number of elements in a part, enough to be worth a thread's while.</summary>
+    /// <summary>The number of elements in each part but the last: a multiple of 3, and enough to be worth a thread's while.</summary>
     public const int Usual = 3 << 15;
 
     /// <summary>Does some pieces of work, 0 to count − 1, in any order; in order and without another thread where one is enough.</summary>
