@@ -4,16 +4,18 @@ namespace RayCaster;
 public static class MeshFile
 {
     /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
-    /// <param name="path">The file, less than 2 GiB.</param>
+    /// <param name="path">The file, of any size.</param>
     /// <exception cref="MeshFileException">The file is not there, is of another kind, or is broken.</exception>
     public static MeshData Read(string path)
     {
         var reader = ReaderOf(path);
-        return reader(new MeshSource(path, ReadBytes(path)));
+        using var stream = Open(path);
+        return reader(new MeshSource(path, stream, threads: Environment.ProcessorCount));
     }
 
     /// <summary>Reads a mesh from the bytes that a file of this name would hold.</summary>
-    internal static MeshData Parse(string path, byte[] bytes) => ReaderOf(path)(new MeshSource(path, bytes));
+    internal static MeshData Parse(string path, byte[] bytes, int blockSize = MeshSource.UsualBlockSize, int threads = 1) =>
+        ReaderOf(path)(new MeshSource(path, new MemoryStream(bytes, writable: false), blockSize, threads));
 
     private static Func<MeshSource, MeshData> ReaderOf(string path) => Path.GetExtension(path).ToLowerInvariant() switch
     {
@@ -24,12 +26,14 @@ public static class MeshFile
         var other => throw new MeshFileException(path, $"a mesh file must be .obj, .ply or .stl, but this one is {other}"),
     };
 
-    private static byte[] ReadBytes(string path)
+    private static Stream Open(string path)
     {
         try
         {
             if (Directory.Exists(path)) throw new MeshFileException(path, "is a folder, not a mesh file");
-            return File.ReadAllBytes(path);
+            var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+            if (file.CanSeek && file.Length > 0) return file;
+            using (file) return Copy(file); // a pipe, or one of those files that only seem to be empty
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
@@ -43,6 +47,13 @@ public static class MeshFile
         {
             throw new MeshFileException(path, $"cannot be read: {e.Message}", inner: e);
         }
+    }
+
+    private static MemoryStream Copy(Stream stream)
+    {
+        var copy = new MemoryStream();
+        stream.CopyTo(copy);
+        return copy;
     }
 
     private static string? FullPath(string path) => Path.IsPathFullyQualified(path) ? null : $"; looked for {Path.GetFullPath(path)}";

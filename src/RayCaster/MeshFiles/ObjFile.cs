@@ -3,21 +3,27 @@ using System.Buffers.Text;
 namespace RayCaster;
 
 /// <summary>Wavefront OBJ: the statements <c>v x y z</c> and <c>f i j k …</c>; all others are skipped.</summary>
-internal static class ObjFile
+internal sealed class ObjFile : TextFormat
 {
+    private readonly long vertexCount;
+
+    /// <param name="source">The file.</param>
+    /// <param name="vertexCount">How many vertices it has, if that is known.</param>
+    private ObjFile(MeshSource source, long vertexCount = long.MaxValue) : base(source) => this.vertexCount = vertexCount;
+
     public static MeshData Read(MeshSource source)
     {
-        var mesh = Read(source, long.MaxValue, out var greatestIndex);
+        var mesh = MeshReader.Read(source, () => new ObjFile(source));
         // A face may stand before its vertices, so only now is the range known. The second reading stops at the first index beyond it.
-        if (greatestIndex > mesh.VertexCount) Read(source, mesh.VertexCount, out _);
-        return mesh.ToMesh();
+        if (IsWhole(mesh, source.Threads)) return mesh;
+        MeshReader.Read(source, () => new ObjFile(source, mesh.Vertices.Length));
+        throw source.Error("the file changed while it was read");
     }
 
-    private static MeshBuilder Read(MeshSource source, long vertexCount, out long greatestIndex)
+    /// <inheritdoc/>
+    public override void Read(MeshBlock block, MeshBuilder mesh)
     {
-        var mesh = new MeshBuilder(source);
-        var scanner = TextScanner.OfFile(source, isObj: true);
-        greatestIndex = 0;
+        var scanner = TextScanner.OfBlock(block, isObj: true);
         do
         {
             var statement = scanner.NextInLine();
@@ -33,17 +39,38 @@ internal static class ObjFile
                 {
                     var index = ToIndex(corner, scanner);
                     if (index > vertexCount) throw scanner.Error($"face index {index} is beyond the file's {vertexCount} vertices");
-                    greatestIndex = Math.Max(greatestIndex, index);
-                    if (index < -mesh.VertexCount)
-                        throw scanner.Error($"face index {index} counts back beyond the {mesh.VertexCount} vertices that are above it");
-                    // One beyond every array is cut here, and refused when the vertices have been counted.
-                    mesh.AddCorner(unchecked((int)(index > 0 ? index - 1 : mesh.VertexCount + index)));
+                    if (index < -mesh.VerticesAbove)
+                        throw scanner.Error($"face index {index} counts back beyond the {mesh.VerticesAbove} vertices that are above it");
+                    if (index > 0) mesh.AddCorner(index - 1);
+                    else mesh.AddCornerBack(index);
                 }
                 if (mesh.CornerCount < 3) throw scanner.Error($"a face needs at least three corners, but this one has {mesh.CornerCount}");
             }
         }
         while (scanner.NextLine());
-        return mesh;
+    }
+
+    /// <summary>Behind any line that no backslash continues.</summary>
+    protected override int LastCut(ReadOnlySpan<byte> text)
+    {
+        for (var left = text; TryTakeLastLine(ref left, out var line);)
+        {
+            var isCrLf = line.IsEmpty && left is [.., (byte)'\r'];
+            if ((isCrLf ? left[..^1] : line) is not [.., (byte)'\\']) return left.Length + 1;
+        }
+        return 0;
+    }
+
+    /// <summary>Whether all corners are among the vertices.</summary>
+    private static bool IsWhole(MeshData mesh, int threads)
+    {
+        var isWhole = true;
+        Ranges.Each(mesh.Indices.Length, threads, (start, length) =>
+        {
+            foreach (var index in mesh.Indices.AsSpan(start, length))
+                if (index >= mesh.Vertices.Length) Volatile.Write(ref isWhole, false);
+        });
+        return isWhole;
     }
 
     /// <summary>The vertex of a corner, which is written <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c>: vertex, texture, normal.</summary>

@@ -21,7 +21,8 @@ internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType?
     /// <summary>The fewest numbers that the property takes, the count of a list included.</summary>
     public int LeastNumbers => Role == PlyRole.Corners ? 4 : 1;
 
-    private static int SizeOf(PlyType type) => type switch
+    /// <summary>The bytes of a value.</summary>
+    public static int SizeOf(PlyType type) => type switch
     {
         PlyType.Int8 or PlyType.UInt8 => 1,
         PlyType.Int16 or PlyType.UInt16 => 2,
@@ -42,19 +43,21 @@ internal sealed record PlyElement(string Name, long Count, int At)
 /// <summary>The lines from <c>ply</c> to <c>end_header</c>.</summary>
 internal sealed class PlyHeader
 {
+    private const int longest = 1 << 20;
     private readonly MeshSource source;
     private readonly TextScanner scanner;
 
     /// <exception cref="MeshFileException">The header is broken, or there is no vertex with x, y and z, or no face with vertex_indices.</exception>
     public PlyHeader(MeshSource source)
     {
-        (this.source, scanner) = (source, TextScanner.OfFile(source));
+        var start = new MeshBlock(source).Load(0, (int)Math.Min(longest, source.Length));
+        (this.source, scanner) = (source, TextScanner.OfBlock(start));
         if (NextWord() != "ply") throw scanner.Error("a PLY file must begin with the line 'ply'");
         var lineEnd = scanner.Position;
         ReadLines();
         BodyAt = scanner.Position;
         // Where lines end with a lone CR, a byte 10 after the last one is no LF but the beginning of the binary data.
-        if (source.Bytes[lineEnd..(lineEnd + 2)] is [(byte)'\r', not (byte)'\n'] && source.Bytes[BodyAt - 1] == '\n') BodyAt--;
+        if (start.Bytes[lineEnd..] is [(byte)'\r', not (byte)'\n', ..] && start.Bytes[BodyAt - 1] == '\n') BodyAt--;
 
         VertexCount = Require("vertex", (PlyRole.X, "x"), (PlyRole.Y, "y"), (PlyRole.Z, "z")).Count;
         Require("face", (PlyRole.Corners, "list vertex_indices"));
@@ -86,7 +89,9 @@ internal sealed class PlyHeader
                 default: throw scanner.Error($"a header line must be format, element, property, comment, obj_info or end_header, but is {scanner.Quoted}");
             }
         }
-        throw scanner.Error("the file ends within the header: end_header is missing");
+        throw scanner.Error(source.Length > longest
+            ? $"end_header is missing in the first {longest} bytes; a header must not be longer"
+            : "the file ends within the header: end_header is missing");
     }
 
     private void ReadFormat()

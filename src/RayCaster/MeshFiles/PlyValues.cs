@@ -2,7 +2,7 @@ using System.Buffers.Binary;
 
 namespace RayCaster;
 
-/// <summary>The numbers of a PLY file after its header, one after another, however they are written.</summary>
+/// <summary>The numbers in some rows of a PLY file, one after another, however they are written.</summary>
 internal abstract class PlyValues
 {
     /// <summary>Reads one number; it is finite.</summary>
@@ -10,9 +10,6 @@ internal abstract class PlyValues
 
     /// <summary>Passes numbers by without looking at them.</summary>
     public abstract void Skip(PlyProperty property, long count);
-
-    /// <summary>Whether the rest of the file is long enough for the rows that the header promises, the shortest that there can be.</summary>
-    public abstract bool CanHold(PlyElement element);
 
     /// <summary>Goes to the next row of an element.</summary>
     public abstract void BeginRow();
@@ -25,22 +22,15 @@ internal abstract class PlyValues
 }
 
 /// <summary>Numbers as text, each row on a line of its own.</summary>
-internal sealed class AsciiPlyValues(MeshSource source, int position) : PlyValues
+internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
 {
-    private readonly TextScanner scanner = new(source, position);
+    private readonly TextScanner scanner = new(block, position: 0);
 
     public override double Next(PlyType type) => scanner.ToNumber(NextWord(), "the value");
 
     public override void Skip(PlyProperty property, long count)
     {
         for (; count > 0; count--) NextWord();
-    }
-
-    public override bool CanHold(PlyElement element)
-    {
-        var leastRow = 0L;
-        foreach (var property in element.Properties) leastRow += 2 * property.LeastNumbers; // each a digit and a blank or line end
-        return element.Count <= (source.Bytes.Length - scanner.Position + 1) / leastRow;    // the last may go without
     }
 
     public override void BeginRow()
@@ -66,16 +56,16 @@ internal sealed class AsciiPlyValues(MeshSource source, int position) : PlyValue
 }
 
 /// <summary>Numbers as bytes, the least first or the greatest first.</summary>
-internal sealed class BinaryPlyValues(MeshSource source, int position, bool bigEndian) : PlyValues
+internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValues
 {
-    private readonly byte[] bytes = source.Bytes;
-    private int position = position, last = position;
+    private int position, last;
 
     public override double Next(PlyType type)
     {
-        var at = bytes.AsSpan(last = position);
-        position += new PlyProperty(PlyRole.Skipped, type, null).Size;
-        if (position > bytes.Length) throw TooShort();
+        var at = block.Bytes[(last = position)..];
+        var size = PlyProperty.SizeOf(type);
+        if (size > at.Length) throw TooShort();
+        position += size;
         var value = type switch
         {
             PlyType.Int8 => (sbyte)at[0],
@@ -93,22 +83,15 @@ internal sealed class BinaryPlyValues(MeshSource source, int position, bool bigE
     public override void Skip(PlyProperty property, long count)
     {
         last = position;
-        if (count > (bytes.Length - position) / property.Size) throw TooShort();
+        if (count > (block.Length - position) / property.Size) throw TooShort();
         position += (int)count * property.Size;
-    }
-
-    public override bool CanHold(PlyElement element)
-    {
-        var leastRow = 0L;
-        foreach (var property in element.Properties) leastRow += property.LeastSize;
-        return element.Count <= (bytes.Length - position) / leastRow;
     }
 
     public override void BeginRow() { }
 
     public override void EndRow() { }
 
-    public override MeshFileException Error(string reason) => source.ErrorAtByte(last, reason);
+    public override MeshFileException Error(string reason) => block.Source.ErrorAtByte(block.Start + last, reason);
 
     private MeshFileException TooShort() => Error("the file ends before all that its header promises");
 }

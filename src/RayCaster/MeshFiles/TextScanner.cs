@@ -3,21 +3,22 @@ using System.Text;
 namespace RayCaster;
 
 /// <summary>Cuts a text into words where they stand, without copying them. Words are separated by blanks, lines end with LF, CRLF or CR.</summary>
-/// <param name="source">The file.</param>
-/// <param name="position">Where the text begins.</param>
+/// <param name="block">The text.</param>
+/// <param name="position">Where its first word is looked for.</param>
 /// <param name="isObj">Whether, as in OBJ, # starts a comment and a backslash at the end of a line continues it on the next.</param>
-internal sealed class TextScanner(MeshSource source, int position, bool isObj = false)
+internal sealed class TextScanner(MeshBlock block, int position, bool isObj = false)
 {
-    private readonly byte[] text = source.Bytes;
+    private readonly byte[] buffer = block.Buffer;
+    private readonly int length = block.Length;
     private int wordEnd;
 
-    /// <summary>Starts at the beginning of a file, past the byte order mark that some editors leave there.</summary>
+    /// <summary>Starts at the beginning of a block; in the file's first one past the byte order mark that some editors leave there.</summary>
     /// <exception cref="MeshFileException">The text is in UTF-16.</exception>
-    public static TextScanner OfFile(MeshSource source, bool isObj = false) => source.Bytes switch
+    public static TextScanner OfBlock(MeshBlock block, bool isObj = false) => (block.Start == 0 ? block.Bytes : []) switch
     {
-        [0xEF, 0xBB, 0xBF, ..] => new(source, 3, isObj),
-        [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] => throw source.ErrorAtLine(0, "the file is in UTF-16; save it as UTF-8"),
-        _ => new(source, 0, isObj),
+        [0xEF, 0xBB, 0xBF, ..] => new(block, 3, isObj),
+        [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] => throw block.Source.ErrorAtLine(0, "the file is in UTF-16; save it as UTF-8"),
+        _ => new(block, 0, isObj),
     };
 
     /// <summary>Where the next word is looked for.</summary>
@@ -32,8 +33,8 @@ internal sealed class TextScanner(MeshSource source, int position, bool isObj = 
         get
         {
             const int most = 40;
-            var word = text.AsSpan(WordAt, wordEnd - WordAt);
-            if (word.IsEmpty) return Position == text.Length ? "the end of the file" : "the end of the line";
+            var word = buffer.AsSpan(WordAt, wordEnd - WordAt);
+            if (word.IsEmpty) return Position == length ? "the end of the file" : "the end of the line";
             var quoted = new StringBuilder("'");
             foreach (var c in Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)])) quoted.Append(char.IsControl(c) ? '?' : c);
             return quoted.Append(word.Length > most ? "…'" : "'").ToString();
@@ -43,13 +44,14 @@ internal sealed class TextScanner(MeshSource source, int position, bool isObj = 
     /// <summary>The next word of this line; empty at the line's end.</summary>
     public ReadOnlySpan<byte> NextInLine()
     {
+        var text = Text;
         var at = SkipBlanks();
         WordAt = at;
         while (at < text.Length && !EndsWord(text[at])) at++;
         // A backslash that continues nothing is a word of its own, or the scanner would not move.
         if (at == WordAt && at < text.Length && text[at] == '\\') at++;
         Position = wordEnd = at;
-        return text.AsSpan(WordAt, at - WordAt);
+        return text[WordAt..at];
     }
 
     /// <summary>The next word, on this line or a later one; empty at the end of the file.</summary>
@@ -67,16 +69,16 @@ internal sealed class TextScanner(MeshSource source, int position, bool isObj = 
     {
         while (true)
         {
-            var rest = text.AsSpan(Position);
-            var length = rest.IndexOfAny((byte)'\n', (byte)'\r');
-            if (length < 0)
+            var rest = Text[Position..];
+            var end = rest.IndexOfAny((byte)'\n', (byte)'\r');
+            if (end < 0)
             {
-                Position = text.Length;
+                Position = length;
                 return false;
             }
-            Position += length + LineEnd(rest[length..]);
-            var continues = isObj && length > 0 && rest[length - 1] == '\\' && !rest[..length].Contains((byte)'#');
-            if (!continues) return Position < text.Length;
+            Position += end + LineEnd(rest[end..]);
+            var continues = isObj && end > 0 && rest[end - 1] == '\\' && !rest[..end].Contains((byte)'#');
+            if (!continues) return Position < length;
         }
     }
 
@@ -95,19 +97,25 @@ internal sealed class TextScanner(MeshSource source, int position, bool isObj = 
     }
 
     /// <summary>A mistake in the last word.</summary>
-    public MeshFileException Error(string reason) => source.ErrorAtLine(WordAt, reason);
+    public MeshFileException Error(string reason) => ErrorAt(WordAt, reason);
+
+    /// <summary>A mistake at a place of the block.</summary>
+    public MeshFileException ErrorAt(int position, string reason) => block.Source.ErrorAtLine(block.Start + position, reason);
+
+    private ReadOnlySpan<byte> Text => buffer.AsSpan(0, length);
 
     private int SkipBlanks()
     {
+        var text = Text;
         var at = Position;
         while (at < text.Length)
         {
             if (text[at] is (byte)' ' or (byte)'\t' or (byte)'\v' or (byte)'\f')
                 at++;
-            else if (isObj && text[at] == '\\' && LineEnd(text.AsSpan(at + 1)) is > 0 and var end)
-                at += 1 + end;
+            else if (isObj && text[at] == '\\' && LineEnd(text[(at + 1)..]) is > 0 and var lineEnd)
+                at += 1 + lineEnd;
             else if (isObj && text[at] == '#')
-                return text.AsSpan(at).IndexOfAny((byte)'\n', (byte)'\r') is >= 0 and var length ? at + length : text.Length;
+                return text[at..].IndexOfAny((byte)'\n', (byte)'\r') is >= 0 and var end ? at + end : text.Length;
             else
                 break;
         }
