@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace RayCaster.Benchmarks;
 
 /// <summary>A scene to measure. Its models are made anew for each run, so that nothing prepared for one picture helps the next.</summary>
@@ -22,15 +24,23 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
     /// <summary>The scene with new models.</summary>
     public Scene Create(int width, int height) => create(width, height);
 
-    public static BenchmarkScene Named(string name) => name switch
+    /// <summary>A scene by its name: room, or bumpy-N or spheres-N with a number as in 500, 70k or 10m.</summary>
+    /// <exception cref="ArgumentException">The name is another.</exception>
+    public static BenchmarkScene Named(string name)
     {
-        "room" => Room(),
-        "bumpy-70k" => Bumpy(name, 133),
-        "bumpy-1m" => Bumpy(name, 500),
-        "bumpy-10m" => Bumpy(name, 1582),
-        "spheres-100k" => Spheres(name, 100_000),
-        _ => throw new ArgumentException($"no scene is called '{name}'"),
-    };
+        if (name == "room") return Room();
+        if (name.Split('-') is [var kind, { Length: > 0 } number])
+        {
+            var (digits, unit) = number[^1] switch { 'k' => (number[..^1], 1000), 'm' => (number[..^1], 1_000_000), _ => (number, 1) };
+            if (int.TryParse(digits, NumberStyles.None, CultureInfo.InvariantCulture, out var value) && value is > 0 and <= 1_000_000_000)
+            {
+                var count = checked(value * unit);
+                if (kind == "bumpy") return Bumpy(name, Math.Max(2, (int)((1 + Math.Sqrt(1 + count)) / 2)));
+                if (kind == "spheres") return Spheres(name, count);
+            }
+        }
+        throw new ArgumentException($"no scene is called '{name}'; choose {string.Join(", ", Names)}, or another number");
+    }
 
     /// <summary>The room of the course: the project's scenes/room.json.</summary>
     public static BenchmarkScene Room()

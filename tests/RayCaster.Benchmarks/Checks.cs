@@ -54,14 +54,18 @@ internal static class Checks
         }
     }
 
-    /// <summary>The share of pixels where a peer that computes in float sees the model that we see, as far away.</summary>
+    /// <summary>The share of pixels where a peer that computes in float sees something as far away as we do, or nothing with us.</summary>
+    /// <exception cref="InvalidOperationException">It sees other models, in more pixels than those where two meet.</exception>
     public static double Agreement(double[] t, int[] model, float[] theirT, int[] theirModel)
     {
         const double FloatError = 2e-5; // of t: coordinates are rounded to 6e-8, and slanting surfaces make more of it
-        var same = 0;
+        int near = 0, same = 0;
         for (var i = 0; i < t.Length; i++)
-            if (model[i] == theirModel[i] && (model[i] < 0 || Math.Abs(t[i] - theirT[i]) <= FloatError * t[i]))
-                same++;
-        return (double)same / t.Length;
+        {
+            if (model[i] == theirModel[i]) same++;
+            if (model[i] < 0 ? theirModel[i] < 0 : theirModel[i] >= 0 && Math.Abs(t[i] - theirT[i]) <= FloatError * t[i]) near++;
+        }
+        if (same < 0.99 * t.Length) throw new InvalidOperationException($"Embree sees our models only in {100.0 * same / t.Length:0.0} % of the pixels");
+        return (double)near / t.Length;
     }
 }

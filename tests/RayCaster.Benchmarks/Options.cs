@@ -11,7 +11,8 @@ internal sealed class Options
           dotnet run -c Release --project tests/RayCaster.Benchmarks -- [options]
 
           --quick          A minute: small pictures, few repeats, no growth charts.
-          --scene NAME     Only this scene: room, bumpy-70k, bumpy-1m, bumpy-10m, spheres-100k. May be repeated.
+          --scene NAME     Only this scene: room, bumpy-70k, bumpy-1m, bumpy-10m, spheres-100k, or
+                           bumpy-N and spheres-N with another number. May be repeated.
           --size WxH       Only this size; otherwise 1920x1080 and 500x500. May be repeated.
           --threads N      Only this number of threads; otherwise 1 and 2. May be repeated.
           --repeats N      How often each way runs in each comparison; otherwise 15.
@@ -65,7 +66,7 @@ internal sealed class Options
                 case "--largest": options.Largest = true; break;
                 case "--write": options.Write = true; break;
                 case "--help": options.ShowHelp = true; break;
-                case "--scene": options.Scenes.Add(Value(BenchmarkScene.Names)); break;
+                case "--scene": options.Scenes.Add(Value()); break;
                 case "--only": options.parts.Add(Value(["rays", "growth", "programs"])); break;
                 case "--threads": options.Threads.Add(Number(Value())); break;
                 case "--repeats": repeats = Number(Value()); break;

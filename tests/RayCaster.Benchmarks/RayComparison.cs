@@ -86,7 +86,7 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
     {
         Console.WriteLine($"\n{Scene.Title}, {Size}, {Threads} {(Threads == 1 ? "thread" : "threads")}, {Exact.Times.Count} rounds");
         if (!double.IsNaN(Agreement))
-            Console.WriteLine($"  Embree sees what we see in {100 * Agreement:0.000} % of the pixels; its hierarchy takes {Text.Ratio(BuildPerTrace)} times its tracing");
+            Console.WriteLine($"  Embree sees as far as we see in {100 * Agreement:0.000} % of the pixels; its hierarchy takes {Text.Ratio(BuildPerTrace)} times its tracing");
         foreach (var way in ways.OrderBy(way => way.Median))
         {
             var best = BestEmbree(way.Answer);
