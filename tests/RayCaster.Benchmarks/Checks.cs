@@ -9,7 +9,8 @@ internal static class Checks
     public static void Run(BenchmarkScene benchmark, EmbreePeer? embree, Workshop workshop)
     {
         var scene = benchmark.Create(Width, Height);
-        var (t, model) = EngineHits.Cast(scene, Environment.ProcessorCount);
+        var map = new Renderer(scene).CastHits();
+        var (t, model) = (map.T, map.Model);
         var bytes = Renderer.Render(benchmark.Create(Width, Height)).Rgb;
         var step = OwnWays.Step(benchmark, Width, Height);
         int rays = 0, hits = 0;

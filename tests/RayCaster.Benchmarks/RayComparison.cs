@@ -72,7 +72,7 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
         BuildPerTrace = embree.Build(best.Way[..best.Way.LastIndexOf(' ')]) / best.Time;
 
         var (t, model) = embree.Hits(best.Way, workshop.PathOf("hits"), width * height);
-        var ours = EngineHits.Cast(Scene.Create(width, height), Environment.ProcessorCount);
+        var ours = new Renderer(Scene.Create(width, height)).CastHits();
         Agreement = Checks.Agreement(ours.T, ours.Model, t, model);
     }
 
