@@ -1,0 +1,88 @@
+using System.Diagnostics;
+using System.Globalization;
+
+namespace RayCaster.Benchmarks;
+
+/// <summary>Embree 3 in a process of its own, which keeps a scene and draws it when asked (Peers/embree_peer.cpp).</summary>
+internal sealed class EmbreePeer : IDisposable
+{
+    private static readonly string[] Calls = ["8", "16", "1m", "nm8", "nm16", "np"];
+
+    private readonly Process process;
+    private readonly bool hasUserShapes;
+
+    /// <param name="program">The peer.</param>
+    /// <param name="sceneFile">A scene as <see cref="PeerScene.Write"/> writes it.</param>
+    /// <param name="scene">The same scene.</param>
+    /// <param name="buildThreads">How many threads build the hierarchies.</param>
+    public EmbreePeer(string program, string sceneFile, Scene scene, int buildThreads)
+    {
+        var start = new ProcessStartInfo(program, [sceneFile, buildThreads.ToString(CultureInfo.InvariantCulture)])
+        {
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+        };
+        process = Process.Start(start)!;
+        hasUserShapes = scene.Models.Any(model => model is not Mesh);
+    }
+
+    /// <summary>Whether compact hierarchies are tried, too: smaller, and as a rule slower.</summary>
+    public bool WithCompact { get; init; } = true;
+
+    /// <summary>All hierarchies worth trying: instruction set, scene flags, and who computes the crossings.</summary>
+    public IEnumerable<string> Hierarchies =>
+        from isa in new[] { "avx2", "best" }
+        from flags in WithCompact ? new[] { "none", "compact" } : ["none"]
+        from shapes in hasUserShapes ? new[] { "user", "native" } : ["user"]
+        select $"{isa} {flags} {shapes}";
+
+    /// <summary>All ways: hierarchies and the calls that trace them.</summary>
+    public IEnumerable<string> Ways => from hierarchy in Hierarchies from call in Calls select $"{hierarchy} {call}";
+
+    /// <summary>What tables call a way.</summary>
+    public string NameOf(string way)
+    {
+        var words = way.Split(' ');
+        var call = words[3] switch { "8" => "rtcIntersect8", "16" => "rtcIntersect16", "1m" => "rtcIntersect1M", "np" => "rtcIntersectNp", var nm => $"rtcIntersectNM ({nm[2..]})" };
+        var shapes = !hasUserShapes ? "" : words[2] == "user" ? ", user geometries" : ", its own shapes";
+        return $"{call}, {(words[0] == "best" ? "widest instructions" : "AVX2")}{(words[1] == "compact" ? ", compact" : "")}{shapes}";
+    }
+
+    public void Resize(int width, int height) => Ask($"size {width} {height}");
+
+    /// <summary>The milliseconds that a hierarchy takes to build.</summary>
+    public double Build(string hierarchy) => Number($"build {hierarchy}");
+
+    /// <summary>The milliseconds of one picture.</summary>
+    public double Run(string way, Answer answer, int threads) => Number($"run {way} {(answer == Answer.Hits ? "hits" : "bytes")} {threads}");
+
+    /// <summary>t and model of each pixel, top line first.</summary>
+    public (float[] T, int[] Model) Hits(string way, string file, int pixels)
+    {
+        Ask($"dump {way} {file}");
+        var bytes = File.ReadAllBytes(file);
+        var (t, model) = (new float[pixels], new int[pixels]);
+        Buffer.BlockCopy(bytes, 0, t, 0, 4 * pixels);
+        Buffer.BlockCopy(bytes, 4 * pixels, model, 0, 4 * pixels);
+        return (t, model);
+    }
+
+    private double Number(string command) => double.Parse(Ask(command), CultureInfo.InvariantCulture);
+
+    private string Ask(string command)
+    {
+        process.StandardInput.WriteLine(command);
+        process.StandardInput.Flush();
+        var answer = process.StandardOutput.ReadLine();
+        if (answer is null || answer.StartsWith("error", StringComparison.Ordinal))
+            throw new InvalidOperationException($"the Embree peer answers '{command}' with {answer ?? "nothing"}");
+        return answer;
+    }
+
+    public void Dispose()
+    {
+        process.StandardInput.Close();
+        process.WaitForExit();
+        process.Dispose();
+    }
+}

@@ -1,0 +1,86 @@
+namespace RayCaster.Benchmarks;
+
+/// <summary>How time grows with models, pixels and threads: charts.</summary>
+internal sealed class Growth(Options options, Workshop workshop, string? peer)
+{
+    private const int Width = 1920, Height = 1080;
+
+    private readonly int rounds = options.Quick ? 2 : Math.Min(5, options.Repeats);
+
+    public IEnumerable<Chart> Run() => [Triangles(), Spheres(), Pixels(), Threads()];
+
+    private Chart Triangles()
+    {
+        // 4 m (m − 1) triangles: from 8 to 10 million.
+        var scenes = new[] { 2, 6, 16, 50, 158, 500, 1581 }.Select(m => BenchmarkScene.Bumpy($"bumpy-{m}", m));
+        return Models("growth-triangles", "A bumpy sphere of more and more triangles", "triangles", scenes);
+    }
+
+    private Chart Spheres()
+    {
+        var scenes = new[] { 10, 100, 1000, 10_000, 100_000, 1_000_000 }.Select(n => BenchmarkScene.Spheres($"spheres-{n}", n));
+        return Models("growth-spheres", "More and more spheres", "spheres", scenes);
+    }
+
+    private Chart Models(string file, string title, string unit, IEnumerable<BenchmarkScene> scenes)
+    {
+        var chart = new Chart(file, $"{title}, {Width}×{Height}, one thread", unit, "milliseconds");
+        foreach (var scene in scenes)
+        {
+            using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, buildThreads: 1, withCompact: false);
+            var c = new RayComparison(scene, Width, Height, 1).Run(embree, rounds, withDefinitions: scene.ModelCount <= 10_000, workshop);
+            chart.Add("RayCaster, exact t", Ink.Exact, scene.ModelCount, c.Exact.Median);
+            chart.Add("RayCaster, bytes", Ink.Bytes, scene.ModelCount, c.Bytes.Median);
+            if (c.BestEmbree(Answer.Hits) is { } best)
+            {
+                chart.Add("Embree, best way", Ink.Embree, scene.ModelCount, best.Median);
+                chart.Add("Embree with its build", Ink.Embree, scene.ModelCount, best.Median * (1 + c.BuildPerTrace), dashed: true);
+            }
+            if (c.NaiveStruct is { } naive) chart.Add("naive, struct Vector3", Ink.Naive, scene.ModelCount, naive.Median);
+            if (c.Scalar is { } scalar) chart.Add("scalar definition", Ink.Scalar, scene.ModelCount, scalar.Median);
+        }
+        return chart;
+    }
+
+    private Chart Pixels()
+    {
+        var chart = new Chart("growth-pixels", "Larger and larger pictures, one thread", "pixels", "milliseconds");
+        int[] sides = options.Largest ? [100, 316, 1000, 3162, 10_000] : [100, 316, 1000, 3162];
+        foreach (var scene in new[] { BenchmarkScene.Named("room"), BenchmarkScene.Named("bumpy-1m") })
+        {
+            using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, Environment.ProcessorCount, withCompact: false);
+            var dashed = scene.Mesh is not null;
+            var label = dashed ? "1 M triangles" : "room";
+            foreach (var side in sides)
+            {
+                var c = new RayComparison(scene, side, side, 1).Run(embree, rounds, withDefinitions: false, workshop);
+                var pixels = (double)side * side;
+                chart.Add($"{label}: exact t", Ink.Exact, pixels, c.Exact.Median, dashed);
+                chart.Add($"{label}: bytes", Ink.Bytes, pixels, c.Bytes.Median, dashed);
+                if (c.BestEmbree(Answer.Hits) is { } best) chart.Add($"{label}: Embree", Ink.Embree, pixels, best.Median, dashed);
+            }
+        }
+        return chart;
+    }
+
+    private Chart Threads()
+    {
+        var chart = new Chart("growth-threads", $"More and more threads, {Width}×{Height}", "threads", "times as fast as one thread", logarithmic: false);
+        foreach (var scene in new[] { BenchmarkScene.Named("room"), BenchmarkScene.Named("bumpy-1m") })
+        {
+            using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, Environment.ProcessorCount, withCompact: false);
+            var dashed = scene.Mesh is not null;
+            var label = dashed ? "1 M triangles" : "room";
+            double exact = 0, bytes = 0, best = 0;
+            for (var threads = 1; threads <= Environment.ProcessorCount; threads = threads < 4 ? threads + 1 : threads * 2)
+            {
+                var c = new RayComparison(scene, Width, Height, threads).Run(embree, 2 * rounds, withDefinitions: false, workshop);
+                if (threads == 1) (exact, bytes, best) = (c.Exact.Median, c.Bytes.Median, c.BestEmbree(Answer.Hits)?.Median ?? 0);
+                chart.Add($"{label}: exact t", Ink.Exact, threads, exact / c.Exact.Median, dashed);
+                chart.Add($"{label}: bytes", Ink.Bytes, threads, bytes / c.Bytes.Median, dashed);
+                if (c.BestEmbree(Answer.Hits) is { } way) chart.Add($"{label}: Embree", Ink.Embree, threads, best / way.Median, dashed);
+            }
+        }
+        return chart;
+    }
+}

@@ -1,0 +1,98 @@
+using System.Diagnostics;
+
+namespace RayCaster.Benchmarks;
+
+/// <summary>The ways that need nothing but .NET: the engine, its definition, and naive ports of the lab.</summary>
+internal static class OwnWays
+{
+    /// <summary>How many crossings a way without a hierarchy may compute in one run; of a larger picture it casts evenly spread pixels.</summary>
+    private const double Crossings = 2e7;
+
+    /// <summary>The engine, exact: all that it prepares for a scene is counted. Its map is kept from run to run, as Embree's is.</summary>
+    public static Way Exact(BenchmarkScene scene, int width, int height, int threads)
+    {
+        var hits = new Lazy<HitMap>(() => new(width, height));
+        return new("exact t", Answer.Hits, () =>
+        {
+            var (fresh, map) = (Fresh(scene, width, height), hits.Value);
+            return Time(() => new Renderer(fresh, threads).CastHits(map));
+        });
+    }
+
+    /// <summary>The engine, only the picture's bytes.</summary>
+    public static Way Bytes(BenchmarkScene scene, int width, int height, int threads)
+    {
+        var picture = new Lazy<Picture>(() => new(width, height));
+        return new("bytes", Answer.Bytes, () =>
+        {
+            var (fresh, kept) = (Fresh(scene, width, height), picture.Value);
+            return Time(() => new Renderer(fresh, threads).DrawInto(kept));
+        });
+    }
+
+    /// <summary>The definition, one ray after another.</summary>
+    public static Way Scalar(BenchmarkScene benchmark, int width, int height)
+    {
+        var scene = benchmark.Create(width, height);
+        var rgb = new byte[width * height * 3];
+        var step = Step(benchmark, width, height);
+        return new("scalar definition", Answer.Bytes, () => Scaled(step, width * height, () =>
+        {
+            for (var i = 0; i < width * height; i += step)
+            {
+                var ray = ScalarRenderer.Cast(scene, i % width, height - 1 - i / width);
+                (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
+            }
+        }));
+    }
+
+    /// <summary>The peer with a class Vector3.</summary>
+    public static Way NaiveClass(BenchmarkScene scene, int width, int height)
+    {
+        var camera = Benchmarks.NaiveClass.Camera.Of(scene.Create(width, height));
+        return Naive("naive, class Vector3", scene, width, height, camera.Render);
+    }
+
+    /// <summary>The peer with a struct Vector3.</summary>
+    public static Way NaiveStruct(BenchmarkScene scene, int width, int height)
+    {
+        var camera = Benchmarks.NaiveStruct.Camera.Of(scene.Create(width, height));
+        return Naive("naive, struct Vector3", scene, width, height, camera.Render);
+    }
+
+    private static Way Naive(string name, BenchmarkScene scene, int width, int height, Action<byte[], int, int> render)
+    {
+        var rgb = new byte[width * height * 3];
+        var step = Step(scene, width, height);
+        return new(name, Answer.Bytes, () => Scaled(step, width * height, () => render(rgb, 0, step)));
+    }
+
+    /// <summary>Every how many pixels a way without a hierarchy casts; 1 for the whole picture.</summary>
+    public static int Step(BenchmarkScene scene, int width, int height)
+    {
+        var pixels = width * height;
+        var rays = Math.Max(8, Crossings / scene.ModelCount);
+        if (rays >= pixels) return 1;
+        var step = (int)(pixels / rays);
+        while (Gcd(step, width) != 1) step++; // spread over the columns, too
+        return step;
+    }
+
+    private static int Gcd(int a, int b) => b == 0 ? a : Gcd(b, a % b);
+
+    private static double Scaled(int step, int pixels, Action work) => Time(work) * pixels / ((pixels + step - 1) / step);
+
+    private static Scene Fresh(BenchmarkScene scene, int width, int height)
+    {
+        var fresh = scene.Create(width, height);
+        GC.Collect();
+        return fresh;
+    }
+
+    private static double Time(Action work)
+    {
+        var start = Stopwatch.GetTimestamp();
+        work();
+        return Stopwatch.GetElapsedTime(start).TotalMilliseconds;
+    }
+}

@@ -1,0 +1,49 @@
+using RayCaster.Benchmarks;
+
+Options options;
+try
+{
+    options = Options.Parse(args);
+}
+catch (ArgumentException problem)
+{
+    Console.Error.WriteLine($"{problem.Message}\n\n{Options.Help}");
+    return 2;
+}
+if (options.ShowHelp)
+{
+    Console.WriteLine(Options.Help);
+    return 0;
+}
+
+var clock = System.Diagnostics.Stopwatch.StartNew();
+Console.WriteLine(Machine.Description);
+using var workshop = new Workshop();
+var peer = workshop.BuildEmbreePeer();
+var report = new Report();
+
+if (options.Does("rays"))
+{
+    foreach (var name in options.Scenes)
+    {
+        var scene = BenchmarkScene.Named(name);
+        using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, Environment.ProcessorCount);
+        Checks.Run(scene, embree, workshop);
+        foreach (var (width, height) in options.Sizes)
+        {
+            foreach (var threads in options.Threads)
+            {
+                var comparison = new RayComparison(scene, width, height, threads);
+                comparison.Run(embree, options.Repeats, withDefinitions: true, workshop);
+                report.Comparisons.Add(comparison);
+            }
+        }
+    }
+}
+if (options.Does("growth")) report.Charts.AddRange(new Growth(options, workshop, peer).Run());
+if (options.Does("programs")) report.Programs.AddRange(new Programs(options, workshop, peer).Run());
+
+var text = report.Write(options, clock.Elapsed);
+Console.WriteLine("\n" + text);
+if (options.Write) report.Save(text);
+return 0;

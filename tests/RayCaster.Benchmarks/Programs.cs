@@ -1,0 +1,105 @@
+using System.Globalization;
+
+namespace RayCaster.Benchmarks;
+
+/// <summary>One comparison of whole processes.</summary>
+/// <param name="What">What both do.</param>
+/// <param name="Peer">The other program.</param>
+/// <param name="Measure">What is compared.</param>
+/// <param name="Ratio">How many times as long the peer takes.</param>
+internal sealed record ProgramComparison(string What, string Peer, string Measure, Ratio Ratio);
+
+/// <summary>Whole processes from start to end, in turn: our app, an app that only says hello, POV-Ray, Embree from a file.</summary>
+internal sealed class Programs(Options options, Workshop workshop, string? embree)
+{
+    private readonly int rounds = options.Quick ? 3 : options.Repeats;
+
+    public IEnumerable<ProgramComparison> Run()
+    {
+        Console.WriteLine("\nWhole processes");
+        foreach (var comparison in Hello().Concat(PovRay()).Concat(Ply()))
+        {
+            Console.WriteLine($"  {comparison.What}: {comparison.Peer} takes {Text.Ratio(comparison.Ratio.Median)} times our {comparison.Measure}");
+            yield return comparison;
+        }
+    }
+
+    /// <summary>The processor's time, because a machine with idle cores hides what start-up costs.</summary>
+    private IEnumerable<ProgramComparison> Hello()
+    {
+        var hello = workshop.BuildHello();
+        var scene = Path.Combine(Workshop.Root, "scenes", "room.json");
+        var picture = workshop.PathOf("room.png");
+        var ours = new Way("ours", Answer.Bytes, () => workshop.Run(Workshop.App, [scene, "-o", picture, "--quiet"]).Processor);
+        var theirs = new Way("hello", Answer.Bytes, () => workshop.Run(hello, []).Processor);
+        yield return Compare("the room, 500×500, to PNG", "an app that only says hello", "processor time", ours, theirs, Math.Max(rounds, 7));
+    }
+
+    private IEnumerable<ProgramComparison> PovRay()
+    {
+        if (Workshop.FindPovRay() is not { } povray) yield break;
+        var names = options.Scenes.Where(name => name != "bumpy-10m"); // its text would be a gigabyte
+        foreach (var name in options.Quick ? names.Where(name => name == "room") : names)
+        {
+            var benchmark = BenchmarkScene.Named(name);
+            foreach (var (width, height) in options.Sizes)
+            {
+                var scene = benchmark.Create(width, height);
+                var (json, pov) = (workshop.PathOf($"{name}.json"), workshop.PathOf($"{name}.pov"));
+                SceneFiles.WriteScene(json, scene, benchmark.Mesh);
+                SceneFiles.WritePov(pov, scene, benchmark.Mesh);
+                foreach (var threads in options.Threads)
+                {
+                    var ours = OurApp(json, width, height, threads);
+                    var theirs = new Way("POV-Ray", Answer.Bytes, () => workshop.Run(povray,
+                        [$"+I{pov}", $"+O{workshop.PathOf("pov.png")}", $"+W{width}", $"+H{height}", $"+WT{threads}", "File_Gamma=1", "-D", "-A", "-GA"]).Elapsed);
+                    var what = $"{benchmark.Title}, {width}×{height}, {threads} {(threads == 1 ? "thread" : "threads")}, file to PNG";
+                    yield return Compare(what, "POV-Ray", "time", ours, theirs, Math.Min(rounds, 3));
+                    CheckPov(what);
+                }
+            }
+        }
+    }
+
+    /// <summary>POV-Ray has drawn the same picture: all but outlines, where its rays differ in the last digits.</summary>
+    private void CheckPov(string what)
+    {
+        var (ours, theirs) = (PictureFile.Read(workshop.PathOf("ours.png")).Rgb, PictureFile.Read(workshop.PathOf("pov.png")).Rgb);
+        var same = ours.Zip(theirs, (a, b) => Math.Abs(a - b) <= 1 ? 1 : 0).Sum() / (double)ours.Length;
+        if (same < 0.99) throw new InvalidOperationException($"{what}: POV-Ray draws the same only in {100 * same:0.0} % of the channels");
+    }
+
+    private IEnumerable<ProgramComparison> Ply()
+    {
+        if (embree is null) yield break;
+        var name = options.Quick ? "bumpy-70k" : "bumpy-1m";
+        if (!options.Scenes.Contains(name)) yield break;
+        const int Width = 1920, Height = 1080;
+        var benchmark = BenchmarkScene.Named(name);
+        var scene = benchmark.Create(Width, Height);
+        var (json, camera) = (workshop.PathOf($"{name}.json"), workshop.PathOf("camera.scene"));
+        SceneFiles.WriteScene(json, scene, benchmark.Mesh);
+        PeerScene.Write(camera, scene, withModels: false);
+        foreach (var threads in options.Threads)
+        {
+            var ours = OurApp(json, Width, Height, threads);
+            var theirs = new Way("Embree", Answer.Bytes, () => workshop.Run(embree,
+                [camera, Number(threads), workshop.PathOf($"{name}.ply"), Number(Width), Number(Height)]).Elapsed);
+            var what = $"{benchmark.Title} from a binary PLY, {Width}×{Height}, {threads} {(threads == 1 ? "thread" : "threads")}";
+            yield return Compare(what, "Embree, reading, building and tracing, without a PNG,", "time with a PNG", ours, theirs, rounds);
+        }
+    }
+
+    private Way OurApp(string scene, int width, int height, int threads) => new("ours", Answer.Bytes, () => workshop.Run(Workshop.App,
+        [scene, "-o", workshop.PathOf("ours.png"), "--quiet", "--size", $"{width}x{height}", "--threads", Number(threads)]).Elapsed);
+
+    private static ProgramComparison Compare(string what, string peer, string measure, Way ours, Way theirs, int rounds)
+    {
+        ours.Run();
+        theirs.Run();
+        Interleaving.Run([ours, theirs], rounds);
+        return new(what, peer, measure, Ratio.Of(ours, theirs));
+    }
+
+    private static string Number(int number) => number.ToString(CultureInfo.InvariantCulture);
+}
