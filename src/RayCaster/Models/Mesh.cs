@@ -5,8 +5,6 @@ namespace RayCaster;
 /// <param name="indices">Three places in <paramref name="vertices"/> for each triangle, in file order.</param>
 public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
 {
-    private readonly Lazy<Hierarchy> hierarchy = new(() => new Hierarchy(vertices, indices));
-
     /// <summary>How many triangles the mesh has.</summary>
     public int TriangleCount => indices.Length / 3;
 
@@ -28,5 +26,5 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
     }
 
     /// <inheritdoc/>
-    internal override ModelView See(Camera camera) => new HierarchyView(hierarchy.Value);
+    internal override ModelView See(Camera camera) => new MeshView(vertices, indices, camera);
 }

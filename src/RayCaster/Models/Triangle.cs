@@ -25,9 +25,14 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
 
     /// <summary>The same, for a caller that asks about many triangles and one ray.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // never inlined: in a caller grown too large operators, silently, become calls
-    internal Crossings<N> Cross<N>(in AlongRay<N> along) where N : struct, IReal<N>
+    internal Crossings<N> Cross<N>(in AlongRay<N> along) where N : struct, IReal<N> => Cross(along, A, B, C);
+
+    /// <summary>The same for corners over any kind of number: in a packet each lane has its own triangle.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static Crossings<N> Cross<N>(in AlongRay<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
+        where N : struct, IReal<N>
     {
-        var (a, b, c) = (along.See(A), along.See(B), along.See(C));
+        var (a, b, c) = (along.See(cornerA), along.See(cornerB), along.See(cornerC));
         var w = b.X * c.Y - b.Y * c.X;
         var u = c.X * a.Y - c.Y * a.X;
         var v = a.X * b.Y - a.Y * b.X;

@@ -61,6 +61,9 @@ internal readonly struct Packet(Vector256<double> lanes) : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Select(Packet mask, Packet a, Packet b) => new(Vector256.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
+    public static Packet If(Packet mask, Packet value) => Select(mask, value, double.NaN);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Equal(Packet a, Packet b) => new(Vector256.Equals(a.Lanes, b.Lanes));
 

@@ -60,6 +60,9 @@ internal readonly struct WidePacket(Vector512<double> lanes) : IPacket<WidePacke
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) => new(Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
+    public static WidePacket If(WidePacket mask, WidePacket value) => Select(mask, value, double.NaN);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Equal(WidePacket a, WidePacket b) => new(Vector512.Equals(a.Lanes, b.Lanes));
 

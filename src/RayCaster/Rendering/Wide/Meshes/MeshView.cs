@@ -1,0 +1,82 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster;
+
+/// <summary>
+/// A mesh as a camera sees it. All rays of a picture start in one point, so each triangle is projected onto the picture once, and a filter in floats finds for
+/// each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and where, the
+/// triangle's formula decides.
+/// </summary>
+internal sealed class MeshView : ModelView
+{
+    private readonly ScreenSpace screen;
+    private readonly Vector3[] vertices;
+    private readonly int[] indices;
+    private readonly ScreenTriangles[] sets = []; // the triangles, and the pieces of those that had to be clipped
+    private readonly Hierarchy? hard;             // over those for which the filter knows nothing
+    private readonly TileFilter? filter;          // one thread's
+
+    public MeshView(Vector3[] vertices, int[] indices, Camera camera)
+    {
+        (this.vertices, this.indices, screen) = (vertices, indices, new(camera));
+        if (!screen.IsFine)
+        {
+            hard = new(vertices, indices);
+            Extent = Tile.Everywhere;
+            return;
+        }
+
+        var points = GC.AllocateUninitializedArray<Vector128<float>>(vertices.Length);
+        screen.Project(vertices, points, 0, vertices.Length);
+        var whole = new ScreenTriangles(screen, points, indices, null);
+        whole.Sort();
+
+        var clipper = new ScreenClipper(screen, vertices);
+        foreach (var i in whole.Unfit.Items) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
+        var (pieces, corners) = (clipper.Points, new int[clipper.Points.Length]);
+        for (var i = 0; i < corners.Length; i++) corners[i] = i;
+        var clipped = new ScreenTriangles(screen, pieces, corners, clipper.Owners);
+        clipped.Sort();
+        sets = [whole, clipped];
+
+        if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);
+        Extent = hard is null ? ExtentOf(whole.Extent, clipped.Extent) : Tile.Everywhere;
+    }
+
+    private MeshView(MeshView shared)
+    {
+        (screen, vertices, indices, sets, hard, Extent) = (shared.screen, shared.vertices, shared.indices, shared.sets, shared.hard, shared.Extent);
+        filter = new TileFilter(screen, vertices, indices);
+    }
+
+    /// <inheritdoc/>
+    public override Tile Extent { get; }
+
+    /// <inheritdoc/>
+    public override ModelView ForThread() => new MeshView(this);
+
+    /// <inheritdoc/>
+    public override Reach Enter(TileRays rays)
+    {
+        if (sets.Length == 0) return Reach.Unknown;
+        var reach = filter!.Enter(rays.Tile, sets);
+        return hard is null ? reach : reach with { Least = 0 };
+    }
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public override void Meet(RaySpan span, int index)
+    {
+        if (sets.Length > 0) filter!.Meet(span, index);
+        if (hard is null) return;
+        for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), index);
+    }
+
+    private static Tile ExtentOf((int Left, int Right, int Bottom, int Top) a, (int Left, int Right, int Bottom, int Top) b)
+    {
+        var (left, right) = (Math.Min(a.Left, b.Left), Math.Max(a.Right, b.Right));
+        var (bottom, top) = (Math.Min(a.Bottom, b.Bottom), Math.Max(a.Top, b.Top));
+        return right < left ? default : new(left, bottom, right - left + 1, top - bottom + 1);
+    }
+}

@@ -1,0 +1,121 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster;
+
+/// <summary>
+/// Where a camera sees points: the column and row that a point falls on (samples lie at whole numbers) and w = |T − P| / depth, which over the picture
+/// plane is linear on every flat surface. All that is told in floats, with margins for what they and the primitive's formula round.
+/// </summary>
+internal sealed class ScreenSpace
+{
+    private readonly Vector3 origin, u, v, w;
+
+    public ScreenSpace(Camera camera)
+    {
+        (Camera, origin, u, v, w) = (camera, camera.Position, camera.U, camera.V, camera.W);
+        (Scale, Unit) = (camera.Height / camera.PlaneHeight, camera.Reach / 2);
+        var sample = camera.Sample == Sample.Center ? 0.5 : 0;
+        (CenterX, CenterY) = (camera.Width / 2.0 - sample, camera.Height / 2.0 - sample);
+        Guard = 256 + Math.Max(camera.Width, camera.Height) / 4.0;
+
+        var squareOfSlope = (camera.PlaneWidth * camera.PlaneWidth + camera.PlaneHeight * camera.PlaneHeight) / 4;
+        var longest = Math.Sqrt(1 + squareOfSlope) * (1 + 1e-9);
+        LongestT = longest;
+
+        // Direction, projection and formula each round by a few units of 2⁻⁵³ of an angle, or of the picture's size; an angle is at most that many pixels:
+        var pixelsOfAngle = Scale * (1 + squareOfSlope) + camera.Width + camera.Height;
+        DoubleMargin = 1e-14 * pixelsOfAngle;
+        // A float is good to 2⁻²⁴ of a coordinate; that is spent once for the coordinate and once where it is seen from the tile's corner.
+        Margin = (float)(DoubleMargin + Math.ScaleB(Math.Max(camera.Width, camera.Height) + Guard + 2, -23));
+        // Corners off by δ turn the formula's t by δ · side / area of the span of its corners' depths; an area of 4e6 δ · side keeps that below 1e-6.
+        LeastWidth = (float)(4e6 * DoubleMargin + 16 * Margin);
+        IsFine = DoubleMargin < 1e-2 && Unit is > 1e-250 and < 1e250;
+
+        var byDistance = camera.Clip == Clip.Distance;
+        var nearest = Math.Max(camera.ZNear, camera.Bias);
+        LeastDepth = (byDistance ? nearest : Math.Max(camera.ZNear, camera.Bias / longest)) / (byDistance ? longest : 1) * (1 - 1e-6);
+        MostSureW = (float)(Unit / nearest * (1 - 1e-5));
+        LeastSureW = (float)(Unit / camera.ZFar * (byDistance ? longest : 1) * (1 + 1e-5));
+        MostW = (float)(Unit / LeastDepth * (1 + 1e-5));
+        LeastW = (float)(Unit / camera.ZFar * (1 - 1e-5));
+    }
+
+    public Camera Camera { get; }
+
+    /// <summary>Pixels for a slope of 1 against the view direction.</summary>
+    public double Scale { get; }
+
+    /// <summary>The depth at which w is 1.</summary>
+    public double Unit { get; }
+
+    /// <summary>The column and row of the view direction.</summary>
+    public double CenterX { get; }
+
+    /// <inheritdoc cref="CenterX"/>
+    public double CenterY { get; }
+
+    /// <summary>How many pixels off the picture a corner may be. Triangles that reach farther are clipped, so that floats stay exact enough.</summary>
+    public double Guard { get; }
+
+    /// <summary>The t of the rays that are longest to a depth of 1.</summary>
+    public double LongestT { get; }
+
+    /// <summary>Pixels by which doubles may put a corner, and a ray, wrong.</summary>
+    public double DoubleMargin { get; }
+
+    /// <summary>Pixels by which floats may.</summary>
+    public float Margin { get; }
+
+    /// <summary>Twice the area of a triangle by its width and height, in pixels, from which its t lies safely on its plane.</summary>
+    public float LeastWidth { get; }
+
+    /// <summary>Whether doubles tell pixels of this camera apart at all; with a view of 1e-9 degrees they do not.</summary>
+    public bool IsFine { get; }
+
+    /// <summary>Nothing that is less deep counts.</summary>
+    public double LeastDepth { get; }
+
+    /// <summary>Hits between these surely count.</summary>
+    public float LeastSureW { get; }
+
+    /// <inheritdoc cref="LeastSureW"/>
+    public float MostSureW { get; }
+
+    /// <summary>Hits surely do not count outside of these.</summary>
+    public float LeastW { get; }
+
+    /// <inheritdoc cref="LeastW"/>
+    public float MostW { get; }
+
+    /// <summary>A point in the camera's axes: X to the right, Y up, Z into the picture.</summary>
+    public Vector3 See(Vector3 point)
+    {
+        var p = point - origin;
+        return new(p * u, p * v, -(p * w));
+    }
+
+    /// <summary>Column, row and w of a point in the camera's axes; the mask tells whether they are fit for floats.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public (N X, N Y, N W, N IsFit) Project<N>(N x, N y, N z) where N : struct, IReal<N>
+    {
+        var inverse = (N)1 / z;
+        var (column, row, nearness) = (x * inverse * Scale + CenterX, y * inverse * Scale + CenterY, (N)Unit * inverse);
+        var isFit = (nearness > 1e-30) & (nearness < 1e30)
+            & (column >= -Guard - 1) & (column <= Camera.Width + Guard + 1) & (row >= -Guard - 1) & (row <= Camera.Height + Guard + 1);
+        return (column, row, nearness, isFit);
+    }
+
+    /// <summary>All the vertices: x, y, w and 0, or 1 for one that is not fit for floats.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void Project(Vector3[] vertices, System.Runtime.Intrinsics.Vector128<float>[] points, int first, int end)
+    {
+        Vector3<Packet> eye = origin, right = u, up = v, back = w;
+        for (var i = first; i < end; i += Packet.Count)
+        {
+            var last = end - 1 - i;
+            var p = Lanes.Gather(vertices, i, i + Math.Min(1, last), i + Math.Min(2, last), i + Math.Min(3, last)) - eye;
+            var (x, y, nearness, isFit) = Project(p * right, p * up, -(p * back));
+            Lanes.Scatter(points, i, last + 1, Packet.Select(isFit, x, 0), Packet.Select(isFit, y, 0), Packet.Select(isFit, nearness, 1), Packet.Select(isFit, 0, 1));
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster;
+
+/// <summary>
+/// What the filter knows of eight triangles in a tile: the box of samples, for each side a function that is positive on the inner side, w as a function of the
+/// place, all with margins. Each field has eight lanes.
+/// </summary>
+internal static class TriangleSetUp
+{
+    /// <summary>The functions: the value at the box's lower left sample, the step to the right, the step upwards.</summary>
+    public const int U = 0, V = 3, W = 6, Depth = 9;
+
+    /// <summary>The samples of the box, seen from the tile's corner.</summary>
+    public const int Left = 12, Right = 13, Bottom = 14, Top = 15;
+
+    /// <summary>w is known up to ± this, and lies between these.</summary>
+    public const int Slack = 16, LeastW = 17, MostW = 18;
+
+    /// <summary>A sample with a side function below the first is surely outside, with all above the second surely covered.</summary>
+    public const int Outside = 19, Inside = 20;
+
+    /// <summary>Numbers in all.</summary>
+    public const int Length = 8 * 21;
+
+    /// <summary>Fills the fields and returns a bit for each triangle that may show in the tile.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public static uint Of(in EightTriangles t, ScreenSpace screen, in Tile tile, float[] fields)
+    {
+        Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;
+        var margin = Vector256.Create(screen.Margin);
+        var rounding = Vector256.Create(ScreenTriangles.Roundings);
+        var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
+        var (ax, bx, cx) = (t.AX - column, t.BX - column, t.CX - column);
+        var (ay, by, cy) = (t.AY - row, t.BY - row, t.CY - row);
+        var (left, right) = (Least(ax, bx, cx), Most(ax, bx, cx));
+        var (bottom, top) = (Least(ay, by, cy), Most(ay, by, cy));
+        var size = right - left + (top - bottom);
+        left = Vector256.MaxNative(Vector256.Ceiling(left - margin), zero);
+        right = Vector256.MinNative(Vector256.Floor(right + margin), Vector256.Create(tile.Width - 1f));
+        bottom = Vector256.MaxNative(Vector256.Ceiling(bottom - margin), zero);
+        top = Vector256.MinNative(Vector256.Floor(top + margin), Vector256.Create(tile.Height - 1f));
+        var shows = Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top);
+
+        // Twice the areas of the triangles that the first sample makes with the sides. With corners off by δ each is off by at most 6 δ · size, since
+        // a sample within the box is no farther than the size from any corner; rounding adds some 2⁻²⁴ of the size's square for each operation.
+        var area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+        var sign = Vector256.ConditionalSelect(Vector256.LessThan(area, zero), -one, one);
+        area *= sign;
+        var (uRight, uUp) = ((by - cy) * sign, (cx - bx) * sign);
+        var (vRight, vUp) = ((cy - ay) * sign, (ax - cx) * sign);
+        var (wRight, wUp) = ((ay - by) * sign, (bx - ax) * sign);
+        var u = (left - bx) * uRight + (bottom - by) * uUp;
+        var v = (left - cx) * vRight + (bottom - cy) * vUp;
+        var w = (left - ax) * wRight + (bottom - ay) * wUp;
+        var slack = size * (Vector256.Create(6f) * margin + size * rounding);
+
+        // Beside one of its sides lies the whole box, or what the tile leaves of it.
+        var (across, upwards) = (right - left, top - bottom);
+        shows &= Reaches(u, uRight, uUp, across, upwards, slack) & Reaches(v, vRight, vUp, across, upwards, slack)
+            & Reaches(w, wRight, wUp, across, upwards, slack);
+
+        // A triangle with next to no area (LeastWidth) has no side functions to speak of, and the formula may put its t anywhere that its corners
+        // span along the axis that the ray follows most. Of a corner s pixels beside the ray that is its depth stretched by at most √3 s / scale.
+        var (mostW, leastW) = (Most(t.AW, t.BW, t.CW), Least(t.AW, t.BW, t.CW));
+        var ratio = mostW / leastW;
+        var isSliver = ~Vector256.GreaterThan(area, size * Vector256.Create(screen.LeastWidth) * ratio * ratio);
+        var stretch = size * Vector256.Create((float)(4 / screen.Scale));
+        var stretchedW = Vector256.ConditionalSelect(
+            Vector256.LessThan(stretch, one), mostW * (one + stretch), Vector256.Create(float.MaxValue));
+
+        var depthRight = ((t.BW - t.AW) * vRight + (t.CW - t.AW) * wRight) / area;
+        var depthUp = ((t.BW - t.AW) * vUp + (t.CW - t.AW) * wUp) / area;
+        var depth = t.AW + (left - ax) * depthRight + (bottom - ay) * depthUp;
+        // Corners off by δ move the plane of w by its slope · δ; the slope itself is rounded by the area's 2⁻²⁴ size² / area; w by 2⁻²⁴ of itself.
+        var slope = Vector256.Abs(depthRight) + Vector256.Abs(depthUp);
+        var depthSlack = Vector256.Create(4f) * slope * (margin + rounding * size * (one + size * size / area)) + Vector256.Create(4f) * rounding * mostW;
+
+        var counts = Vector256.LessThanOrEqual(mostW, Vector256.Create(screen.MostSureW))
+            & Vector256.GreaterThanOrEqual(leastW, Vector256.Create(screen.LeastSureW)) & ~isSliver;
+
+        Keep(fields, U, u, uRight, uUp);
+        Keep(fields, V, v, vRight, vUp);
+        Keep(fields, W, w, wRight, wUp);
+        Keep(fields, Depth, Vector256.ConditionalSelect(isSliver, stretchedW, depth),
+            Vector256.AndNot(depthRight, isSliver), Vector256.AndNot(depthUp, isSliver));
+        Keep(fields, Left, left, right, bottom);
+        Keep(fields, Top, top, Vector256.AndNot(depthSlack, isSliver), leastW * Vector256.Create(1 - 4e-6f));
+        Keep(fields, MostW, Vector256.ConditionalSelect(isSliver, stretchedW * Vector256.Create(1 + 4e-6f), mostW * Vector256.Create(1 + 4e-6f)),
+            // Which way around a sliver is seen is not known; if it is the other way, its functions are below its area's and the others' slack.
+            Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack),
+            Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)));
+        return shows.ExtractMostSignificantBits();
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<float> Reaches(Vector256<float> f, Vector256<float> right, Vector256<float> up,
+        Vector256<float> across, Vector256<float> upwards, Vector256<float> slack)
+    {
+        var most = f + Vector256.MaxNative(right, Vector256<float>.Zero) * across + Vector256.MaxNative(up, Vector256<float>.Zero) * upwards;
+        return Vector256.GreaterThanOrEqual(most, Vector256.Create(-4f) * slack);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Keep(float[] fields, int first, Vector256<float> a, Vector256<float> b, Vector256<float> c)
+    {
+        a.StoreUnsafe(ref fields[8 * first]);
+        b.StoreUnsafe(ref fields[8 * first + 8]);
+        c.StoreUnsafe(ref fields[8 * first + 16]);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<float> Least(Vector256<float> a, Vector256<float> b, Vector256<float> c) =>
+        Vector256.MinNative(a, Vector256.MinNative(b, c));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<float> Most(Vector256<float> a, Vector256<float> b, Vector256<float> c) =>
+        Vector256.MaxNative(a, Vector256.MaxNative(b, c));
+}
