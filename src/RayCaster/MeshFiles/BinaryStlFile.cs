@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
@@ -22,6 +23,7 @@ internal sealed class BinaryStlFile(MeshSource source) : MeshFormat
     }
 
     /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {
         for (var triangle = 0; triangle < block.Length; triangle += BytesPerTriangle)

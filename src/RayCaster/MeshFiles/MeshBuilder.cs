@@ -47,7 +47,7 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
     /// <summary>What has been collected since the last time.</summary>
     public MeshPiece TakePiece()
     {
-        var piece = new MeshPiece(vertices[..vertexCount], indices[..indexCount], countsFromHere);
+        var piece = new MeshPiece(Copy(vertices, vertexCount), Copy(indices, indexCount), countsFromHere);
         verticesBefore += vertexCount;
         (vertexCount, indexCount, countsFromHere) = (0, 0, false);
         return piece;
@@ -74,4 +74,10 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
         Array.Resize(ref array, (int)Math.Clamp(2L * array.Length, 1024, Array.MaxLength));
     }
 
+    private static T[] Copy<T>(T[] array, int count)
+    {
+        var copy = GC.AllocateUninitializedArray<T>(count);
+        array.AsSpan(0, count).CopyTo(copy);
+        return copy;
+    }
 }

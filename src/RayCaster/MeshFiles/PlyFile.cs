@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>PLY, ascii or binary: x, y and z of the element vertex, vertex_indices of the element face; all else is skipped.</summary>
@@ -27,8 +29,8 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
         var rowCount = 0L;
         position = block.Load(position, (bytes, isEnd) =>
         {
-            var length = 0;
-            for (rowCount = 0; rowCount < rowsLeft && rows.LengthOfFirst(bytes[length..], element) is { } row; rowCount++) length += row;
+            rowCount = rowsLeft;
+            var length = rows.Measure(bytes, element, ref rowCount);
             if (!isEnd || rowCount == rowsLeft) return length;
             rowCount = rowsLeft; // in ascii the last line may lack its end; where rows are missing, it is noticed when they are read
             return bytes.Length;
@@ -58,6 +60,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
         rowsLeft = element.Count;
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void ReadRow(PlyValues values, PlyElement element, MeshBuilder mesh)
     {
         var (x, y, z) = (0d, 0d, 0d);
@@ -76,6 +79,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
         if (element.Name == "vertex") mesh.AddVertex(new(x, y, z));
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void ReadFace(PlyValues values, PlyType type, long count, MeshBuilder mesh)
     {
         if (count < 3) throw values.Error($"a face needs at least three corners, but this one has {count}");

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
@@ -8,10 +9,11 @@ internal abstract class PlyRows
     /// <summary>Whether some bytes can be as many rows of an element as the header promises, the shortest that there can be.</summary>
     public abstract bool CanHold(PlyElement element, long bytes);
 
-    /// <summary>The length of the first row; null where its end is not among the bytes.</summary>
+    /// <summary>The length of the rows that are whole.</summary>
     /// <param name="bytes">Some of the rest of the file, from the beginning of a row on.</param>
-    /// <param name="element">What the row is one of.</param>
-    public abstract int? LengthOfFirst(ReadOnlySpan<byte> bytes, PlyElement element);
+    /// <param name="element">What the rows are.</param>
+    /// <param name="count">At first how many rows are wanted, at last how many there are.</param>
+    public abstract int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count);
 
     /// <summary>Begins to read the rows of a block.</summary>
     public abstract PlyValues ValuesOf(MeshBlock block);
@@ -27,21 +29,27 @@ internal sealed class AsciiPlyRows : PlyRows
         return element.Count <= (bytes + 1) / leastRow;                                    // the last may go without
     }
 
-    public override int? LengthOfFirst(ReadOnlySpan<byte> bytes, PlyElement element)
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public override int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count)
     {
-        for (var at = 0; ;)
+        var (wanted, rowsEnd, at) = (count, 0, 0);
+        for (count = 0; count < wanted;)
         {
             var line = bytes[at..];
             var end = line.IndexOfAny((byte)'\n', (byte)'\r');
-            if (end < 0) return null;
+            if (end < 0) break;
             at += end + 1;
             if (line[end] == '\r')
             {
-                if (at == bytes.Length) return null; // an LF may follow that belongs to the same line end
+                if (at == bytes.Length) break; // an LF may follow that belongs to the same line end
                 if (bytes[at] == '\n') at++;
             }
-            if (line[..end].ContainsAnyExcept(" \t\v\f"u8)) return at;
+            if (!line[..end].ContainsAnyExcept(" \t\v\f"u8)) continue;
+            rowsEnd = at;
+            count++;
         }
+        return rowsEnd;
     }
 
     public override PlyValues ValuesOf(MeshBlock block) => new AsciiPlyValues(block);
@@ -57,22 +65,29 @@ internal sealed class BinaryPlyRows(bool bigEndian) : PlyRows
         return element.Count <= bytes / leastRow;
     }
 
-    public override int? LengthOfFirst(ReadOnlySpan<byte> bytes, PlyElement element)
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public override int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count)
     {
-        var length = 0L;
-        foreach (var property in element.Properties)
+        var (wanted, rowsEnd) = (count, 0L);
+        for (count = 0; count < wanted; count++)
         {
-            var count = 1L;
-            if (property.CountType is { } type)
+            var at = rowsEnd;
+            foreach (var property in element.Properties)
             {
-                if (length + PlyProperty.SizeOf(type) > bytes.Length) return null;
-                count = Math.Max(0, Count(bytes[(int)length..], type)); // one below 0 is refused when the row is read
-                length += PlyProperty.SizeOf(type);
+                if (property.CountType is not { } type)
+                {
+                    at += property.Size;
+                    continue;
+                }
+                if (at + PlyProperty.SizeOf(type) > bytes.Length) return (int)rowsEnd;
+                // A count below 0 is refused when the row is read.
+                at += PlyProperty.SizeOf(type) + Math.Max(0, Count(bytes[(int)at..], type)) * property.Size;
             }
-            length += count * property.Size;
-            if (length > bytes.Length) return null;
+            if (at > bytes.Length) break;
+            rowsEnd = at;
         }
-        return (int)length;
+        return (int)rowsEnd;
     }
 
     public override PlyValues ValuesOf(MeshBlock block) => new BinaryPlyValues(block, bigEndian);

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
@@ -58,13 +59,17 @@ internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
 /// <summary>Numbers as bytes, the least first or the greatest first.</summary>
 internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValues
 {
+    private readonly byte[] buffer = block.Buffer;
+    private readonly int length = block.Length;
     private int position, last;
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override double Next(PlyType type)
     {
-        var at = block.Bytes[(last = position)..];
+        last = position;
         var size = PlyProperty.SizeOf(type);
-        if (size > at.Length) throw TooShort();
+        if (size > length - position) throw TooShort();
+        var at = buffer.AsSpan(position, size);
         position += size;
         var value = type switch
         {
@@ -83,7 +88,7 @@ internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValu
     public override void Skip(PlyProperty property, long count)
     {
         last = position;
-        if (count > (block.Length - position) / property.Size) throw TooShort();
+        if (count > (length - position) / property.Size) throw TooShort();
         position += (int)count * property.Size;
     }
 

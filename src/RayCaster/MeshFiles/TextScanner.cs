@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using System.Text;
 
 namespace RayCaster;
@@ -42,6 +43,7 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
     }
 
     /// <summary>The next word of this line; empty at the line's end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public ReadOnlySpan<byte> NextInLine()
     {
         var text = Text;
