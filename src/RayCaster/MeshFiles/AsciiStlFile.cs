@@ -11,7 +11,8 @@ internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
         var scanner = TextScanner.OfBlock(block);
         var word = scanner.Next();
         var isInSolid = block.Start > 0;
-        if (!isInSolid && !Is(word, "solid")) throw scanner.Error($"an ascii STL file must begin with 'solid', but this one begins with {scanner.Quoted}");
+        if (!isInSolid && !Is(word, "solid"))
+            throw scanner.Error($"an ascii STL file must begin with 'solid', but this one begins with {scanner.Quoted}");
         for (; isInSolid || !word.IsEmpty; isInSolid = false)
         {
             if (!isInSolid)

@@ -26,7 +26,7 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
     public void BeginFace() => CornerCount = 0;
 
     /// <summary>Adds a corner to the face; from the third on each makes a triangle with the first corner and the one before.</summary>
-    /// <param name="vertex">The place among the vertices of the file, from 0. One beyond every array becomes the last int, which is beyond them too.</param>
+    /// <param name="vertex">The place among the file's vertices, from 0. One beyond every array becomes the last int, which is too.</param>
     public void AddCorner(long vertex) => Add((int)Math.Min(vertex, int.MaxValue));
 
     /// <summary>Adds a corner to the face by counting back.</summary>

@@ -13,7 +13,7 @@ internal readonly record struct MeshPiece(Vector3[] Vertices, int[] Indices, boo
     public const int Here = int.MinValue / 2;
 
     /// <summary>Puts the pieces behind one another. Takes each out of the list as soon as it is copied.</summary>
-    /// <exception cref="MeshFileException">There is no face, or there are more than an array can hold, or one counts back beyond the first vertex.</exception>
+    /// <exception cref="MeshFileException">There is no face, or too many for an array, or one counts back beyond the first vertex.</exception>
     public static MeshData Join(List<MeshPiece> pieces, MeshSource source, int threads)
     {
         var (firstVertex, firstIndex) = (new long[pieces.Count + 1], new long[pieces.Count + 1]);

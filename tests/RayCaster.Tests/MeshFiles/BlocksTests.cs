@@ -76,13 +76,15 @@ public sealed class BlocksTests : IDisposable
     [InlineData("big")]
     public void ListsOfAnyLengthAreReadAlikeWhereverTheyAreCut(string endian)
     {
-        var header = $"ply\nformat binary_{endian}_endian 1.0\nelement vertex 4\nproperty list char uchar before\nproperty uchar x\nproperty char y\nproperty uchar z\n"
-            + "element other 2\nproperty list uchar short values\nelement face 3\nproperty list uchar uchar vertex_indices\nproperty list uchar double after\nend_header\n";
+        var header = $"ply\nformat binary_{endian}_endian 1.0\nelement vertex 4\nproperty list char uchar before\n"
+            + "property uchar x\nproperty char y\nproperty uchar z\nelement other 2\nproperty list uchar short values\n"
+            + "element face 3\nproperty list uchar uchar vertex_indices\nproperty list uchar double after\nend_header\n";
         byte[] vertexRows = [0, 1, 2, 3, 2, 9, 9, 4, 5, 6, 1, 255, 7, 8, 9, 0, 10, 11, 12];
         byte[] faceRows = [5, 0, 1, 2, 3, 0, 0, 3, 1, 2, 3, 1, .. new byte[8], 4, 3, 2, 1, 0, 0];
         byte[] bytes = [.. Encoding.ASCII.GetBytes(header), .. vertexRows, 1, 1, 1, 0, .. faceRows];
         AssertAlike("a.ply", bytes, isSound: true);
-        foreach (var (at, value) in new[] { (0, 255), (vertexRows.Length, 255), (vertexRows.Length + 4, 2), (vertexRows.Length + 5, 4), (bytes.Length - 6 - header.Length, 200) })
+        var faceAt = vertexRows.Length + 4;
+        foreach (var (at, value) in new[] { (0, 255), (faceAt - 4, 255), (faceAt, 2), (faceAt + 1, 4), (faceAt + faceRows.Length - 6, 200) })
         {
             var broken = bytes.ToArray();
             broken[header.Length + at] = (byte)value;
@@ -93,7 +95,8 @@ public sealed class BlocksTests : IDisposable
     [Fact]
     public void MistakesInBinaryDataAreRefusedAlikeWhereverItIsCut()
     {
-        foreach (var (path, bytes) in new[] { ("a.stl", MeshWriter.StlBinary(MeshGenerator.Cube(1))), ("a.ply", MeshWriter.PlyBinary(MeshGenerator.Cube(1), bigEndian: false)) })
+        var cube = MeshGenerator.Cube(1);
+        foreach (var (path, bytes) in new[] { ("a.stl", MeshWriter.StlBinary(cube)), ("a.ply", MeshWriter.PlyBinary(cube, bigEndian: false)) })
             for (var at = bytes.Length - 300; at < bytes.Length - 4; at += 7)
             {
                 var broken = bytes.ToArray();
@@ -110,7 +113,12 @@ public sealed class BlocksTests : IDisposable
     public void LargeFileIsReadLikeItsBytesAtOnce(string name)
     {
         var knot = MeshGenerator.TorusKnot(2, 3, 1.9, 0.75, 0.4, rings: 400, sides: 100);
-        var bytes = name switch { "knot.obj" => MeshWriter.Obj(knot), "knot.ply" => MeshWriter.PlyBinary(knot, bigEndian: true), _ => MeshWriter.StlBinary(knot) };
+        var bytes = name switch
+        {
+            "knot.obj" => MeshWriter.Obj(knot),
+            "knot.ply" => MeshWriter.PlyBinary(knot, bigEndian: true),
+            _ => MeshWriter.StlBinary(knot),
+        };
         Assert.InRange(bytes.Length, MeshSource.UsualBlockSize + 1, int.MaxValue);
         var path = Path.Combine(folder, name);
         File.WriteAllBytes(path, bytes);
