@@ -61,10 +61,19 @@ internal sealed record CommandLine(Command Command)
             }
 
             var (name, value) = word.StartsWith("--") && word.Split('=', 2) is [var left, var right] ? (left, right) : (word, null);
-            name = name switch { "-o" => "--output", "-s" => "--size", "-t" => "--threads", "-q" => "--quiet", "-h" or "-?" => "--help", _ => name };
+            name = name switch
+            {
+                "-o" => "--output",
+                "-s" => "--size",
+                "-t" => "--threads",
+                "-q" => "--quiet",
+                "-h" or "-?" => "--help",
+                _ => name,
+            };
             if (!Names.Contains(name)) throw UnknownOption(name);
             if (!given.Add(name)) throw ProblemException.Usage($"option '{name}' is given twice");
-            string Value() => value ?? (words.TryDequeue(out var next) ? next : throw ProblemException.Usage($"option '{name}' needs a value"));
+            string Value() => value
+                ?? (words.TryDequeue(out var next) ? next : throw ProblemException.Usage($"option '{name}' needs a value"));
 
             switch (name)
             {
@@ -109,7 +118,8 @@ internal sealed record CommandLine(Command Command)
             && width <= Camera.MaxSide && height <= Camera.MaxSide && (long)width * height <= Camera.MaxPixels)
             return (width, height);
         throw ProblemException.Usage(
-            $"'{text}' is not a size: write width and height in pixels as in 640x480; each is at most 1000000, the product at most 10000000000");
+            $"'{text}' is not a size: write width and height in pixels as in 640x480; "
+            + $"each is at most {Camera.MaxSide}, the product at most {Camera.MaxPixels}");
     }
 
     private static int ParseThreads(string text) => ParseCount(text) is { } threads and <= 1024

@@ -15,7 +15,8 @@ internal sealed class DrawCommand(CommandLine line)
         var output = line.Output ?? DefaultOutput();
         var format = line.Format ?? (output == Standard ? PictureFormat.Ppm : FormatOf(output));
         if (output == Standard && !Console.IsOutputRedirected)
-            throw new ProblemException("raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
+            throw new ProblemException(
+                "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
 
         // Reading leaves nothing behind, so an interruption need not wait for its end: standard input may have none.
         var scene = Task.Run(ReadScene).WaitAsync(cancellation).GetAwaiter().GetResult();
@@ -80,8 +81,8 @@ internal sealed class DrawCommand(CommandLine line)
     {
         var reading = line.Scene == Standard ? ReadStandardInput() : SceneReader.Read(line.Scene);
         if (reading.Scene is null || !line.Quiet) Console.Error.Write(reading.Report());
-        if (reading.Scene is null) return null;
-        return line.Size is var (width, height) ? reading.Scene with { Camera = reading.Scene.Camera.WithSize(width, height) } : reading.Scene;
+        if (reading.Scene is not { } scene || line.Size is not var (width, height)) return reading.Scene;
+        return scene with { Camera = scene.Camera.WithSize(width, height) };
     }
 
     private static SceneReading ReadStandardInput()
@@ -121,7 +122,8 @@ internal sealed class DrawCommand(CommandLine line)
         var (width, height, models) = (scene.Camera.Width, scene.Camera.Height, scene.Models.Count);
         var rays = (double)width * height / elapsed.TotalSeconds;
         return string.Create(CultureInfo.InvariantCulture,
-            $"{(output == Standard ? "standard output" : output)}: {width} x {height} pixels, {models} {(models == 1 ? "model" : "models")}, " +
+            $"{(output == Standard ? "standard output" : output)}: {width} x {height} pixels, " +
+            $"{models} {(models == 1 ? "model" : "models")}, " +
             $"{elapsed.TotalSeconds:0.00} s, {rays / 1e6:0.0} million rays per second");
     }
 }

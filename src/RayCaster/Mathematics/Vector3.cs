@@ -1,6 +1,8 @@
 namespace RayCaster;
 
-/// <summary>A point or a direction in space (slide "Vectors"). Also what a formula's constants are: the corner of a box, a normal.</summary>
+/// <summary>
+/// A point or a direction in space (slide "Vectors"). Also what a formula's constants are: the corner of a box, a normal.
+/// </summary>
 /// <param name="X">The coordinate along the x axis.</param>
 /// <param name="Y">The coordinate along the y axis.</param>
 /// <param name="Z">The coordinate along the z axis, which is up in most scenes.</param>

@@ -70,7 +70,8 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
 
     private void Grow<T>(ref T[] array)
     {
-        if (array.Length == Array.MaxLength) throw source.Error($"the file has too many faces; at most {Array.MaxLength / 3} triangles are read");
+        if (array.Length == Array.MaxLength)
+            throw source.Error($"the mesh is too large; at most {Array.MaxLength / 3} triangles are read");
         Array.Resize(ref array, (int)Math.Clamp(2L * array.Length, 1024, Array.MaxLength));
     }
 

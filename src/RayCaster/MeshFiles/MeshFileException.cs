@@ -1,6 +1,8 @@
 namespace RayCaster;
 
-/// <summary>A mesh file that cannot be read; the message names the file, the place and the reason: <c>cube.obj(12): face index 9 is …</c></summary>
+/// <summary>
+/// A mesh file that cannot be read; the message names the file, the place and the reason: <c>cube.obj(12): face index 9 is …</c>
+/// </summary>
 public sealed class MeshFileException : Exception
 {
     /// <summary>Names a place in a text file, in a binary one, or, with neither, the file as a whole.</summary>

@@ -77,7 +77,9 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
         return left;
     }
 
-    /// <summary>Sine and cosine of an angle in degrees, exact for quarter turns, so that a box turned by 90° keeps straight sides.</summary>
+    /// <summary>
+    /// Sine and cosine of an angle in degrees, exact for quarter turns, so that a box turned by 90° keeps straight sides.
+    /// </summary>
     private static (double Sin, double Cos) SinCos(double degrees) => Math.IEEERemainder(degrees, 360) switch
     {
         0 => (0, 1),

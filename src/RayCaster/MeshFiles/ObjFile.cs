@@ -29,8 +29,8 @@ internal sealed class ObjFile : TextFormat
             var statement = scanner.NextInLine();
             if (statement is [(byte)'v'])
             {
-                var (x, y, z) = (scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z"));
-                mesh.AddVertex(new(x, y, z));
+                mesh.AddVertex(new(
+                    scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z")));
             }
             else if (statement is [(byte)'f'])
             {
@@ -73,7 +73,9 @@ internal sealed class ObjFile : TextFormat
         return isWhole;
     }
 
-    /// <summary>The vertex of a corner, which is written <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c>: vertex, texture, normal.</summary>
+    /// <summary>
+    /// The vertex of a corner, which is written <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c>: vertex, texture, normal.
+    /// </summary>
     private static long ToIndex(ReadOnlySpan<byte> corner, TextScanner scanner)
     {
         var isCorner = Utf8Parser.TryParse(corner, out long index, out var length);

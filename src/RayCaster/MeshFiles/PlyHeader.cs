@@ -47,7 +47,9 @@ internal sealed class PlyHeader
     private readonly MeshSource source;
     private readonly TextScanner scanner;
 
-    /// <exception cref="MeshFileException">The header is broken, or there is no vertex with x, y and z, or no face with vertex_indices.</exception>
+    /// <exception cref="MeshFileException">
+    /// The header is broken, or there is no vertex with x, y and z, or no face with vertex_indices.
+    /// </exception>
     public PlyHeader(MeshSource source)
     {
         var start = new MeshBlock(source).Load(0, (int)Math.Min(longest, source.Length));
@@ -86,7 +88,9 @@ internal sealed class PlyHeader
                 case "comment" or "obj_info" or "": break;
                 case "end_header" when Format == "": throw scanner.Error("the header has no format");
                 case "end_header": scanner.NextLine(); return;
-                default: throw scanner.Error($"a header line must be format, element, property, comment, obj_info or end_header, but is {scanner.Quoted}");
+                default:
+                    throw scanner.Error(
+                        $"a header line must be format, element, property, comment, obj_info or end_header, but is {scanner.Quoted}");
             }
         }
         throw scanner.Error(source.Length > longest
@@ -106,7 +110,8 @@ internal sealed class PlyHeader
     {
         var name = NextWord();
         var at = scanner.WordAt;
-        if (Elements.Exists(element => element.Name == name && name is "vertex" or "face")) throw scanner.Error($"the element {name} is there twice");
+        if (name is "vertex" or "face" && Elements.Exists(element => element.Name == name))
+            throw scanner.Error($"the element {name} is there twice");
         var word = scanner.NextInLine();
         if (!Utf8Parser.TryParse(word, out long count, out var length) || length < word.Length || count < 0)
             throw scanner.Error($"the count of an element must be a whole number from 0 on, but is {scanner.Quoted}");
@@ -144,7 +149,8 @@ internal sealed class PlyHeader
         "uint" or "uint32" => PlyType.UInt32,
         "float" or "float32" => PlyType.Float32,
         "double" or "float64" => PlyType.Float64,
-        _ => throw scanner.Error($"{scanner.Quoted} is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64"),
+        _ => throw scanner.Error(
+            $"{scanner.Quoted} is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64"),
     };
 
     private PlyElement Require(string name, params ReadOnlySpan<(PlyRole Role, string Name)> needed)

@@ -6,7 +6,9 @@ namespace RayCaster;
 /// </summary>
 public interface IPrimitive
 {
-    /// <summary>Where the ray X(t) = P + t d crosses the shape, behind the origin too; which crossings count is not the shape's business.</summary>
+    /// <summary>
+    /// Where the ray X(t) = P + t d crosses the shape, behind the origin too; which crossings count is not the shape's business.
+    /// </summary>
     /// <param name="ray">The ray; its direction has length 1.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
     /// <returns>The parameters t, in units of length, nearest first; NaN for none.</returns>

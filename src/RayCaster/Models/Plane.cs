@@ -7,7 +7,9 @@ namespace RayCaster;
 /// <param name="Normal">n, across the plane; any length but zero, for it cancels in t.</param>
 public readonly record struct Plane(Vector3 Point, Vector3 Normal) : IPrimitive
 {
-    /// <summary>t = (Q − P)·n / d·n. A parallel ray divides by 0: t is infinite, or NaN for a ray in the plane, and counts in no case.</summary>
+    /// <summary>
+    /// t = (Q − P)·n / d·n. A parallel ray divides by 0: t is infinite, or NaN for a ray in the plane, and counts in no case.
+    /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
     {

@@ -13,9 +13,9 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
 
     /// <summary>The crossing X = w A + u B + v C of the triangle's plane, where w, u and v, which add up to 1, are all ≥ 0.</summary>
     /// <remarks>
-    /// <para>Seen along the ray the triangle is flat and the ray is the point (0, 0): w, u and v are to each other as the areas of the three
-    /// triangles that this point makes with the sides, and t is the mean of the corners' depths with these weights. Only an
-    /// edge-on triangle (d·n = 0) has no area: 0 / 0, NaN.</para>
+    /// <para>Seen along the ray the triangle is flat and the ray is the point (0, 0): w, u and v are to each other as the areas of
+    /// the three triangles that this point makes with the sides, and t is the mean of the corners' depths with these weights. Only
+    /// an edge-on triangle (d·n = 0) has no area: 0 / 0, NaN.</para>
     /// <para>No ray slips between two triangles that share a side. Both see its corners at the same place, so the area over it is the same
     /// to the bit but for its sign, and rounding can make the difference of two products 0 but never turn its sign. So the triangles
     /// cover the view like tiles, corners included (after Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013).</para>
@@ -41,7 +41,9 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
         return new(N.If(inside, t));
     }
 
-    /// <summary>Whether three points span no area: |e1 × e2| ≤ 1e-12 · (longest side)², so that it does not depend on the unit of length.</summary>
+    /// <summary>
+    /// Whether three points span no area: |e1 × e2| ≤ 1e-12 · (longest side)², so that it does not depend on the unit of length.
+    /// </summary>
     public static bool IsOnOneLine(Vector3 a, Vector3 b, Vector3 c)
     {
         var longest = Math.Max((b - a).Length, Math.Max((c - b).Length, (a - c).Length));
