@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Globalization;
-using Microsoft.Win32.SafeHandles;
 
 namespace RayCaster.Cli;
 
@@ -25,8 +24,15 @@ internal sealed class DrawCommand(CommandLine line)
         {
             if (output == Standard)
             {
-                using var stream = OpenStandardOutput();
-                Draw(scene, stream, format, cancellation);
+                using var stream = StandardFile.OpenOutput();
+                try
+                {
+                    Draw(scene, stream, format, cancellation);
+                }
+                finally
+                {
+                    StandardFile.Leave(stream);
+                }
             }
             else
             {
@@ -44,7 +50,7 @@ internal sealed class DrawCommand(CommandLine line)
             throw new ProblemException($"raycaster: cannot write to standard output: {problem.Message}");
         }
 
-        if (!line.Quiet) Console.Error.WriteLine(Summary(output, scene, Stopwatch.GetElapsedTime(start)));
+        if (!line.Quiet) StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
         return ExitCode.Done;
     }
 
@@ -63,16 +69,11 @@ internal sealed class DrawCommand(CommandLine line)
         }
     }
 
-    /// <summary>Standard output as a file, which tells when its reader has gone; the console's own stream would swallow that and draw on.</summary>
-    private static Stream OpenStandardOutput() => OperatingSystem.IsWindows()
-        ? Console.OpenStandardOutput()
-        : new FileStream(new SafeFileHandle(1, ownsHandle: false), FileAccess.Write);
-
     /// <summary>The scene, or null after its errors have been printed.</summary>
     private Scene? ReadScene()
     {
         var reading = line.Scene == Standard ? ReadStandardInput() : SceneReader.Read(line.Scene);
-        if (reading.Scene is null || !line.Quiet) Console.Error.Write(reading.Report());
+        if (reading.Scene is null || !line.Quiet) StandardFile.WriteError(reading.Report());
         if (reading.Scene is null) return null;
         return line.Size is var (width, height) ? reading.Scene with { Camera = reading.Scene.Camera.WithSize(width, height) } : reading.Scene;
     }
