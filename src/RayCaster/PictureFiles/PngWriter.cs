@@ -67,7 +67,7 @@ internal sealed class PngWriter : PictureWriter
         if (bandCount == 1) band.End();
         else band.Start();
         started.Enqueue(band);
-        while (started.Count > 0) WriteOldest();
+        WriteOldest(leave: 0);
 
         Span<byte> checksum = stackalloc byte[4];
         BinaryPrimitives.WriteUInt32BigEndian(checksum, adler);
@@ -81,7 +81,7 @@ internal sealed class PngWriter : PictureWriter
         var full = band;
         full.Start();
         started.Enqueue(full);
-        while (started.Count > 0 && (started.Count == MostBands || started.Peek().IsDone)) WriteOldest();
+        WriteOldest(leave: MostBands - 1);
         band = NextBand(full.LastLine);
     }
 
@@ -93,12 +93,15 @@ internal sealed class PngWriter : PictureWriter
         return next;
     }
 
-    private void WriteOldest()
+    /// <summary>Writes the oldest bands: those that are done, and as many more as it takes to leave only some.</summary>
+    private void WriteOldest(int leave)
     {
-        var oldest = started.Peek();
-        oldest.Wait();
-        PngChunk.Write(Output, "IDAT"u8, oldest.Data, oldest.Crc);
-        adler = Adler32.Join(adler, oldest.Adler, oldest.FilteredBytes);
-        written.Enqueue(started.Dequeue());
+        while (started.TryPeek(out var oldest) && (started.Count > leave || oldest.IsDone))
+        {
+            oldest.Wait();
+            PngChunk.Write(Output, "IDAT"u8, oldest.Data, oldest.Crc);
+            adler = Adler32.Join(adler, oldest.Adler, oldest.FilteredBytes);
+            written.Enqueue(started.Dequeue());
+        }
     }
 }
