@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Globalization;
-using Microsoft.Win32.SafeHandles;
 
 namespace RayCaster.Cli;
 
@@ -27,8 +26,15 @@ internal sealed class DrawCommand(CommandLine line)
         {
             if (output == Standard)
             {
-                using var stream = OpenStandardOutput();
-                Draw(scene, stream, format, cancellation);
+                using var stream = StandardFile.OpenOutput();
+                try
+                {
+                    Draw(scene, stream, format, cancellation);
+                }
+                finally
+                {
+                    StandardFile.Leave(stream);
+                }
             }
             else
             {
@@ -46,7 +52,7 @@ internal sealed class DrawCommand(CommandLine line)
             throw new ProblemException($"raycaster: cannot write to standard output: {problem.Message}");
         }
 
-        if (!line.Quiet) Console.Error.WriteLine(Summary(output, scene, Stopwatch.GetElapsedTime(start)));
+        if (!line.Quiet) StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
         return ExitCode.Done;
     }
 
@@ -65,22 +71,11 @@ internal sealed class DrawCommand(CommandLine line)
         }
     }
 
-    /// <summary>
-    /// Standard output. A pipe is opened as a file, which tells when its reader has gone: the console's own stream would swallow that and
-    /// draw on. A file is not, for a file stream does not move the place at which the next program goes on writing.
-    /// </summary>
-    private static Stream OpenStandardOutput()
-    {
-        if (OperatingSystem.IsWindows()) return Console.OpenStandardOutput();
-        var file = new FileStream(new SafeFileHandle(1, ownsHandle: false), FileAccess.Write);
-        return file.CanSeek ? Console.OpenStandardOutput() : file;
-    }
-
     /// <summary>The scene, or null after its errors have been printed.</summary>
     private Scene? ReadScene()
     {
         var reading = line.Scene == Standard ? ReadStandardInput() : SceneReader.Read(line.Scene);
-        if (reading.Scene is null || !line.Quiet) Console.Error.Write(reading.Report());
+        if (reading.Scene is null || !line.Quiet) StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene || line.Size is not var (width, height)) return reading.Scene;
         return scene with { Camera = scene.Camera.WithSize(width, height) };
     }

@@ -33,14 +33,17 @@ internal static class Program
         }
         catch (ProblemException problem)
         {
-            Console.Error.WriteLine(problem.Message);
+            StandardFile.WriteError(problem.Message + Environment.NewLine);
             return ExitCode.CouldNot;
         }
         catch (Exception unexpected)
         {
-            Console.Error.WriteLine($"raycaster: internal error: {unexpected.Message}");
-            Console.Error.WriteLine("This is a fault of raycaster, please report it; with RAYCASTER_TRACE=1 it shows where it happened.");
-            if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1") Console.Error.WriteLine(unexpected.StackTrace);
+            StandardFile.WriteError($"""
+                raycaster: internal error: {unexpected.Message}
+                This is a fault of raycaster, please report it; with RAYCASTER_TRACE=1 it shows where it happened.
+
+                """);
+            if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1") StandardFile.WriteError(unexpected.StackTrace + Environment.NewLine);
             return ExitCode.InternalError;
         }
     }
@@ -56,7 +59,7 @@ internal static class Program
                 Console.Out.WriteLine(typeof(Program).Assembly.GetName().Version!.ToString(3));
                 return ExitCode.Done;
             case Command.Usage:
-                Console.Error.Write(HelpText.Usage);
+                StandardFile.WriteError(HelpText.Usage);
                 return ExitCode.CouldNot;
             default:
                 return new DrawCommand(line).Run(cancellation);

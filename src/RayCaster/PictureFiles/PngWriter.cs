@@ -4,11 +4,14 @@ namespace RayCaster;
 
 /// <summary>
 /// PNG, 8 bits each of red, green and blue. Each line is stored as its difference to the line above (the filter Up), since neighbours
-/// in a column are often equal, and then compressed. A picture of more than a megabyte is compressed in bands, several at once.
+/// in a column are often equal, and then compressed: that of a large picture in bands, several at once.
 /// </summary>
 /// <remarks>Only the thread that brings the lines writes to the output, so that an error of the output meets it and nobody else.</remarks>
 internal sealed class PngWriter : PictureWriter
 {
+    /// <summary>Smaller pictures are compressed as they come: that is done by the time that other threads are awake and have their memory.</summary>
+    private const int BytesOfLarge = 1 << 24;
+
     /// <summary>Many in a large picture, and each so large that the compressor's fresh start costs next to nothing.</summary>
     private const int BytesOfBand = 1 << 20;
 
@@ -24,7 +27,7 @@ internal sealed class PngWriter : PictureWriter
 
     public PngWriter(Stream output, int width, int height) : base(output, width, height)
     {
-        linesOfBand = Math.Clamp(BytesOfBand / LineBytes, 1, height);
+        linesOfBand = (long)LineBytes * height <= BytesOfLarge ? height : Math.Max(1, BytesOfBand / LineBytes);
         bandCount = (height - 1) / linesOfBand + 1;
         band = NextBand([]);
 
@@ -50,7 +53,7 @@ internal sealed class PngWriter : PictureWriter
     {
         if (bandCount == 1)
         {
-            band.Compress(lines); // at once: it is done sooner than another thread is awake
+            band.Compress(lines);
             return;
         }
         while (!lines.IsEmpty)
@@ -67,7 +70,7 @@ internal sealed class PngWriter : PictureWriter
         if (bandCount == 1) band.End();
         else band.Start();
         started.Enqueue(band);
-        while (started.Count > 0) WriteOldest();
+        WriteOldest(leave: 0);
 
         Span<byte> checksum = stackalloc byte[4];
         BinaryPrimitives.WriteUInt32BigEndian(checksum, adler);
@@ -81,7 +84,7 @@ internal sealed class PngWriter : PictureWriter
         var full = band;
         full.Start();
         started.Enqueue(full);
-        while (started.Count > 0 && (started.Count == MostBands || started.Peek().IsDone)) WriteOldest();
+        WriteOldest(leave: MostBands - 1);
         band = NextBand(full.LastLine);
     }
 
@@ -93,12 +96,15 @@ internal sealed class PngWriter : PictureWriter
         return next;
     }
 
-    private void WriteOldest()
+    /// <summary>Writes the oldest bands: those that are done, and as many more as it takes to leave only some.</summary>
+    private void WriteOldest(int leave)
     {
-        var oldest = started.Peek();
-        oldest.Wait();
-        PngChunk.Write(Output, "IDAT"u8, oldest.Data, oldest.Crc);
-        adler = Adler32.Join(adler, oldest.Adler, oldest.FilteredBytes);
-        written.Enqueue(started.Dequeue());
+        while (started.TryPeek(out var oldest) && (started.Count > leave || oldest.IsDone))
+        {
+            oldest.Wait();
+            PngChunk.Write(Output, "IDAT"u8, oldest.Data, oldest.Crc);
+            adler = Adler32.Join(adler, oldest.Adler, oldest.FilteredBytes);
+            written.Enqueue(started.Dequeue());
+        }
     }
 }

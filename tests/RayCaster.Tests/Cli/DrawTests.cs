@@ -53,6 +53,27 @@ public sealed class DrawTests : IDisposable
     }
 
     [Fact]
+    public void WhatOthersWriteToTheSameOutputStandsBeforeAndBehindThePicture()
+    {
+        if (OperatingSystem.IsWindows()) return; // no shell that shares a file
+        raycaster.Shell($"""(echo before; "$0" '{Room}' -s 4x2 -o -; echo behind) >all 2>&1""");
+        var all = Encoding.Latin1.GetString(File.ReadAllBytes(raycaster.PathOf("all")));
+        Assert.StartsWith("before\nP6\n4 2\n255\n", all);
+        Assert.Matches(@"^standard output: 4 x 2 pixels, .*\nbehind\n$", all[("before\n".Length + 11 + 4 * 2 * 3)..]);
+    }
+
+    [Fact]
+    public void ThePictureIsDrawnWhereNobodyReadsTheMessages()
+    {
+        if (OperatingSystem.IsWindows()) return;
+        raycaster.Shell($"""
+            "$0" '{Room}' -s 4x2 -o closed.png 2>&-
+            "$0" '{Room}' -s 4x2 -o full.png 2>/dev/full
+            """);
+        Assert.Equal(["closed.png", "full.png"], raycaster.Files);
+    }
+
+    [Fact]
     public void StandardOutputGetsTheBytesOfAPpm()
     {
         raycaster.Run(Room, "-s", "4x2", "-o", "-");

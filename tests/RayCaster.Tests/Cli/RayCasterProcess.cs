@@ -73,6 +73,14 @@ internal sealed class RayCasterProcess : IDisposable
         return this;
     }
 
+    /// <summary>Runs commands of a POSIX shell, in which $0 is the app.</summary>
+    public void Shell(string commands)
+    {
+        using var shell = Process.Start(new ProcessStartInfo("/bin/sh", ["-c", commands, App]) { WorkingDirectory = Folder })!;
+        shell.WaitForExit();
+        Assert.Equal(0, shell.ExitCode);
+    }
+
     private Process StartProgram(string program, params string[] arguments)
     {
         var start = new ProcessStartInfo(program, arguments)

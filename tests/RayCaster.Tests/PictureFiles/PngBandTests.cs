@@ -5,31 +5,30 @@ namespace RayCaster.Tests.PictureFiles;
 
 public class PngBandTests
 {
-    /// <summary>Lines of a width, of which a megabyte has about 17: a picture of several bands, the last of which is not full.</summary>
-    private const int Width = 20_000, Height = 60;
+    /// <summary>More than 16 MB, of which a megabyte is 17 lines: a picture of 18 bands, the last of which is not full.</summary>
+    private const int Width = 20_000, Height = 300;
 
-    public static TheoryData<int> LinesAtOnce => [1, 7, 17, 18, 34, Height];
-
-    [Theory]
-    [MemberData(nameof(LinesAtOnce))]
-    public void APictureOfManyBandsIsReadBack(int linesAtOnce)
+    [Fact]
+    public void APictureOfManyBandsIsReadBack()
     {
         var picture = Noise(Width, Height);
-        Assert.Equal(picture.Rgb, PictureFile.Read(new MemoryStream(Encode(picture, linesAtOnce))).Rgb);
+        Assert.True(picture.Rgb.AsSpan().SequenceEqual(PictureFile.Read(new MemoryStream(Encode(picture, linesAtOnce: 64))).Rgb));
     }
 
     [Theory]
-    [MemberData(nameof(LinesAtOnce))]
+    [InlineData(1)]
+    [InlineData(17)]
+    [InlineData(40)]
     public void TheFileDoesNotDependOnHowManyLinesComeAtOnce(int linesAtOnce)
     {
         var picture = Noise(Width, Height);
-        Assert.Equal(Encode(picture, Height), Encode(picture, linesAtOnce));
+        Assert.True(Encode(picture, Height).AsSpan().SequenceEqual(Encode(picture, linesAtOnce)));
     }
 
     [Theory]
-    [InlineData(400_000, 5)] // a line is more than a band
-    [InlineData(1 << 16, 16)] // the last band is full
-    [InlineData(20_000, 18)] // the last band is one line
+    [InlineData(400_000, 15)] // a line is more than a band
+    [InlineData(1 << 16, 90)] // the last band is full
+    [InlineData(20_000, 290)] // the last band is one line
     public void TheDataAreOneZlibStream(int width, int height)
     {
         var picture = Noise(width, height);
@@ -67,7 +66,7 @@ public class PngBandTests
     public void AWriterThatIsGivenUpIsDoneWhenItIsDisposed()
     {
         var output = new MemoryStream();
-        using (var writer = PictureWriter.Create(PictureFormat.Png, output, Width, Height)) writer.WriteRows(Noise(Width, 40).Rgb);
+        using (var writer = PictureWriter.Create(PictureFormat.Png, output, Width, Height)) writer.WriteRows(Noise(Width, 200).Rgb);
         Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(output.ToArray())));
     }
 
