@@ -24,15 +24,13 @@ internal sealed class Chart(string file, string title, string xTitle, string yTi
     private const int Width = 760, Height = 460, Left = 74, Top = 58, Right = 206, Bottom = 58;
     private const int PlotWidth = Width - Left - Right, PlotHeight = Height - Top - Bottom;
 
+    // The attributes of the elements are the light page; a viewer that knows no style sheets shows that.
     private const string Style = """
         <style>
-          .page { fill: #ffffff; } .text { fill: #24292f; } .quiet { fill: #57606a; } .grid { stroke: #d0d7de; } .axis { stroke: #57606a; }
-          .exact { color: #0072b2; } .bytes { color: #008060; } .embree { color: #c85000; } .naive { color: #8a5a83; } .scalar { color: #6e7781; }
-          .line { stroke: currentColor; stroke-width: 2; fill: none; stroke-linejoin: round; } .mark { fill: currentColor; } .dashed { stroke-dasharray: 6 4; }
-          @media (prefers-color-scheme: dark) {
-            .page { fill: #0d1117; } .text { fill: #e6edf3; } .quiet { fill: #9da7b3; } .grid { stroke: #30363d; } .axis { stroke: #9da7b3; }
-            .exact { color: #58a6e8; } .bytes { color: #2fc299; } .embree { color: #ff9248; } .naive { color: #d2a3cc; } .scalar { color: #9da7b3; }
-          }
+        @media (prefers-color-scheme: dark) {
+          .page { fill: #0d1117; } .text { fill: #e6edf3; } .quiet { fill: #9da7b3; } .grid { stroke: #30363d; } .axis { stroke: #9da7b3; }
+          .exact { color: #58a6e8; } .bytes { color: #2fc299; } .embree { color: #ff9248; } .naive { color: #d2a3cc; } .scalar { color: #9da7b3; }
+        }
         </style>
         """;
 
@@ -64,46 +62,55 @@ internal sealed class Chart(string file, string title, string xTitle, string yTi
         svg.AppendLine(Invariant($"""
             <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {Width} {Height}" width="{Width}" height="{Height}" role="img" aria-label="{Title}">
             {Style}
-            <rect class="page" width="{Width}" height="{Height}" rx="6"/>
+            <rect class="page" fill="#ffffff" width="{Width}" height="{Height}" rx="6"/>
             <g font-family="system-ui, -apple-system, 'Segoe UI', 'DejaVu Sans', sans-serif" font-size="13">
-            <text class="text" x="{Left}" y="28" font-size="16" font-weight="600">{Title}</text>
-            <text class="quiet" x="{Left}" y="48">{yTitle}</text>
-            <text class="quiet" x="{Left + PlotWidth / 2}" y="{Height - 16}" text-anchor="middle">{xTitle}</text>
+            <text class="text" fill="#24292f" x="{Left}" y="28" font-size="16" font-weight="600">{Title}</text>
+            <text class="quiet" fill="#57606a" x="{Left}" y="48">{yTitle}</text>
+            <text class="quiet" fill="#57606a" x="{Left + PlotWidth / 2}" y="{Height - 16}" text-anchor="middle">{xTitle}</text>
             """));
         foreach (var tick in Ticks(x))
         {
-            svg.AppendLine(Invariant($"""<line class="grid" x1="{AtX(tick):0.0}" y1="{Top}" x2="{AtX(tick):0.0}" y2="{Top + PlotHeight}"/>"""));
-            svg.AppendLine(Invariant($"""<text class="quiet" x="{AtX(tick):0.0}" y="{Top + PlotHeight + 20}" text-anchor="middle">{Label(tick)}</text>"""));
+            svg.AppendLine(Invariant($"""<line class="grid" stroke="#d0d7de" x1="{AtX(tick):0.0}" y1="{Top}" x2="{AtX(tick):0.0}" y2="{Top + PlotHeight}"/>"""));
+            svg.AppendLine(Invariant($"""<text class="quiet" fill="#57606a" x="{AtX(tick):0.0}" y="{Top + PlotHeight + 20}" text-anchor="middle">{Label(tick)}</text>"""));
         }
         foreach (var tick in Ticks(y))
         {
-            svg.AppendLine(Invariant($"""<line class="grid" x1="{Left}" y1="{AtY(tick):0.0}" x2="{Left + PlotWidth}" y2="{AtY(tick):0.0}"/>"""));
-            svg.AppendLine(Invariant($"""<text class="quiet" x="{Left - 8}" y="{AtY(tick) + 4:0.0}" text-anchor="end">{Label(tick)}</text>"""));
+            svg.AppendLine(Invariant($"""<line class="grid" stroke="#d0d7de" x1="{Left}" y1="{AtY(tick):0.0}" x2="{Left + PlotWidth}" y2="{AtY(tick):0.0}"/>"""));
+            svg.AppendLine(Invariant($"""<text class="quiet" fill="#57606a" x="{Left - 8}" y="{AtY(tick) + 4:0.0}" text-anchor="end">{Label(tick)}</text>"""));
         }
-        svg.AppendLine(Invariant($"""<path class="axis" fill="none" d="M{Left} {Top}V{Top + PlotHeight}H{Left + PlotWidth}"/>"""));
+        svg.AppendLine(Invariant($"""<path class="axis" stroke="#57606a" fill="none" d="M{Left} {Top}V{Top + PlotHeight}H{Left + PlotWidth}"/>"""));
         for (var i = 0; i < lines.Count; i++)
         {
             var line = lines[i];
             var points = line.Points.OrderBy(p => p.X).Select(p => (X: AtX(p.X), Y: AtY(p.Y))).ToList();
             var legend = (X: Left + PlotWidth + 18, Y: Top + 10 + 24 * i);
-            svg.AppendLine($"""<g class="{line.Ink.ToString().ToLowerInvariant()}">""");
-            var dashed = line.Dashed ? " dashed" : "";
-            svg.AppendLine(Invariant($"""<path class="line{dashed}" d="M{string.Join("L", points.Select(p => Invariant($"{p.X:0.0} {p.Y:0.0}")))}"/>"""));
-            svg.AppendLine(Invariant($"""<path class="line{dashed}" d="M{legend.X} {legend.Y}h28"/>"""));
+            svg.AppendLine($"""<g class="{line.Ink.ToString().ToLowerInvariant()}" color="{LightColor(line.Ink)}">""");
+            var stroke = "fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\" stroke-linejoin=\"round\"" + (line.Dashed ? " stroke-dasharray=\"6 4\"" : "");
+            svg.AppendLine(Invariant($"""<path {stroke} d="M{string.Join("L", points.Select(p => Invariant($"{p.X:0.0} {p.Y:0.0}")))}"/>"""));
+            svg.AppendLine(Invariant($"""<path {stroke} d="M{legend.X} {legend.Y}h28"/>"""));
             foreach (var p in points.Append((legend.X + 14, legend.Y))) svg.AppendLine(Mark(line.Ink, p.X, p.Y));
             svg.AppendLine("</g>");
-            svg.AppendLine(Invariant($"""<text class="text" x="{legend.X + 36}" y="{legend.Y + 4}">{line.Name}</text>"""));
+            svg.AppendLine(Invariant($"""<text class="text" fill="#24292f" x="{legend.X + 36}" y="{legend.Y + 4}">{line.Name}</text>"""));
         }
         return svg.AppendLine("</g>\n</svg>").ToString();
     }
 
+    private static string LightColor(Ink ink) => ink switch
+    {
+        Ink.Exact => "#0072b2",
+        Ink.Bytes => "#008060",
+        Ink.Embree => "#c85000",
+        Ink.Naive => "#8a5a83",
+        _ => "#6e7781",
+    };
+
     private static string Mark(Ink ink, double x, double y) => ink switch
     {
-        Ink.Exact => Invariant($"""<circle class="mark" cx="{x:0.0}" cy="{y:0.0}" r="4"/>"""),
-        Ink.Bytes => Invariant($"""<path class="mark" d="M{x:0.0} {y - 5:0.0}l5 5l-5 5l-5 -5z"/>"""),
-        Ink.Embree => Invariant($"""<rect class="mark" x="{x - 4:0.0}" y="{y - 4:0.0}" width="8" height="8"/>"""),
-        Ink.Naive => Invariant($"""<path class="mark" d="M{x:0.0} {y - 5:0.0}l5 9h-10z"/>"""),
-        _ => Invariant($"""<path class="mark" d="M{x:0.0} {y + 5:0.0}l5 -9h-10z"/>"""),
+        Ink.Exact => Invariant($"""<circle fill="currentColor" cx="{x:0.0}" cy="{y:0.0}" r="4"/>"""),
+        Ink.Bytes => Invariant($"""<path fill="currentColor" d="M{x:0.0} {y - 5:0.0}l5 5l-5 5l-5 -5z"/>"""),
+        Ink.Embree => Invariant($"""<rect fill="currentColor" x="{x - 4:0.0}" y="{y - 4:0.0}" width="8" height="8"/>"""),
+        Ink.Naive => Invariant($"""<path fill="currentColor" d="M{x:0.0} {y - 5:0.0}l5 9h-10z"/>"""),
+        _ => Invariant($"""<path fill="currentColor" d="M{x:0.0} {y + 5:0.0}l5 -9h-10z"/>"""),
     };
 
     private (double Low, double High) Range(IEnumerable<double> numbers)
@@ -136,8 +143,9 @@ internal sealed class Chart(string file, string title, string xTitle, string yTi
     private static string Label(double tick)
     {
         if (tick is < 10_000 and > 0.005 || tick == 0) return tick.ToString("0.###", CultureInfo.InvariantCulture);
+        const string Superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
         var power = (int)Math.Round(Math.Log10(tick));
-        return Invariant($"""10<tspan dy="-5" font-size="10">{power}</tspan>""");
+        return "10" + (power < 0 ? "⁻" : "") + string.Concat(Math.Abs(power).ToString(CultureInfo.InvariantCulture).Select(digit => Superscripts[digit - '0']));
     }
 
     private static string Invariant(FormattableString text) => FormattableString.Invariant(text);

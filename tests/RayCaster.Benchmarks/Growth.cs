@@ -3,32 +3,38 @@ namespace RayCaster.Benchmarks;
 /// <summary>How time grows with models, pixels and threads: charts.</summary>
 internal sealed class Growth(Options options, Workshop workshop, string? peer)
 {
-    private const int Width = 1920, Height = 1080;
-
+    private readonly (int Width, int Height) size = options.Quick ? (500, 500) : (1920, 1080);
+    private readonly int mostModels = options.Quick ? 10_000 : int.MaxValue;
+    private readonly int mostPixels = options.Quick ? 1_000_000 : options.Largest ? 100_000_000 : 10_000_000;
+    private readonly string largeMesh = options.Quick ? "bumpy-1k" : "bumpy-1m";
     private readonly int rounds = options.Quick ? 2 : Math.Min(5, options.Repeats);
+
+    private string Size => $"{size.Width}×{size.Height}";
+
+    private string MeshText => options.Quick ? "1 k triangles" : "1 M triangles";
 
     public IEnumerable<Chart> Run() => [Triangles(), Spheres(), Pixels(), Threads()];
 
     private Chart Triangles()
     {
         // 4 m (m − 1) triangles: from 8 to 10 million.
-        var scenes = new[] { 2, 6, 16, 50, 158, 500, 1581 }.Select(m => BenchmarkScene.Bumpy($"bumpy-{m}", m));
+        var scenes = new[] { 2, 6, 16, 50, 158, 500, 1581 }.Where(m => 4 * m * (m - 1) <= mostModels).Select(m => BenchmarkScene.Bumpy($"bumpy-{m}", m));
         return Models("growth-triangles", "A bumpy sphere of more and more triangles", "triangles", scenes);
     }
 
     private Chart Spheres()
     {
-        var scenes = new[] { 10, 100, 1000, 10_000, 100_000, 1_000_000 }.Select(n => BenchmarkScene.Spheres($"spheres-{n}", n));
+        var scenes = new[] { 10, 100, 1000, 10_000, 100_000, 1_000_000 }.Where(n => n <= mostModels).Select(n => BenchmarkScene.Spheres($"spheres-{n}", n));
         return Models("growth-spheres", "More and more spheres", "spheres", scenes);
     }
 
     private Chart Models(string file, string title, string unit, IEnumerable<BenchmarkScene> scenes)
     {
-        var chart = new Chart(file, $"{title}, {Width}×{Height}, one thread", unit, "milliseconds");
+        var chart = new Chart(file, $"{title}, {Size}, one thread", unit, "milliseconds");
         foreach (var scene in scenes)
         {
             using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, buildThreads: 1, withCompact: false);
-            var c = new RayComparison(scene, Width, Height, 1).Run(embree, rounds, withDefinitions: scene.ModelCount <= 10_000, workshop);
+            var c = new RayComparison(scene, size.Width, size.Height, 1).Run(embree, rounds, withDefinitions: scene.ModelCount <= 10_000, workshop);
             chart.Add("RayCaster, exact t", Ink.Exact, scene.ModelCount, c.Exact.Median);
             chart.Add("RayCaster, bytes", Ink.Bytes, scene.ModelCount, c.Bytes.Median);
             if (c.BestEmbree(Answer.Hits) is { } best)
@@ -45,12 +51,12 @@ internal sealed class Growth(Options options, Workshop workshop, string? peer)
     private Chart Pixels()
     {
         var chart = new Chart("growth-pixels", "Larger and larger pictures, one thread", "pixels", "milliseconds");
-        int[] sides = options.Largest ? [100, 316, 1000, 3162, 10_000] : [100, 316, 1000, 3162];
-        foreach (var scene in new[] { BenchmarkScene.Named("room"), BenchmarkScene.Named("bumpy-1m") })
+        var sides = new[] { 100, 316, 1000, 3162, 10_000 }.Where(side => side * side <= mostPixels).ToArray();
+        foreach (var scene in new[] { BenchmarkScene.Named("room"), BenchmarkScene.Named(largeMesh) })
         {
             using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, Environment.ProcessorCount, withCompact: false);
             var dashed = scene.Mesh is not null;
-            var label = dashed ? "1 M triangles" : "room";
+            var label = dashed ? MeshText : "room";
             foreach (var side in sides)
             {
                 var c = new RayComparison(scene, side, side, 1).Run(embree, rounds, withDefinitions: false, workshop);
@@ -65,17 +71,18 @@ internal sealed class Growth(Options options, Workshop workshop, string? peer)
 
     private Chart Threads()
     {
-        var chart = new Chart("growth-threads", $"More and more threads, {Width}×{Height}", "threads", "times as fast as one thread", logarithmic: false);
-        foreach (var scene in new[] { BenchmarkScene.Named("room"), BenchmarkScene.Named("bumpy-1m") })
+        var chart = new Chart("growth-threads", $"More and more threads, {Size}", "threads", "times as fast as one thread", logarithmic: false);
+        foreach (var scene in new[] { BenchmarkScene.Named("room"), BenchmarkScene.Named(largeMesh) })
         {
             using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, Environment.ProcessorCount, withCompact: false);
             var dashed = scene.Mesh is not null;
-            var label = dashed ? "1 M triangles" : "room";
+            var label = dashed ? MeshText : "room";
             double exact = 0, bytes = 0, best = 0;
             for (var threads = 1; threads <= Environment.ProcessorCount; threads = threads < 4 ? threads + 1 : threads * 2)
             {
-                var c = new RayComparison(scene, Width, Height, threads).Run(embree, 2 * rounds, withDefinitions: false, workshop);
+                var c = new RayComparison(scene, size.Width, size.Height, threads).Run(embree, 3 * rounds, withDefinitions: false, workshop);
                 if (threads == 1) (exact, bytes, best) = (c.Exact.Median, c.Bytes.Median, c.BestEmbree(Answer.Hits)?.Median ?? 0);
+                if (!dashed) chart.Add("each thread a full one", Ink.Scalar, threads, threads, dashed: true);
                 chart.Add($"{label}: exact t", Ink.Exact, threads, exact / c.Exact.Median, dashed);
                 chart.Add($"{label}: bytes", Ink.Bytes, threads, bytes / c.Bytes.Median, dashed);
                 if (c.BestEmbree(Answer.Hits) is { } way) chart.Add($"{label}: Embree", Ink.Embree, threads, best / way.Median, dashed);

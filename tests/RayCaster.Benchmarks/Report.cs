@@ -66,8 +66,8 @@ internal sealed class Report
 
     private void WritePrograms(StringBuilder text)
     {
-        text.AppendLine("\n### Whole processes\n\n| what | peer | its / ours |\n|---|---|---|");
-        foreach (var p in Programs) text.AppendLine($"| {p.What} | {p.Peer} {p.Measure} | {Text.Spread(p.Ratio)} |");
+        text.AppendLine("\n### Whole processes\n\n| what | quotient | median |\n|---|---|---|");
+        foreach (var p in Programs) text.AppendLine($"| {p.What} | {p.Measure} | {Text.Spread(p.Ratio)} |");
     }
 
     /// <summary>Puts the tables between the marks in docs/performance.md, and the charts beside it.</summary>

@@ -6,7 +6,8 @@
 //         build ISA FLAGS SHAPES               -> milliseconds that the hierarchy takes; done by "run" when it is not there
 //         run ISA FLAGS SHAPES CALL ANSWER THREADS   -> milliseconds of one picture: ray generation, tracing, writing the answer
 //         dump ISA FLAGS SHAPES CALL FILE      -> ok; the file gets a float t and an int model for each pixel, top line first
-//     embree_peer SCENE THREADS PLY WIDTH HEIGHT     reads the scene's camera and a binary PLY, builds, traces bytes, ends
+//     embree_peer SCENE THREADS PLY WIDTH HEIGHT QUALITY     reads the scene's camera and a binary PLY, builds, traces bytes, ends
+//         QUALITY: medium or low, which build faster and trace slower; the commands above build in high quality
 //
 // ISA: avx2, or best (the device's own choice). FLAGS: none, compact. SHAPES: user (user geometries) or native (Embree's own quads,
 // spheres and discs). CALL: 8, 16 (coherent packets), 1m, nm8, nm16, np (streams of 256 rays). ANSWER: hits (t, model) or bytes.
@@ -235,11 +236,12 @@ struct Accelerator {
 };
 
 static int buildThreads = 1;
+static RTCBuildQuality quality = RTC_BUILD_QUALITY_HIGH;
 
 struct Builder {
     Accelerator& a;
     int add(RTCGeometry g, const int* models, int model = -1) {
-        rtcSetGeometryBuildQuality(g, RTC_BUILD_QUALITY_HIGH);
+        rtcSetGeometryBuildQuality(g, quality);
         rtcCommitGeometry(g);
         rtcAttachGeometry(a.handle, g);
         rtcReleaseGeometry(g);
@@ -301,7 +303,7 @@ static unique_ptr<Accelerator> build(const string& isa, const string& flags, con
     double start = now();
     a->handle = rtcNewScene(a->device);
     rtcSetSceneFlags(a->handle, flags == "compact" ? RTC_SCENE_FLAG_COMPACT : RTC_SCENE_FLAG_NONE);
-    rtcSetSceneBuildQuality(a->handle, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneBuildQuality(a->handle, quality);
     Builder b{*a};
     static vector<vector<int>> kept; // Embree's quads have models of their own
     kept.reserve(1000);
@@ -586,10 +588,11 @@ static double trace(const Accelerator& a, const string& call, bool bytes, int th
 int main(int argc, char** argv) {
     _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
     _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-    if (argc < 3) fail("usage: embree_peer SCENE BUILD-THREADS [PLY WIDTH HEIGHT]");
+    if (argc < 3) fail("usage: embree_peer SCENE BUILD-THREADS [PLY WIDTH HEIGHT QUALITY]");
     buildThreads = atoi(argv[2]);
     readScene(argv[1]);
-    if (argc == 6) {
+    if (argc == 7) {
+        quality = argv[6] == string("low") ? RTC_BUILD_QUALITY_LOW : RTC_BUILD_QUALITY_MEDIUM;
         scene.width = atoi(argv[4]);
         scene.height = atoi(argv[5]);
         scene.colors.assign(1, {1, 1, 1});
