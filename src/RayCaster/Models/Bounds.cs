@@ -22,6 +22,10 @@ public readonly record struct Bounds(Vector3 Min, Vector3 Max)
         }
     }
 
+    /// <summary>How far they are from the origin of space; 0 where they hold it.</summary>
+    internal double Distance => new Vector3(
+        Math.Max(0, Math.Max(Min.X, -Max.X)), Math.Max(0, Math.Max(Min.Y, -Max.Y)), Math.Max(0, Math.Max(Min.Z, -Max.Z))).Length;
+
     /// <summary>The bounds of these and a point.</summary>
     internal Bounds With(Vector3 p) => new(
         new(Math.Min(Min.X, p.X), Math.Min(Min.Y, p.Y), Math.Min(Min.Z, p.Z)),

@@ -18,7 +18,8 @@ public class OutlineTests
         {
             var towards = 1 / position.Length * position.Normalized; // the tangents' points lie around this one
             return towards + Math.Sqrt(1 - towards * towards) * (Some.Direction(random) % position).Normalized;
-        }),
+        }
+        ),
         ["aabb"] = (Model.Of(new Aabb(new(-1, -1, -1), new(1, 1, 1))), (random, _) => OnOutline(random, cube)),
         ["circle"] = (Model.Of(new Circle(Vector3.Zero, new(0, 0, 1), 1)), (random, _) => (Some.Direction(random) % new Vector3(0, 0, 1)).Normalized),
         ["triangle"] = (Model.Of(triangle), (random, _) => OnOutline(random, triangle)),

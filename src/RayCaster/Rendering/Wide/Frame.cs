@@ -28,13 +28,16 @@ internal sealed class Frame
         everywhere = [.. places];
         if (everywhere.Length == Views.Length) return;
 
-        // Counts first, then places: all lists in one array, each in the order of the scene.
+        // Counts first, then places: all lists in one array. The nearest come first in each, so that they hide the others early.
+        var order = new int[Views.Length];
+        for (var i = 0; i < order.Length; i++) order[i] = i;
+        Array.Sort(Array.ConvertAll(Views, view => view.Nearest), order);
         starts = new int[tilesAcross * TilesOf(camera.Height) + 1];
-        List(large, (tile, _) => starts[tile + 1]++);
+        List(order, large, (tile, _) => starts[tile + 1]++);
         for (var tile = 1; tile < starts.Length; tile++) starts[tile] += starts[tile - 1];
         listed = new int[starts[^1]];
         var next = starts[..^1];
-        List(large, (tile, i) => listed[next[tile]++] = i);
+        List(order, large, (tile, i) => listed[next[tile]++] = i);
     }
 
     /// <summary>The scene.</summary>
@@ -49,27 +52,19 @@ internal sealed class Frame
     /// <summary>How many tiles lie side by side, or one upon another.</summary>
     public static int TilesOf(int pixels) => (pixels + Tile.MaxSide - 1) / Tile.MaxSide;
 
-    /// <summary>Adds the models that may show in a tile, in the order of the scene.</summary>
+    /// <summary>Adds the models that may show in a tile: the large ones, then the others, the nearest first.</summary>
     public void AddModelsOf(in Tile tile, List<Candidate> candidates)
     {
-        ReadOnlySpan<int> some = [];
-        if (starts.Length > 0)
-        {
-            var i = tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide;
-            some = listed.AsSpan(starts[i]..starts[i + 1]);
-        }
-        foreach (var large in everywhere)
-        {
-            for (; some.Length > 0 && some[0] < large; some = some[1..]) candidates.Add(new(some[0], Reach.Unknown));
-            candidates.Add(new(large, Reach.Unknown));
-        }
-        foreach (var rest in some) candidates.Add(new(rest, Reach.Unknown));
+        foreach (var large in everywhere) candidates.Add(new(large, Reach.Unknown));
+        if (starts.Length == 0) return;
+        var i = tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide;
+        foreach (var other in listed.AsSpan(starts[i]..starts[i + 1])) candidates.Add(new(other, Reach.Unknown));
     }
 
     /// <summary>Visits the tiles of all models that are not large.</summary>
-    private void List(long large, Action<int, int> visit)
+    private void List(int[] order, long large, Action<int, int> visit)
     {
-        for (var i = 0; i < Extents.Length; i++)
+        foreach (var i in order)
         {
             var extent = Extents[i];
             if (extent.Area == 0 || extent.Area > large) continue;

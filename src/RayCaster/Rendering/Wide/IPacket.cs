@@ -13,6 +13,9 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>Whether a mask holds in every lane.</summary>
     static abstract bool All(N mask);
 
+    /// <summary>The greatest of the lanes.</summary>
+    static abstract double Greatest(N a);
+
     /// <summary>first, first + 1, first + 2 …</summary>
     static abstract N Sequence(int first);
 

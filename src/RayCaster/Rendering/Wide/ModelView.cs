@@ -9,6 +9,9 @@ internal abstract class ModelView
     /// <summary>Where in the picture the model can show at all.</summary>
     public virtual Tile Extent => Tile.Everywhere;
 
+    /// <summary>No hit anywhere in the picture is nearer than this.</summary>
+    public virtual double Nearest => 0;
+
     /// <summary>A view for the use of one thread at a time; the same one where a view keeps nothing between calls.</summary>
     public virtual ModelView ForThread() => this;
 
@@ -23,7 +26,7 @@ internal abstract class ModelView
 
     /// <summary>Keeps the hits of a span of pixels in the tile that are nearer than all before.</summary>
     /// <param name="span">The rays.</param>
-    /// <param name="index">The model's place in the scene; a span meets the models in the order of their places.</param>
+    /// <param name="index">The model's place in the scene, for ties.</param>
     public abstract void Meet(RaySpan span, int index);
 }
 

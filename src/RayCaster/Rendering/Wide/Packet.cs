@@ -71,6 +71,13 @@ internal readonly struct Packet(Vector256<double> lanes) : IPacket<Packet>
     public static bool All(Packet mask) => mask.Lanes.ExtractMostSignificantBits() == (1 << Vector256<double>.Count) - 1;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Greatest(Packet a)
+    {
+        var pairs = Vector128.Max(a.Lanes.GetLower(), a.Lanes.GetUpper());
+        return Math.Max(pairs[0], pairs[1]);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Sequence(int first) => new(Vector256.Create((double)first) + Vector256.Create(0.0, 1, 2, 3));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -13,14 +13,20 @@ internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
     public PrimitiveView(P primitive, Camera camera)
     {
         (this.primitive, clip) = (primitive, camera.ClipRange);
-        Extent = primitive is IBounded bounded ? Tile.Of(bounded.Bounds, camera) : Tile.Everywhere;
+        Extent = Tile.Everywhere;
+        if (primitive is not IBounded bounded) return;
+        var bounds = bounded.Bounds.PaddedFrom(camera.Position);
+        (Extent, Nearest) = (Tile.Of(bounds, camera), bounds.Distance);
     }
 
     /// <inheritdoc/>
     public override Tile Extent { get; }
 
     /// <inheritdoc/>
-    public override Reach Enter(TileRays rays) => Extent.IsSmall ? Reach.Unknown : Range(rays);
+    public override double Nearest { get; }
+
+    /// <inheritdoc/>
+    public override Reach Enter(TileRays rays) => Extent.IsSmall ? new(Nearest, double.PositiveInfinity) : Range(rays);
 
     /// <inheritdoc/>
     public override Reach Narrow(TileRays rays, Reach whole) => Extent.IsSmall ? whole : Range(rays);

@@ -92,14 +92,23 @@ internal sealed class RaySpan(Camera camera)
     /// <summary>Keeps the hits of a model that are nearer than all before.</summary>
     /// <param name="pixel">Where the packet begins.</param>
     /// <param name="hit">The model's t in each lane, NaN for none.</param>
-    /// <param name="modelIndex">The model's place in the scene, greater than that of all models before, so that of equal hits the first stays.</param>
+    /// <param name="modelIndex">The model's place in the scene: of equal hits the one of the first model stays, in whatever order they come.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Keep<N>(int pixel, N hit, int modelIndex) where N : struct, IPacket<N>
     {
-        var nearest = NearestAt<N>(pixel);
-        var nearer = hit < nearest;
-        N.Select(nearer, hit, nearest).Store(t, pixel);
-        N.Select(nearer, All<N>(modelIndex), ModelsAt<N>(pixel)).Store(model, pixel);
+        var (nearest, models, index) = (NearestAt<N>(pixel), ModelsAt<N>(pixel), All<N>(modelIndex));
+        var better = (hit < nearest) | (N.Equal(hit, nearest) & (index < models));
+        N.Select(better, hit, nearest).Store(t, pixel);
+        N.Select(better, index, models).Store(model, pixel);
+    }
+
+    /// <summary>The greatest t of the nearest hits so far: what is not nearer than this anywhere does not show in the span.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public double Farthest<N>() where N : struct, IPacket<N>
+    {
+        var farthest = NearestAt<N>(0);
+        for (var i = N.Count; i < Length; i += N.Count) farthest = N.Max(farthest, NearestAt<N>(i));
+        return N.Greatest(farthest);
     }
 
     /// <summary>Meets a model that knows only single rays.</summary>
@@ -108,7 +117,7 @@ internal sealed class RaySpan(Camera camera)
         for (var i = 0; i < Length; i++)
         {
             var ray = new Ray(origin, new(x[i], y[i], z[i])) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
-            if (only.Intersect(ray) is not { } hit || !(hit < t[i])) continue;
+            if (only.Intersect(ray) is not { } hit || !(hit < t[i] || (hit == t[i] && modelIndex < model[i]))) continue;
             t[i] = hit;
             model[i] = modelIndex;
         }

@@ -36,9 +36,10 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="Bounds.PaddedFrom"/>). The projection
     /// itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.
     /// </remarks>
-    public static Tile Of(Bounds bounds, Camera camera)
+    /// <param name="padded">The bounds, seen from the camera and padded.</param>
+    /// <param name="camera">The camera.</param>
+    public static Tile Of(Bounds padded, Camera camera)
     {
-        var padded = bounds.PaddedFrom(camera.Position);
         var (center, half) = (0.5 * (padded.Min + padded.Max), 0.5 * (padded.Max - padded.Min));
         var (depth, depthHalf) = (-(center * camera.W), Spread(camera.W));
         var (nearest, farthest) = (depth - depthHalf, depth + depthHalf);

@@ -103,14 +103,19 @@ internal sealed class TileCaster
 
     private void CastRows<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
     {
+        var isCrowded = list.Count > 4; // where a look at what is hidden pays
         span.Enter<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row++)
         {
             span.Aim<N>(row);
+            var farthest = double.PositiveInfinity;
             foreach (var candidate in list)
             {
+                if (candidate.Reach.Least > farthest) continue;
                 ref var extent = ref extents[candidate.Index];
-                if (row >= extent.Row && row < extent.EndRow) views[candidate.Index].Meet(span, candidate.Index);
+                if (row < extent.Row || row >= extent.EndRow) continue;
+                views[candidate.Index].Meet(span, candidate.Index);
+                if (isCrowded) farthest = span.Farthest<N>();
             }
             sink.Take(span);
         }

@@ -70,6 +70,9 @@ internal readonly struct WidePacket(Vector512<double> lanes) : IPacket<WidePacke
     public static bool All(WidePacket mask) => mask.Lanes.ExtractMostSignificantBits() == (1UL << Vector512<double>.Count) - 1;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Greatest(WidePacket a) => Packet.Greatest(new(Vector256.Max(a.Lanes.GetLower(), a.Lanes.GetUpper())));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Sequence(int first) => new(Vector512.Create((double)first) + Vector512.Create(0.0, 1, 2, 3, 4, 5, 6, 7));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
