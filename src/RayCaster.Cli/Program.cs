@@ -43,7 +43,8 @@ internal static class Program
                 This is a fault of raycaster, please report it; with RAYCASTER_TRACE=1 it shows where it happened.
 
                 """);
-            if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1") StandardFile.WriteError(unexpected.StackTrace + Environment.NewLine);
+            if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1")
+                StandardFile.WriteError(unexpected.StackTrace + Environment.NewLine);
             return ExitCode.InternalError;
         }
     }

@@ -4,8 +4,8 @@ using Microsoft.Win32.SafeHandles;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Standard output and standard error as plain files. The console's own streams would swallow that the reader of a picture has gone, and take a
-/// quarter of the time of a program that only says hello. On Windows they are used nevertheless: a console there has its own encoding.
+/// Standard output and standard error as plain files. The console's own streams would swallow that the reader of a picture has gone, and
+/// take a quarter of the time of a program that only says hello. On Windows they are used nevertheless: a console there has its own encoding.
 /// </summary>
 internal static class StandardFile
 {

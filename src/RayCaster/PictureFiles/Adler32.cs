@@ -11,8 +11,8 @@ internal static class Adler32
 
     /// <summary>The checksum of a part and the rest behind it.</summary>
     /// <remarks>
-    /// A checksum is b · 2^16 + a, all modulo 65521, where a is 1 plus the sum of the bytes, and b the sum of the values that a has after each byte.
-    /// Behind the first part each of these values is larger than in the rest alone by the sum of the first part's bytes, s = a₁ − 1. So
+    /// A checksum is b · 2^16 + a, all modulo 65521, where a is 1 plus the sum of the bytes, and b the sum of the values that a has after each
+    /// byte. Behind the first part each of these values is larger than in the rest alone by the sum of the first part's bytes, s = a₁ − 1. So
     /// a = s + a₂, and b = b₁ + b₂ + s · restBytes.
     /// </remarks>
     /// <param name="first">The first part's checksum.</param>

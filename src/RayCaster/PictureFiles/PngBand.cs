@@ -11,8 +11,8 @@ namespace RayCaster;
 /// stream in the file. A band that is written serves again.
 /// </summary>
 /// <remarks>
-/// A zlib stream (RFC 1950) is two bytes of header, blocks of compressed data (RFC 1951), and a checksum, Adler-32, of all that is compressed.
-/// Streams become one when the first keeps its header, the last its last block, which says that it is the last, and the checksums
+/// A zlib stream (RFC 1950) is two bytes of header, blocks of compressed data (RFC 1951), and a checksum, Adler-32, of all that is
+/// compressed. Streams become one when the first keeps its header, the last its last block, which says that it is the last, and the checksums
 /// give way to that of all. A stream can be cut before its last block because it is flushed there, which ends it at a whole byte.
 /// </remarks>
 internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
@@ -122,7 +122,8 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often written before the runtime would optimise by itself
     private static void Subtract(ReadOnlySpan<byte> a, ReadOnlySpan<byte> b, Span<byte> difference)
     {
-        ref byte firstA = ref MemoryMarshal.GetReference(a), firstB = ref MemoryMarshal.GetReference(b), first = ref MemoryMarshal.GetReference(difference);
+        ref byte firstA = ref MemoryMarshal.GetReference(a), firstB = ref MemoryMarshal.GetReference(b);
+        ref var first = ref MemoryMarshal.GetReference(difference);
         var i = 0;
         for (; i + Vector256<byte>.Count <= a.Length; i += Vector256<byte>.Count)
             (Vector256.LoadUnsafe(ref firstA, (nuint)i) - Vector256.LoadUnsafe(ref firstB, (nuint)i)).StoreUnsafe(ref first, (nuint)i);

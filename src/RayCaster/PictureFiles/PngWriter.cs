@@ -9,7 +9,7 @@ namespace RayCaster;
 /// <remarks>Only the thread that brings the lines writes to the output, so that an error of the output meets it and nobody else.</remarks>
 internal sealed class PngWriter : PictureWriter
 {
-    /// <summary>Smaller pictures are compressed as they come: that is done by the time that other threads are awake and have their memory.</summary>
+    /// <summary>Smaller pictures are compressed as they come: it is done by the time that other threads are awake.</summary>
     private const int BytesOfLarge = 1 << 24;
 
     /// <summary>Many in a large picture, and each so large that the compressor's fresh start costs next to nothing.</summary>
