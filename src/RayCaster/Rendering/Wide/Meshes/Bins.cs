@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>Things sorted by a small number, their place; those of one place lie side by side, in the order in which they came.</summary>
-internal sealed class Bins<T>
+internal sealed class Bins<T> where T : struct
 {
     private readonly int[] starts;
     private readonly T[] sorted;
@@ -25,7 +25,7 @@ internal sealed class Bins<T>
         foreach (var list in lists)
         {
             foreach (ref readonly var item in list.Items) sorted[starts[item.Place + 1]++] = item.Thing;
-            list.Clear();
+            list.Free();
         }
     }
 

@@ -18,11 +18,11 @@ internal sealed class MeshView : ModelView
 
     /// <param name="vertices">The corners.</param>
     /// <param name="indices">Three for each triangle.</param>
-    /// <param name="camera">The camera.</param>
+    /// <param name="screen">The camera.</param>
     /// <param name="threads">How many threads may prepare the view.</param>
-    public MeshView(Vector3[] vertices, int[] indices, Camera camera, int threads = 1)
+    public MeshView(Vector3[] vertices, int[] indices, ScreenSpace screen, int threads = 1)
     {
-        (this.vertices, this.indices, screen) = (vertices, indices, new(camera));
+        (this.vertices, this.indices, this.screen) = (vertices, indices, screen);
         if (!screen.IsFine)
         {
             hard = new(vertices, indices);

@@ -65,10 +65,10 @@ internal sealed class ScreenSpace
     public double DoubleMargin { get; }
 
     /// <summary>Pixels by which floats may.</summary>
-    public float Margin { get; }
+    public float Margin { get; init; }
 
     /// <summary>Twice the area of a triangle by its width and height, in pixels, from which its t lies safely on its plane.</summary>
-    public float LeastWidth { get; }
+    public float LeastWidth { get; init; }
 
     /// <summary>Whether doubles tell pixels of this camera apart at all; with a view of 1e-9 degrees they do not.</summary>
     public bool IsFine { get; }
@@ -77,10 +77,10 @@ internal sealed class ScreenSpace
     public double LeastDepth { get; }
 
     /// <summary>Hits between these surely count.</summary>
-    public float LeastSureW { get; }
+    public float LeastSureW { get; init; }
 
     /// <inheritdoc cref="LeastSureW"/>
-    public float MostSureW { get; }
+    public float MostSureW { get; init; }
 
     /// <summary>Hits surely do not count outside of these.</summary>
     public float LeastW { get; }

@@ -229,7 +229,7 @@ internal sealed class TileFilter
             exact.Add(tile.Column + pixel % Stride, tile.Row + pixel / Stride, triangle, pixel, decided);
         }
         exact.Flush(decided);
-        queue.Keep(0);
+        queue.Clear();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
