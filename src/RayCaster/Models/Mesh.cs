@@ -26,5 +26,5 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
     }
 
     /// <inheritdoc/>
-    internal override ModelView See(Camera camera) => new MeshView(vertices, indices, camera);
+    internal override ModelView See(Camera camera) => new MeshView(vertices, indices, new(camera));
 }

@@ -16,6 +16,8 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     /// <para>Seen along the ray the triangle is flat and the ray is the point (0, 0): w, u and v are to each other as the areas of
     /// the three triangles that this point makes with the sides, and t is the mean of the corners' depths with these weights. Only
     /// an edge-on triangle (d·n = 0) has no area: 0 / 0, NaN.</para>
+    /// <para>Nearly edge-on, the areas are all noise, and may by chance agree for a ray that passes far from the triangle, within its
+    /// plane. So the ray must also lie between the corners, across and upwards; one that is truly inside always does.</para>
     /// <para>No ray slips between two triangles that share a side. Both see its corners at the same place, so the area over it is the same
     /// to the bit but for its sign, and rounding can make the difference of two products 0 but never turn its sign. So the triangles
     /// cover the view like tiles, corners included (after Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013).</para>
@@ -37,8 +39,10 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
         var u = c.X * a.Y - c.Y * a.X;
         var v = a.X * b.Y - a.Y * b.X;
         var inside = ((u >= 0) & (v >= 0) & (w >= 0)) | ((u <= 0) & (v <= 0) & (w <= 0));
+        var between = ((a.X <= 0) | (b.X <= 0) | (c.X <= 0)) & ((a.X >= 0) | (b.X >= 0) | (c.X >= 0))
+            & ((a.Y <= 0) | (b.Y <= 0) | (c.Y <= 0)) & ((a.Y >= 0) | (b.Y >= 0) | (c.Y >= 0));
         var t = (w * a.Z + u * b.Z + v * c.Z) / ((w + u + v) * along.ZPerT);
-        return new(N.If(inside, t));
+        return new(N.If(inside & between, t));
     }
 
     /// <summary>

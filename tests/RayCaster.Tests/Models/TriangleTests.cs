@@ -65,4 +65,13 @@ public class TriangleTests
         }
         Assert.True(inside > 500 && outside > 500);
     }
+
+    /// <summary>All three corners lie up and to the right of the ray, on a line with it but for the last bits.</summary>
+    [Fact]
+    public void ATriangleSeenEdgeOnIsNotHitByRaysThatOnlyPassWithinItsPlane()
+    {
+        var triangle = new Triangle(new(0, 0, -2), new(-0.2, -0.2, -2.1), new(0.30000000000000004, 0.2, -1.9));
+        var camera = new Camera(new(-1, 2, -1), new(0, 2, -1), fovY: 90, width: 23, height: 16, sample: Sample.Center);
+        Assert.Null(Model.Of(triangle).Intersect(camera.CastRay(4, 11)));
+    }
 }

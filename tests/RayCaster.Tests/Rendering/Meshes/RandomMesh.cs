@@ -7,6 +7,12 @@ internal static class RandomMesh
 {
     public static Scene Make(Random random)
     {
+        var (camera, mesh) = MakeParts(random);
+        return new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
+    }
+
+    public static (Camera Camera, MeshData Mesh) MakeParts(Random random)
+    {
         var mesh = MakeMesh(random);
         var unit = random.Next(4) == 0 ? Math.Pow(10, random.Next(-30, 40)) : 1;
         var position = random.Next(5) switch
@@ -31,7 +37,7 @@ internal static class RandomMesh
         var camera = new Camera(unit * position, unit * target, up, fovY, width, height,
             unit * zNear, unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)), random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
             (Clip)random.Next(2), (Sample)random.Next(2));
-        return new Scene(camera, [new Mesh(Array.ConvertAll(mesh.Vertices, p => unit * p), mesh.Indices)]);
+        return (camera, new(Array.ConvertAll(mesh.Vertices, p => unit * p), mesh.Indices));
     }
 
     private static MeshData MakeMesh(Random random)

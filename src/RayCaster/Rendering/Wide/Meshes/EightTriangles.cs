@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
 namespace RayCaster;
@@ -25,7 +26,13 @@ internal readonly struct EightTriangles
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static (Vector256<float> X, Vector256<float> Y, Vector256<float> Z, Vector256<float> W) Corners(
-        Vector128<float>[] points, int[] indices, ReadOnlySpan<int> t, int k) => Lanes.Transpose(
-            points[indices[3 * t[0] + k]], points[indices[3 * t[1] + k]], points[indices[3 * t[2] + k]], points[indices[3 * t[3] + k]],
-            points[indices[3 * t[4] + k]], points[indices[3 * t[5] + k]], points[indices[3 * t[6] + k]], points[indices[3 * t[7] + k]]);
+        Vector128<float>[] points, int[] indices, ReadOnlySpan<int> t, int k)
+    {
+        ref var corner = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(indices), k); // the triangles are there; their vertices are checked
+        return Lanes.Transpose(
+            points[Unsafe.Add(ref corner, 3 * t[0])], points[Unsafe.Add(ref corner, 3 * t[1])],
+            points[Unsafe.Add(ref corner, 3 * t[2])], points[Unsafe.Add(ref corner, 3 * t[3])],
+            points[Unsafe.Add(ref corner, 3 * t[4])], points[Unsafe.Add(ref corner, 3 * t[5])],
+            points[Unsafe.Add(ref corner, 3 * t[6])], points[Unsafe.Add(ref corner, 3 * t[7])]);
+    }
 }

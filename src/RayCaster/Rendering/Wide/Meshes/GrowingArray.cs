@@ -1,10 +1,13 @@
+using System.Buffers;
 using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A list whose items can be read as a span.</summary>
-internal sealed class GrowingArray<T>
+/// <summary>A list of plain values whose items can be read as a span. Its memory is lent: fresh pages cost more than what is written on them.</summary>
+internal sealed class GrowingArray<T> where T : struct
 {
+    private const int LeastLength = 1024;
+
     private T[] items = [];
     private int count;
 
@@ -18,13 +21,27 @@ internal sealed class GrowingArray<T>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(T item)
     {
-        if (count == items.Length) Array.Resize(ref items, Math.Max(1024, 2 * count));
+        if (count == items.Length) Grow();
         items[count++] = item;
     }
 
-    /// <summary>Removes all and gives the memory back.</summary>
-    public void Clear() => (items, count) = ([], 0);
+    /// <summary>Removes all; the memory stays.</summary>
+    public void Clear() => count = 0;
 
-    /// <summary>Removes all but the first ones.</summary>
-    public void Keep(int first) => count = first;
+    /// <summary>Removes all and gives the memory back.</summary>
+    public void Free()
+    {
+        if (items.Length > 0) ArrayPool<T>.Shared.Return(items);
+        (items, count) = ([], 0);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Grow()
+    {
+        var larger = ArrayPool<T>.Shared.Rent(Math.Max(LeastLength, 2 * count));
+        Items.CopyTo(larger);
+        var kept = count;
+        Free();
+        (items, count) = (larger, kept);
+    }
 }

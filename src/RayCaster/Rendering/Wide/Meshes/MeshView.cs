@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster;
 
@@ -17,9 +16,13 @@ internal sealed class MeshView : ModelView
     private readonly Hierarchy? hard;             // over those for which the filter knows nothing
     private readonly TileFilter? filter;          // one thread's
 
-    public MeshView(Vector3[] vertices, int[] indices, Camera camera)
+    /// <param name="vertices">The corners.</param>
+    /// <param name="indices">Three for each triangle.</param>
+    /// <param name="screen">The camera.</param>
+    /// <param name="threads">How many threads may prepare the view.</param>
+    public MeshView(Vector3[] vertices, int[] indices, ScreenSpace screen, int threads = 1)
     {
-        (this.vertices, this.indices, screen) = (vertices, indices, new(camera));
+        (this.vertices, this.indices, this.screen) = (vertices, indices, screen);
         if (!screen.IsFine)
         {
             hard = new(vertices, indices);
@@ -27,17 +30,13 @@ internal sealed class MeshView : ModelView
             return;
         }
 
-        var points = GC.AllocateUninitializedArray<Vector128<float>>(vertices.Length);
-        screen.Project(vertices, points, 0, vertices.Length);
-        var whole = new ScreenTriangles(screen, points, indices, null);
-        whole.Sort();
+        var whole = new ScreenTriangles(screen, screen.Project(vertices, threads), indices, null, threads);
 
         var clipper = new ScreenClipper(screen, vertices);
-        foreach (var i in whole.Unfit.Items) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
+        foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
         var (pieces, corners) = (clipper.Points, new int[clipper.Points.Length]);
         for (var i = 0; i < corners.Length; i++) corners[i] = i;
-        var clipped = new ScreenTriangles(screen, pieces, corners, clipper.Owners);
-        clipped.Sort();
+        var clipped = new ScreenTriangles(screen, pieces, corners, clipper.Owners, threads);
         sets = [whole, clipped];
 
         if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 
 namespace RayCaster;
 
@@ -64,10 +65,10 @@ internal sealed class ScreenSpace
     public double DoubleMargin { get; }
 
     /// <summary>Pixels by which floats may.</summary>
-    public float Margin { get; }
+    public float Margin { get; init; }
 
     /// <summary>Twice the area of a triangle by its width and height, in pixels, from which its t lies safely on its plane.</summary>
-    public float LeastWidth { get; }
+    public float LeastWidth { get; init; }
 
     /// <summary>Whether doubles tell pixels of this camera apart at all; with a view of 1e-9 degrees they do not.</summary>
     public bool IsFine { get; }
@@ -76,10 +77,10 @@ internal sealed class ScreenSpace
     public double LeastDepth { get; }
 
     /// <summary>Hits between these surely count.</summary>
-    public float LeastSureW { get; }
+    public float LeastSureW { get; init; }
 
     /// <inheritdoc cref="LeastSureW"/>
-    public float MostSureW { get; }
+    public float MostSureW { get; init; }
 
     /// <summary>Hits surely do not count outside of these.</summary>
     public float LeastW { get; }
@@ -106,8 +107,18 @@ internal sealed class ScreenSpace
     }
 
     /// <summary>All the vertices: x, y, w and 0, or 1 for one that is not fit for floats.</summary>
+    public Vector128<float>[] Project(Vector3[] vertices, int threads)
+    {
+        const int LeastForAThread = 1 << 15;
+        var points = GC.AllocateUninitializedArray<Vector128<float>>(vertices.Length);
+        var parts = Math.Clamp(vertices.Length / LeastForAThread, 1, threads);
+        ScreenTriangles.InParallel(parts, i =>
+            Project(vertices, points, (int)((long)vertices.Length * i / parts), (int)((long)vertices.Length * (i + 1) / parts)));
+        return points;
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Project(Vector3[] vertices, System.Runtime.Intrinsics.Vector128<float>[] points, int first, int end)
+    private void Project(Vector3[] vertices, Vector128<float>[] points, int first, int end)
     {
         Vector3<Packet> eye = origin, right = u, up = v, back = w;
         for (var i = first; i < end; i += Packet.Count)
@@ -115,7 +126,8 @@ internal sealed class ScreenSpace
             var last = end - 1 - i;
             var p = Lanes.Gather(vertices, i, i + Math.Min(1, last), i + Math.Min(2, last), i + Math.Min(3, last)) - eye;
             var (x, y, nearness, isFit) = Project(p * right, p * up, -(p * back));
-            Lanes.Scatter(points, i, last + 1, Packet.Select(isFit, x, 0), Packet.Select(isFit, y, 0), Packet.Select(isFit, nearness, 1), Packet.Select(isFit, 0, 1));
+            Lanes.Scatter(points, i, last + 1,
+                Packet.Select(isFit, x, 0), Packet.Select(isFit, y, 0), Packet.Select(isFit, nearness, 1), Packet.Select(isFit, 0, 1));
         }
     }
 }

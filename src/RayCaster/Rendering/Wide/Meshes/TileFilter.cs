@@ -11,7 +11,9 @@ namespace RayCaster;
 /// </summary>
 internal sealed class TileFilter
 {
-    private const int Stride = Tile.MaxSide + 8;    // room for blocks that stand out to the right
+    /// <summary>From a pixel to the one above it; there is room for blocks that stand out to the right.</summary>
+    public const int Stride = Tile.MaxSide + 8;
+
     private const int Size = Stride * (Tile.MaxSide + 1);
     private const int QueueLength = 1 << 14;
 
@@ -46,6 +48,7 @@ internal sealed class TileFilter
             var nearer = MeanW(set, set.Of(tile, 0)) < MeanW(set, set.Of(tile, 1)) ? 1 : 0;
             Add(set, set.Of(tile, nearer));
             Add(set, set.Of(tile, 1 - nearer));
+            Add(set.SpotsOf(tile));
         }
         if (isEmpty) return Reach.None;
         Decide();
@@ -72,9 +75,11 @@ internal sealed class TileFilter
     {
         var least = float.PositiveInfinity;
         for (var row = 0; row < tile.Height; row++)
-            foreach (var w in covered.AsSpan(row * Stride, tile.Width))
-                least = Math.Min(least, w);
-        return least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity;
+        {
+            foreach (var w in covered.AsSpan(row * Stride, tile.Width)) least = Math.Min(least, w);
+            if (least == 0) return double.PositiveInfinity;
+        }
+        return screen.Unit / least * screen.LongestT * (1 + 1e-6);
     }
 
     private static float MeanW(ScreenTriangles set, ReadOnlySpan<int> triangles)
@@ -108,8 +113,32 @@ internal sealed class TileFilter
             for (; shows != 0; shows &= shows - 1)
             {
                 var i = BitOperations.TrailingZeroCount(shows);
-                Cover(set.OwnerOf(ids[i]), i);
+                Cover(set.Owners?[ids[i]] ?? ids[i], i);
             }
+            if (queue.Count > QueueLength) Decide();
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void Add(ReadOnlySpan<Spot> spots)
+    {
+        if (spots.Length == 0) return;
+        if (isEmpty) Clear();
+        foreach (ref readonly var spot in spots)
+        {
+            var pixel = spot.Pixel;
+            if (spot.MostW < covered[pixel]) continue;
+            greatestW = Math.Max(greatestW, spot.MostW);
+            if (spot.LeastW > front[pixel])
+            {
+                front[pixel] = spot.MostW;
+                proposed[pixel] = spot.Triangle;
+            }
+            else
+            {
+                queue.Add((pixel, spot.Triangle, spot.MostW));
+            }
+            covered[pixel] = Math.Max(covered[pixel], spot.LeastW);
             if (queue.Count > QueueLength) Decide();
         }
     }
@@ -200,7 +229,7 @@ internal sealed class TileFilter
             exact.Add(tile.Column + pixel % Stride, tile.Row + pixel / Stride, triangle, pixel, decided);
         }
         exact.Flush(decided);
-        queue.Keep(0);
+        queue.Clear();
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -21,6 +21,9 @@ internal static class TriangleSetUp
     /// <summary>A sample with a side function below the first is surely outside, with all above the second surely covered.</summary>
     public const int Outside = 19, Inside = 20;
 
+    /// <summary>What some float operations on numbers of a size of up to 1 are off by at most.</summary>
+    public const float Roundings = 1f / (1 << 20);
+
     /// <summary>Numbers in all.</summary>
     public const int Length = 8 * 21;
 
@@ -30,7 +33,7 @@ internal static class TriangleSetUp
     {
         Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;
         var margin = Vector256.Create(screen.Margin);
-        var rounding = Vector256.Create(ScreenTriangles.Roundings);
+        var rounding = Vector256.Create(Roundings);
         var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
         var (ax, bx, cx) = (t.AX - column, t.BX - column, t.CX - column);
         var (ay, by, cy) = (t.AY - row, t.BY - row, t.CY - row);
