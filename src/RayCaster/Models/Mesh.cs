@@ -26,5 +26,5 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
     }
 
     /// <inheritdoc/>
-    internal override ModelView See(Camera camera) => new MeshView(vertices, indices, new(camera));
+    internal override ModelView See(Camera camera, int threads) => new MeshView(vertices, indices, new(camera), threads);
 }

@@ -16,7 +16,7 @@ public abstract class Model
     public abstract double? Intersect(Ray ray);
 
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
-    internal virtual ModelView See(Camera camera) => new SingleRayView(this);
+    internal virtual ModelView See(Camera camera, int threads) => new SingleRayView(this);
 
     /// <summary>Makes a model of a shape.</summary>
     public static Model<P> Of<P>(P primitive) where P : struct, IPrimitive => new(primitive);
@@ -39,5 +39,5 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     }
 
     /// <inheritdoc/>
-    internal override ModelView See(Camera camera) => new PrimitiveView<P>(Primitive, camera);
+    internal override ModelView See(Camera camera, int threads) => new PrimitiveView<P>(Primitive, camera);
 }

@@ -32,7 +32,7 @@ internal sealed class BandQueue
     /// <param name="cancellation">Stops the work.</param>
     public BandQueue(Scene scene, int threads, Action<int>? linesDone, CancellationToken cancellation)
     {
-        (frame, camera, shader) = (new(scene), scene.Camera, new(scene));
+        (frame, camera, shader) = (new(scene, threads), scene.Camera, new(scene));
         (this.linesDone, this.cancellation) = (linesDone, cancellation);
 
         // A band is a row of tiles, or of very wide pictures a half, a quarter … of one, so that no tile lies in two bands.

@@ -10,12 +10,14 @@ internal sealed class Frame
     private readonly int[] everywhere;               // models that show in a good part of the picture
     private readonly int[] starts = [], listed = []; // of tile i the models listed[starts[i]] … listed[starts[i + 1] − 1]
 
-    public Frame(Scene scene)
+    /// <param name="scene">The scene.</param>
+    /// <param name="threads">How many threads may prepare what a model needs.</param>
+    public Frame(Scene scene, int threads)
     {
         Scene = scene;
         var camera = scene.Camera;
         Views = new ModelView[scene.Models.Count];
-        for (var i = 0; i < Views.Length; i++) Views[i] = scene.Models[i].See(camera);
+        for (var i = 0; i < Views.Length; i++) Views[i] = scene.Models[i].See(camera, threads);
 
         Extents = Array.ConvertAll(Views, view => view.Extent);
 
