@@ -62,14 +62,14 @@ public static class SceneReader
     private static Camera? ReadCamera(SceneObject o)
     {
         var position = o.Vector("position", "P, where the rays start.");
-        var target = o.Vector("target", "T, the point that the camera looks at; it is seen in the middle of the picture.");
+        var target = o.Vector("target", "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: at twice its distance all is black.");
         var up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", new(0, 0, 1));
         var fovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), 45);
         var width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, 500);
         var height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, 500);
         var zNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, 0.01);
         var zFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", 100);
-        var bias = o.Number("bias", "The least ray parameter that is a hit.", Limits.NotNegative, 1e-6);
+        var bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, 1e-6);
         var clip = o.Choice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
             ("depth", Clip.Depth), ("distance", Clip.Distance));
         var sample = o.Choice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
