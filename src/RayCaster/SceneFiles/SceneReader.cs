@@ -82,7 +82,10 @@ public static class SceneReader
         else if (double.IsInfinity(view.Length))
             o.Refuse("target", $" is too far from {o.PathOf("position")}: the distance is beyond the largest number");
         else if ((up % view.Normalized).Length <= 1e-12 * up.Length)
-            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{(o.Has("up") ? "" : " where it is not given")}");
+        {
+            var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
+            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{remedy}");
+        }
 
         if (zFar <= zNear && !o.Has("zFar"))
             o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
