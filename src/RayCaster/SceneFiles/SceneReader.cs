@@ -10,6 +10,7 @@ public static class SceneReader
         try
         {
             if (!File.Exists(path)) return Unreadable(path, NotFound(path));
+            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene (docs/scene-file.md), and draw the scene");
             return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(path) ?? "");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or OutOfMemoryException)
@@ -128,7 +129,7 @@ public static class SceneReader
     {
         if (path.Length == 0) return "the name of the scene file is empty";
         if (Directory.Exists(path)) return "this is a folder, not a scene file";
-        return $"file not found{FileNames.Hint(path)}";
+        return $"file not found{FileNames.Hint(path, ".json")}";
     }
 
     private static SceneReading Unreadable(string path, string message) =>
