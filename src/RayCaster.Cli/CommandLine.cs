@@ -93,13 +93,17 @@ internal sealed record CommandLine(Command Command)
         {
             [var scene] when scene.Length > 0 => scene,
             [] or [_] => throw ProblemException.Usage("which scene? Name a scene file, for example scenes/room.json"),
-            _ => throw ProblemException.Usage($"one scene at a time, but there are {operands.Count}: {string.Join(", ", operands)}"),
+            _ => throw ProblemException.Usage(
+                $"one scene at a time, but there are {operands.Count}: {string.Join(", ", operands)}{OutputHint(operands)}"),
         };
         return line;
     }
 
     private static ProblemException UnknownOption(string name) =>
         ProblemException.Usage($"unknown option '{name}'" + (Spelling.Nearest(name, Names) is { } near ? $"; did you mean '{near}'?" : ""));
+
+    private static string OutputHint(List<string> operands) =>
+        operands is [_, var second] && Path.GetExtension(second).ToLowerInvariant() is ".png" or ".ppm" ? $"; did you mean -o {second}?" : "";
 
     private static bool NoValue(string name, string? value) =>
         value is null ? true : throw ProblemException.Usage($"option '{name}' takes no value, but '{value}' is given");
@@ -114,12 +118,12 @@ internal sealed record CommandLine(Command Command)
 
     private static (int Width, int Height) ParseSize(string text)
     {
-        if (text.Split('x', 'X') is [var w, var h] && ParseCount(w) is { } width && ParseCount(h) is { } height
-            && width <= Camera.MaxSide && height <= Camera.MaxSide && (long)width * height <= Camera.MaxPixels)
-            return (width, height);
-        throw ProblemException.Usage(
-            $"'{text}' is not a size: write width and height in pixels as in 640x480; "
-            + $"each is at most {Camera.MaxSide}, the product at most {Camera.MaxPixels}");
+        if (text.Split('x', 'X') is not [var w, var h] || ParseCount(w) is not { } width || ParseCount(h) is not { } height)
+            throw ProblemException.Usage($"'{text}' is not a size: write width and height in pixels as in 640x480");
+        if (width > Camera.MaxSide || height > Camera.MaxSide || (long)width * height > Camera.MaxPixels)
+            throw ProblemException.Usage(
+                $"'{text}' is too large: width and height are at most {Camera.MaxSide}, their product at most {Camera.MaxPixels}");
+        return (width, height);
     }
 
     private static int ParseThreads(string text) => ParseCount(text) is { } threads and <= 1024

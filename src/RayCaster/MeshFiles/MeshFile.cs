@@ -17,6 +17,9 @@ public static class MeshFile
     internal static MeshData Parse(string path, byte[] bytes, int blockSize = MeshSource.UsualBlockSize, int threads = 1) =>
         ReaderOf(path)(new MeshSource(path, new MemoryStream(bytes, writable: false), blockSize, threads));
 
+    /// <summary>Whether a file's name ends like that of a mesh.</summary>
+    internal static bool IsNamedLikeOne(string path) => Path.GetExtension(path).ToLowerInvariant() is ".obj" or ".ply" or ".stl";
+
     private static Func<MeshSource, MeshData> ReaderOf(string path) => Path.GetExtension(path).ToLowerInvariant() switch
     {
         ".obj" => ObjFile.Read,

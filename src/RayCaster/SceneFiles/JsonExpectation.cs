@@ -50,7 +50,11 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
         if (utf8[at] == ';') return new(at, at + 1, "a comma, not a semicolon, stands between two values");
         if (utf8[at] == '#') return Comment(at);
         if (utf8[at] is (byte)':' or (byte)'=') return new(at, at + 1, $"'{(char)utf8[at]}' cannot follow a value; a comma or a bracket can");
-        return new(at, TokenEnd(at), $"a comma is missing after line {tree.Text.LineOf(valueEnd - 1)}");
+
+        var line = tree.Text.LineOf(valueEnd - 1);
+        if (line != tree.Text.LineOf(at)) return new(at, TokenEnd(at), $"a comma is missing after line {line}");
+        var end = utf8[at] == '"' && Text(at, out var textEnd) is null ? textEnd : TokenEnd(at);
+        return new(at, end, $"a comma is missing before {tree.Text.Quote(at, end)}");
     }
 
     private JsonMistake? Key(int at)

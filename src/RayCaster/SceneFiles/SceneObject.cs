@@ -125,7 +125,7 @@ internal sealed class SceneObject
             var text = value.Text;
             if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
                 return new((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
-            Report(true, value, PathOf(key), $" must be {What}, but is {value.InWords}");
+            Report(true, value, PathOf(key), $" must be {What}, but is {value.InWords}; # and six hexadecimal digits make a colour");
             return orElse;
         }
         var color = VectorAt(value, key, Limits.NotNegative, What);
@@ -239,7 +239,7 @@ internal sealed class SceneObject
         asked.Add(key.Name);
         if (written.TryGetValue(key.Name, out var member)) return member.Value;
         if (key.IsRequired && document is not null)
-            document.Add(true, json.Start, json.Start + 1, PathOf(key.Name), $"{PathOf(key.Name)} is missing: {key.Meaning}");
+            document.Add(true, json.Start, json.Start + 1, PathOf(key.Name), $"{PathOf(key.Name)} is missing: {(key.Choices.Length > 0 ? InWords(key.Choices) : key.Meaning)}");
         return null;
     }
 
@@ -287,10 +287,24 @@ internal sealed class SceneObject
         }
         var elements = value.Content;
         if (elements.Count == 3) return new(Element(0), Element(1), Element(2));
-        Report(true, value, PathOf(key), $" must be {what}, but has {elements.Count} element{(elements.Count == 1 ? "" : "s")}");
+        Report(true, value, PathOf(key), $" must be {what}, but has {elements.Count} element{(elements.Count == 1 ? "" : "s")}{DecimalComma(elements)}");
         return NoVector;
 
         double Element(int i) => NumberAt(elements[i], key, i, limits);
+    }
+
+    /// <summary>In [2,5, 0, 0] a whole number follows its comma without a blank: somebody may have meant 2.5.</summary>
+    private static string DecimalComma(List<JsonValue> elements)
+    {
+        for (var i = 1; i < elements.Count && elements.Count > 3; i++)
+        {
+            var (whole, fraction) = (elements[i - 1], elements[i]);
+            if (fraction.Start == whole.End + 1 && IsWhole(whole) && IsWhole(fraction) && fraction.Number >= 0)
+                return $"; a decimal comma? Write {whole.AsWritten}.{fraction.AsWritten}";
+        }
+        return "";
+
+        static bool IsWhole(JsonValue value) => value.Kind == JsonTokenType.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
     }
 
     private JsonValue? Place(string key, int? element)

@@ -10,6 +10,7 @@ public static class SceneReader
         try
         {
             if (!File.Exists(path)) return Unreadable(path, NotFound(path));
+            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene (docs/scene-file.md), and draw the scene");
             return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(path) ?? "");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or OutOfMemoryException)
@@ -62,14 +63,14 @@ public static class SceneReader
     private static Camera? ReadCamera(SceneObject o)
     {
         var position = o.Vector("position", "P, where the rays start.");
-        var target = o.Vector("target", "T, the point that the camera looks at; it is seen in the middle of the picture.");
+        var target = o.Vector("target", "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: at twice its distance all is black.");
         var up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", new(0, 0, 1));
         var fovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), 45);
         var width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, 500);
         var height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, 500);
         var zNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, 0.01);
         var zFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", 100);
-        var bias = o.Number("bias", "The least ray parameter that is a hit.", Limits.NotNegative, 1e-6);
+        var bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, 1e-6);
         var clip = o.Choice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
             ("depth", Clip.Depth), ("distance", Clip.Distance));
         var sample = o.Choice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
@@ -82,7 +83,10 @@ public static class SceneReader
         else if (double.IsInfinity(view.Length))
             o.Refuse("target", $" is too far from {o.PathOf("position")}: the distance is beyond the largest number");
         else if ((up % view.Normalized).Length <= 1e-12 * up.Length)
-            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{(o.Has("up") ? "" : " where it is not given")}");
+        {
+            var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
+            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{remedy}");
+        }
 
         if (zFar <= zNear && !o.Has("zFar"))
             o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
@@ -125,7 +129,7 @@ public static class SceneReader
     {
         if (path.Length == 0) return "the name of the scene file is empty";
         if (Directory.Exists(path)) return "this is a folder, not a scene file";
-        return $"file not found{FileNames.Hint(path)}";
+        return $"file not found{FileNames.Hint(path, ".json")}";
     }
 
     private static SceneReading Unreadable(string path, string message) =>

@@ -28,6 +28,7 @@ internal static class PictureAssert
             PictureFile.Write(diff, differences);
             message += $"\n  {diff}";
         }
-        Assert.Fail($"{message}\n  If the scene was changed on purpose, remake its reference: tests/References/remake.sh {name}");
+        Assert.Fail($"{message}\n  Drawn with {actual.Width} × {actual.Height} pixels. If the scene was changed on purpose, or a formula was and the new picture "
+            + $"is known to be right, remake the reference with POV-Ray: tests/References/remake.sh {name}");
     }
 }

@@ -66,6 +66,7 @@ public class ReferenceTests
     /// <summary>Paths below a folder, with / and without the extension, in order.</summary>
     private static IEnumerable<string> NamesIn(string folder, string pattern) => Directory
         .EnumerateFiles(folder, pattern, SearchOption.AllDirectories)
+        .Where(file => !ProjectFolder.IsOwnScene(file))
         .Select(file => Path.ChangeExtension(Path.GetRelativePath(folder, file), null).Replace('\\', '/'))
         .Order(StringComparer.Ordinal);
 }

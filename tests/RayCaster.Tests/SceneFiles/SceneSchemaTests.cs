@@ -16,7 +16,7 @@ public class SceneSchemaTests
         {
             var scenes = new TheoryData<string>();
             foreach (var file in Directory.GetFiles(Path.Combine(SceneFolders.Root, "scenes"), "*.json", SearchOption.AllDirectories))
-                if (file != SceneSchema.File)
+                if (file != SceneSchema.File && !ProjectFolder.IsOwnScene(file))
                     scenes.Add(Path.GetRelativePath(SceneFolders.Root, file));
             return scenes;
         }
@@ -38,7 +38,8 @@ public class SceneSchemaTests
         if (Environment.GetEnvironmentVariable("RAYCASTER_ACCEPT") == "1") File.WriteAllText(SceneSchema.File, schema);
 
         Assert.True(File.Exists(SceneSchema.File) && File.ReadAllText(SceneSchema.File).ReplaceLineEndings("\n") == schema,
-            $"{SceneSchema.File} is not what the reader says; RAYCASTER_ACCEPT=1 dotnet test --filter {nameof(SceneSchemaTests)} writes it anew");
+            $"{SceneSchema.File} is not what the reader says; RAYCASTER_ACCEPT=1 dotnet test --filter {nameof(SceneSchemaTests)} writes it anew "
+            + "(docs/adding-a-primitive.md has the command for Windows)");
     }
 
     [Theory]
