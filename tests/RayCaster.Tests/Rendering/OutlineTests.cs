@@ -8,20 +8,16 @@ namespace RayCaster.Tests.Rendering;
 /// </summary>
 public class OutlineTests
 {
+    private static readonly Vector3 up = new(0, 0, 1);
     private static readonly Triangle triangle = new(new(1, 0, 0), new(0, 1, 0.5), new(-1, -1, 0));
     private static readonly Mesh cube = Solids.Cube(), ball = Solids.Icosphere(2);
 
-    /// <summary>Shapes of about length 1 around the origin, and points of the outline that a camera sees.</summary>
+    /// <summary>Shapes of about length 1 around the origin, and points of their outlines for rays of a direction.</summary>
     private static readonly Dictionary<string, (Model Model, Func<Random, Vector3, Vector3> Outline)> shapes = new()
     {
-        ["sphere"] = (Model.Of(new Sphere(Vector3.Zero, 1)), (random, position) =>
-        {
-            var towards = 1 / position.Length * position.Normalized; // the tangents' points lie around this one
-            return towards + Math.Sqrt(1 - towards * towards) * (Some.Direction(random) % position).Normalized;
-        }
-        ),
+        ["sphere"] = (Model.Of(new Sphere(Vector3.Zero, 1)), (random, d) => (Some.Direction(random) % d).Normalized),
         ["aabb"] = (Model.Of(new Aabb(new(-1, -1, -1), new(1, 1, 1))), (random, _) => OnOutline(random, cube)),
-        ["circle"] = (Model.Of(new Circle(Vector3.Zero, new(0, 0, 1), 1)), (random, _) => (Some.Direction(random) % new Vector3(0, 0, 1)).Normalized),
+        ["circle"] = (Model.Of(new Circle(Vector3.Zero, up, 1)), (random, _) => (Some.Direction(random) % up).Normalized),
         ["triangle"] = (Model.Of(triangle), (random, _) => OnOutline(random, triangle)),
         ["cube of triangles"] = (cube, (random, _) => OnOutline(random, cube)),
         ["ball of triangles"] = (ball, (random, _) => OnOutline(random, ball)),
@@ -34,20 +30,30 @@ public class OutlineTests
     public void IsHitByTheFastRendererAsByTheDefinition(string shape)
     {
         var (model, outline) = shapes[shape];
-        model.Name = shape;
         var random = new Random(9);
         var hits = 0;
-        for (var i = 0; i < 1000; i++)
+        for (var i = 0; i < 700; i++)
         {
             var distance = Math.Pow(10, 0.5 + 9 * random.NextDouble());
-            var position = distance * Some.Direction(random);
-            var target = outline(random, position); // on the ray of the pixel in column 1 and row 1 of 2
-            var camera = new Camera(position, target, Some.Direction(random), fovY: 1, width: 2, height: 2, zFar: 2 * distance);
+            var fovY = 2 * Math.Atan(Math.Pow(10, 2 * random.NextDouble() - 0.5) / distance) * 180 / Math.PI;
+            var (width, height) = (random.Next(1, 200), random.Next(1, 200));
+            var (column, row) = (random.Next(width), random.Next(height));
+            var (look, tilt) = (Some.Direction(random), Some.Direction(random));
+
+            // The camera is put where the ray of this pixel passes through a point of the outline.
+            var d = new Camera(Vector3.Zero, look, tilt, fovY, width, height).CastRay(column, row).Direction;
+            var position = outline(random, d) - distance * d;
+            var camera = new Camera(position, position + distance * look, tilt, fovY, width, height, zFar: 2 * distance);
             var scene = new Scene(camera, [model]);
-            RendererTests.AssertEqual(scene, $"{shape} from {position} towards {target}");
-            if (ScalarRenderer.Cast(scene, 1, 1).HitModel is not null) hits++;
+
+            var fast = new Renderer(scene).CastHits();
+            var ray = ScalarRenderer.Cast(scene, column, row);
+            var t = fast.T[(height - 1 - row) * width + column];
+            Assert.True(t.Equals(ray.HitParameter), $"{shape} from {position}, look {look}, up {tilt}, fovY {fovY:R}, {width} x {height}, "
+                + $"column {column}, row {row}: the definition's t is {ray.HitParameter:R}, the renderer's {t:R}");
+            if (ray.HitModel is not null) hits++;
         }
-        Assert.True(hits > 100, $"only {hits} rays hit: they test little");
+        Assert.InRange(hits, 70, 690);
     }
 
     private static Vector3 OnOutline(Random random, Mesh mesh) => OnOutline(random, mesh[random.Next(mesh.TriangleCount)]);
