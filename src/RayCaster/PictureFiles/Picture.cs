@@ -1,18 +1,27 @@
 namespace RayCaster;
 
 /// <summary>A picture in memory: 8 bits each of red, green and blue, line 0 at the top.</summary>
-/// <param name="width">Pixels in a line, at least 1.</param>
-/// <param name="height">Lines, at least 1.</param>
-public sealed class Picture(int width, int height)
+public sealed class Picture
 {
+    /// <param name="width">Pixels in a line, at least 1.</param>
+    /// <param name="height">Lines, at least 1.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A side is less than 1.</exception>
+    /// <exception cref="OverflowException">It would have more than 2³¹ bytes.</exception>
+    public Picture(int width, int height)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(width, 1);
+        ArgumentOutOfRangeException.ThrowIfLessThan(height, 1);
+        (Width, Height, Rgb) = (width, height, new byte[checked(width * height * 3)]);
+    }
+
     /// <summary>Pixels in a line.</summary>
-    public int Width { get; } = width;
+    public int Width { get; }
 
     /// <summary>Lines.</summary>
-    public int Height { get; } = height;
+    public int Height { get; }
 
     /// <summary>Width · Height · 3 bytes: red, green, blue; from left to right, then from top to bottom.</summary>
-    public byte[] Rgb { get; } = new byte[checked(width * height * 3)];
+    public byte[] Rgb { get; }
 
     /// <summary>A pixel's three bytes.</summary>
     /// <param name="x">The column, from the left.</param>

@@ -52,6 +52,15 @@ public class IntervalTests
         Assert.InRange(near.Hi - near.Lo, 0, 0.01);
     }
 
+    [Fact]
+    public void WhereAnEndIsInfiniteTheProductMayBeNoNumber()
+    {
+        var (aroundZero, unlimited) = (new Interval(-1, 1), new Interval(1, double.PositiveInfinity));
+        Assert.True((aroundZero * unlimited).Contains(0 * double.PositiveInfinity));
+        Assert.True((unlimited - unlimited).Contains(double.PositiveInfinity - double.PositiveInfinity));
+        Assert.True((unlimited / unlimited).Contains(double.PositiveInfinity / double.PositiveInfinity));
+    }
+
     /// <summary>The rays from (20, 0, 0) towards −x that lie about (y, z) on the picture plane; their directions need not have length 1 to be a test.</summary>
     private static Ray<Interval> Region(double y, double z, double size) => new(
         new Vector3(20, 0, 0),

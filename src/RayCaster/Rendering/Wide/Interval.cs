@@ -7,7 +7,7 @@ namespace RayCaster;
 /// <remarks>
 /// It holds what doubles compute, not what real numbers would give, so nothing is rounded outwards: each operation is monotonic in each
 /// operand, and so is rounding to nearest; what is computed from numbers between two others lies between what is computed from those.
-/// Where a corner is NaN (0 · ∞, ∞ − ∞, 0 / 0) or a divisor may be 0 the answer is "anything".
+/// Where a divisor may be 0, or an end is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything".
 /// </remarks>
 /// <param name="Lo">The least number; more than Hi if there is none.</param>
 /// <param name="Hi">The greatest number.</param>
@@ -53,9 +53,13 @@ internal readonly record struct Interval(double Lo, double Hi, bool MayBeNaN = f
         ? Nothing
         : new(Math.Sqrt(Math.Max(0, x.Lo)), Math.Sqrt(x.Hi), x.MayBeNaN || x.Lo < 0);
 
-    public static Interval Min(Interval a, Interval b) => Checked(a, b, Math.Min(a.Lo, b.Lo), Math.Min(a.Hi, b.Hi));
+    public static Interval Min(Interval a, Interval b) => a.IsSurelyNaN || b.IsSurelyNaN
+        ? Nothing
+        : new(Math.Min(a.Lo, b.Lo), Math.Min(a.Hi, b.Hi), a.MayBeNaN || b.MayBeNaN);
 
-    public static Interval Max(Interval a, Interval b) => Checked(a, b, Math.Max(a.Lo, b.Lo), Math.Max(a.Hi, b.Hi));
+    public static Interval Max(Interval a, Interval b) => a.IsSurelyNaN || b.IsSurelyNaN
+        ? Nothing
+        : new(Math.Max(a.Lo, b.Lo), Math.Max(a.Hi, b.Hi), a.MayBeNaN || b.MayBeNaN);
 
     public static Interval Select(Interval mask, Interval a, Interval b) =>
         mask.Lo == 1 ? a : mask.Hi == 0 ? b : new(Math.Min(a.Lo, b.Lo), Math.Max(a.Hi, b.Hi), a.MayBeNaN || b.MayBeNaN);
@@ -69,6 +73,6 @@ internal readonly record struct Interval(double Lo, double Hi, bool MayBeNaN = f
 
     private static Interval Checked(Interval a, Interval b, double lo, double hi) =>
         a.IsSurelyNaN || b.IsSurelyNaN ? Nothing
-        : double.IsNaN(lo) || double.IsNaN(hi) ? Anything
+        : !double.IsFinite(lo) || !double.IsFinite(hi) ? Anything
         : new(lo, hi, a.MayBeNaN || b.MayBeNaN);
 }
