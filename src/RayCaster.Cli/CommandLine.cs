@@ -103,7 +103,9 @@ internal sealed record CommandLine(Command Command)
         ProblemException.Usage($"unknown option '{name}'" + (Spelling.Nearest(name, Names) is { } near ? $"; did you mean '{near}'?" : ""));
 
     private static string OutputHint(List<string> operands) =>
-        operands is [_, var second] && Path.GetExtension(second).ToLowerInvariant() is ".png" or ".ppm" ? $"; did you mean -o {second}?" : "";
+        operands is [_, var second] && Path.GetExtension(second).ToLowerInvariant() is ".png" or ".ppm"
+            ? $"; did you mean -o {second}?"
+            : "";
 
     private static bool NoValue(string name, string? value) =>
         value is null ? true : throw ProblemException.Usage($"option '{name}' takes no value, but '{value}' is given");

@@ -11,7 +11,8 @@ internal static class ProjectFolder
     public static string PathOf(string path) => Path.GetFullPath(Path.Combine(Root, path));
 
     /// <summary>Whether a file is in scenes/my, where everybody keeps scenes of their own.</summary>
-    public static bool IsOwnScene(string file) => file.StartsWith(PathOf("scenes/my") + Path.DirectorySeparatorChar, StringComparison.Ordinal);
+    public static bool IsOwnScene(string file) =>
+        file.StartsWith(PathOf("scenes/my") + Path.DirectorySeparatorChar, StringComparison.Ordinal);
 
     private static string FindRoot()
     {

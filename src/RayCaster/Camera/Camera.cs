@@ -40,7 +40,7 @@ public sealed class Camera
     /// <param name="height">Rows.</param>
     /// <param name="zNear">Nothing nearer is seen.</param>
     /// <param name="zFar">Nothing farther is seen.</param>
-    /// <param name="bias">The least ray parameter that is a hit.</param>
+    /// <param name="bias">A hit counts if t &gt; bias; with a bias of 0, if t ≥ 0.</param>
     /// <param name="clip">What zNear and zFar measure.</param>
     /// <param name="sample">Where in its pixel a ray passes.</param>
     public Camera(Vector3 position, Vector3 target, Vector3? up = null, double fovY = 45, int width = 500, int height = 500,

@@ -239,7 +239,10 @@ internal sealed class SceneObject
         asked.Add(key.Name);
         if (written.TryGetValue(key.Name, out var member)) return member.Value;
         if (key.IsRequired && document is not null)
-            document.Add(true, json.Start, json.Start + 1, PathOf(key.Name), $"{PathOf(key.Name)} is missing: {(key.Choices.Length > 0 ? InWords(key.Choices) : key.Meaning)}");
+        {
+            var what = key.Choices.Length > 0 ? InWords(key.Choices) : key.Meaning;
+            document.Add(true, json.Start, json.Start + 1, PathOf(key.Name), $"{PathOf(key.Name)} is missing: {what}");
+        }
         return null;
     }
 

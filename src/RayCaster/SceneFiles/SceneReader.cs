@@ -10,7 +10,7 @@ public static class SceneReader
         try
         {
             if (!File.Exists(path)) return Unreadable(path, NotFound(path));
-            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene (docs/scene-file.md), and draw the scene");
+            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
             return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(path) ?? "");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or OutOfMemoryException)
@@ -63,7 +63,8 @@ public static class SceneReader
     private static Camera? ReadCamera(SceneObject o)
     {
         var position = o.Vector("position", "P, where the rays start.");
-        var target = o.Vector("target", "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: at twice its distance all is black.");
+        var target = o.Vector("target",
+            "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: at twice its distance all is black.");
         var up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", new(0, 0, 1));
         var fovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), 45);
         var width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, 500);

@@ -19,8 +19,8 @@ internal static class PictureDifference
         for (var y = 0; y < expected.Height; y++)
             for (var x = 0; x < expected.Width; x++)
                 if (expected[x, y] != actual[x, y])
-                    return $"{Count(expected, actual, levels: 0)} of {expected.Width * expected.Height} pixels differ; the first at column {x}, "
-                        + $"row {expected.Height - 1 - y} from the bottom: expected {expected[x, y]}, got {actual[x, y]}";
+                    return $"{Count(expected, actual, levels: 0)} of {expected.Width * expected.Height} pixels differ; "
+                        + $"the first at column {x}, row {expected.Height - 1 - y} from the bottom: expected {expected[x, y]}, got {actual[x, y]}";
         return "no pixel differs";
     }
 

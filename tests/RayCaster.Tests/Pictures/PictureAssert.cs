@@ -28,7 +28,8 @@ internal static class PictureAssert
             PictureFile.Write(diff, differences);
             message += $"\n  {diff}";
         }
-        Assert.Fail($"{message}\n  Drawn with {actual.Width} × {actual.Height} pixels. If the scene was changed on purpose, or a formula was and the new picture "
+        Assert.Fail($"{message}\n  Drawn with {actual.Width} × {actual.Height} pixels. "
+            + "If the scene was changed on purpose, or a formula was and the new picture "
             + $"is known to be right, remake the reference with POV-Ray: tests/References/remake.sh {name}");
     }
 }

@@ -113,11 +113,13 @@ public class SceneReaderTests
 
     [Fact]
     public void ASceneNamedWithoutItsExtensionIsFound() =>
-        Assert.EndsWith("; did you mean \"everything.json\"?", SceneReader.Read(SceneFolders.InTests("Good/everything")).Problems[0].Message);
+        Assert.EndsWith("; did you mean \"everything.json\"?",
+            SceneReader.Read(SceneFolders.InTests("Good/everything")).Problems[0].Message);
 
     [Fact]
     public void AMeshIsNoScene() =>
-        Assert.StartsWith("this is a mesh; name it in a scene", SceneReader.Read(ProjectFolder.PathOf("scenes/meshes/knot.ply")).Problems[0].Message);
+        Assert.StartsWith("this is a mesh; name it in a scene",
+            SceneReader.Read(ProjectFolder.PathOf("scenes/meshes/knot.ply")).Problems[0].Message);
 
     [Fact]
     public void AFolderIsNoScene() =>
