@@ -44,6 +44,33 @@ public class RendererTests
         Assert.Equal(height, lines);
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void ManyModelsComeOutToTheBit(int seed)
+    {
+        var random = new Random(seed);
+        double Next(double range) => range * (2 * random.NextDouble() - 1);
+        var models = new List<Model>();
+        while (models.Count < 600)
+        {
+            var (place, size) = (new Vector3(Next(4), Next(4), Next(4)), random.Next(40) == 0 ? 3 : 0.05 + 0.3 * random.NextDouble());
+            var corner = new Vector3(size, size / 2, size);
+            models.Add(random.Next(4) switch
+            {
+                0 => Model.Of(new Aabb(place - corner, place + corner)),
+                1 => Model.Of(new Circle(place, new(Next(1), Next(1), 0.1), size)),
+                2 => Model.Of(new Triangle(place, place + corner, place + new Vector3(-size, size, Next(1)))),
+                _ => Model.Of(new Sphere(place, size)),
+            });
+            if (random.Next(10) == 0) models.Add(Model.Of(new Sphere(place, size))); // ties, and behind each other in the file
+        }
+        models.Insert(random.Next(models.Count), Model.Of(new Plane(new(0, 0, -4), new(0, 0, 1))));
+        var position = new Vector3(Next(9), Next(9), Next(9));
+        AssertEqual(new Scene(new Camera(position, new(0.1, 0, 0), width: 150, height: 131, sample: (Sample)(seed % 2)), models), $"seed {seed}");
+    }
+
     [Fact]
     public void OfEqualHitsTheFirstModelShows()
     {

@@ -48,7 +48,12 @@ internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
     private void Meet<N>(RaySpan span, int first, int end, int index) where N : struct, IPacket<N>
     {
         var shape = primitive; // a local, so that its constants stay in registers
-        for (var i = first; i < end; i += N.Count) span.Keep(i, span.First(i, shape.Cross(span.RaysAt<N>(i))), index);
+        var nearest = Nearest;
+        for (var i = first; i < end; i += N.Count)
+        {
+            if (nearest > 0 && N.All(span.NearestAt<N>(i) < RaySpan.All<N>(nearest))) continue; // hidden
+            span.Keep(i, span.First(i, shape.Cross(span.RaysAt<N>(i))), index);
+        }
     }
 
     private Reach Range(TileRays rays)

@@ -125,5 +125,5 @@ internal sealed class RaySpan(Camera camera)
 
     /// <summary>A packet of one number in all lanes: the compiler finds the conversion only through this constraint.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static N All<N>(double number) where N : struct, IReal<N> => number;
+    public static N All<N>(double number) where N : struct, IReal<N> => number;
 }

@@ -11,10 +11,14 @@ internal sealed class TileCaster
     /// <summary>Parts of this size are not halved again: a row of it is four packets, for which a call is still cheap.</summary>
     private const int LeastSide = 16;
 
+    /// <summary>With more models than this a look at what is hidden pays.</summary>
+    private const int Crowd = 4;
+
     private readonly Frame frame;
     private readonly ModelView[] views;
     private readonly Tile[] extents;
-    private readonly RaySpan span;
+    private readonly RaySpan[] rows = new RaySpan[LeastSide];
+    private readonly double[] farthest = new double[LeastSide]; // of each row, the greatest t of the nearest hits so far
     private readonly TileRays rays;
     private ISpanSink sink = null!;
     private readonly List<Candidate>[] candidates = [[], [], []]; // of the tile, its halves and their halves
@@ -25,7 +29,7 @@ internal sealed class TileCaster
         this.frame = frame;
         views = Array.ConvertAll(frame.Views, view => view.ForThread());
         extents = frame.Extents;
-        span = new(frame.Scene.Camera);
+        for (var i = 0; i < rows.Length; i++) rows[i] = new(frame.Scene.Camera);
         rays = new(frame.Scene.Camera);
     }
 
@@ -97,28 +101,51 @@ internal sealed class TileCaster
 
     private void CastRows(in Tile part, List<Candidate> list)
     {
-        if (Vector512.IsHardwareAccelerated) CastRows<WidePacket>(part, list);
+        var isCrowded = list.Count > Crowd && part.Height <= rows.Length;
+        if (Vector512.IsHardwareAccelerated && isCrowded) CastCrowd<WidePacket>(part, list);
+        else if (Vector512.IsHardwareAccelerated) CastRows<WidePacket>(part, list);
+        else if (isCrowded) CastCrowd<Packet>(part, list);
         else CastRows<Packet>(part, list);
     }
 
+    /// <summary>Row by row: for few models.</summary>
     private void CastRows<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
     {
-        var isCrowded = list.Count > 4; // where a look at what is hidden pays
+        var span = rows[0];
         span.Enter<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row++)
         {
             span.Aim<N>(row);
-            var farthest = double.PositiveInfinity;
-            foreach (var candidate in list)
-            {
-                if (candidate.Reach.Least > farthest) continue;
-                ref var extent = ref extents[candidate.Index];
-                if (row < extent.Row || row >= extent.EndRow) continue;
-                views[candidate.Index].Meet(span, candidate.Index);
-                if (isCrowded) farthest = span.Farthest<N>();
-            }
+            foreach (var candidate in list) views[candidate.Index].Meet(span, candidate.Index);
             sink.Take(span);
         }
+    }
+
+    /// <summary>Model by model, where there are many and the first hide most of the others.</summary>
+    private void CastCrowd<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
+    {
+        for (var i = 0; i < part.Height; i++)
+        {
+            rows[i].Enter<N>(part.Column, part.Width);
+            rows[i].Aim<N>(part.Row + i);
+            farthest[i] = double.PositiveInfinity;
+        }
+        var farthestOfAll = double.PositiveInfinity;
+        foreach (var candidate in list)
+        {
+            if (candidate.Reach.Least > farthestOfAll) continue;
+            ref var extent = ref extents[candidate.Index];
+            var end = Math.Min(part.Height, extent.EndRow - part.Row);
+            for (var i = Math.Max(0, extent.Row - part.Row); i < end; i++)
+            {
+                if (candidate.Reach.Least > farthest[i]) continue;
+                views[candidate.Index].Meet(rows[i], candidate.Index);
+                farthest[i] = rows[i].Farthest<N>();
+            }
+            farthestOfAll = farthest[0];
+            for (var i = 1; i < part.Height; i++) farthestOfAll = Math.Max(farthestOfAll, farthest[i]);
+        }
+        for (var i = 0; i < part.Height; i++) sink.Take(rows[i]);
     }
 
     /// <summary>Half of a length of at least <see cref="LeastSide"/>, in whole packets.</summary>
