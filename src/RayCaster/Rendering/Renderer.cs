@@ -54,10 +54,10 @@ public sealed class Renderer(Scene scene, int? threads = null)
         var (across, up) = (Frame.TilesOf(camera.Width), Frame.TilesOf(camera.Height));
         var next = -1;
         Exception? failure = null;
-        var helpers = new Thread[Math.Min(threadCount, across * up) - 1];
-        for (var i = 0; i < helpers.Length; i++) (helpers[i] = new(Work) { IsBackground = true, Name = "caster" }).Start();
+        var others = new Thread[Math.Min(threadCount, across * up) - 1];
+        for (var i = 0; i < others.Length; i++) (others[i] = new(Work) { IsBackground = true, Name = "caster" }).Start();
         Work();
-        foreach (var helper in helpers) helper.Join();
+        foreach (var other in others) other.Join();
         if (failure is not null) throw failure;
 
         void Work()
