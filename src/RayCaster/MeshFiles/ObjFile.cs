@@ -85,7 +85,8 @@ internal sealed class ObjFile : TextFormat
             Utf8Parser.TryParse(rest[1..], out long _, out length); // of length 0 where nothing is written
             rest = rest[(1 + length)..];
         }
-        if (!isCorner || !rest.IsEmpty) throw scanner.Error($"a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is {scanner.Quoted}");
+        if (!isCorner || !rest.IsEmpty || corner is [.., (byte)'/'])
+            throw scanner.Error($"a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is {scanner.Quoted}");
         if (index == 0) throw scanner.Error("face index 0 is not allowed: vertices count from 1, or from -1 backwards");
         return index;
     }

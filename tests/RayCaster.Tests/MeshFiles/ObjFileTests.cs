@@ -57,6 +57,8 @@ public class ObjFileTests
     [InlineData("f 1 2 /3", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '/3'")]
     [InlineData("f 1 2 3/1/1/1", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '3/1/1/1'")]
     [InlineData("f 1 2 3/a", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '3/a'")]
+    [InlineData("f 1 2 3/", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '3/'")]
+    [InlineData("f 1 2 3/1/", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '3/1/'")]
     [InlineData("f 1 2 \\ 3", "(5): a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is '\\'")]
     [InlineData("\r\n\r\nf 1 2", "(7): a face needs at least three corners, but this one has 2")]
     [InlineData("\r\rf", "(7): a face needs at least three corners, but this one has 0")]
