@@ -6,7 +6,7 @@ namespace RayCaster;
 /// </summary>
 public abstract class Model
 {
-    /// <summary>What messages call it; null where the scene gives no name.</summary>
+    /// <summary>A name for people; null where the scene gives none.</summary>
     public string? Name { get; set; }
 
     /// <summary>Its colour in full light; white where the scene gives none.</summary>

@@ -122,7 +122,7 @@ public static class SceneReader
     {
         var model = type.Read(o);
         model.Color = o.Color("color", "Its colour in full light, as [red, green, blue], 1 being full intensity, or as \"#rrggbb\".", Color.White);
-        model.Name = o.OptionalText("name", "What messages call it.");
+        model.Name = o.OptionalText("name", "A name for people; the picture does not depend on it.");
         return model;
     }
 
