@@ -8,11 +8,12 @@ internal sealed class DrawCommand(CommandLine line)
 {
     private const string Standard = "-";
 
-    /// <exception cref="ProblemException">The scene or the picture's file does not do.</exception>
+    /// <exception cref="ProblemException">The scene does not do, or nobody takes the picture.</exception>
+    /// <exception cref="PictureFileException">The picture's file does not do.</exception>
     public int Run(CancellationToken cancellation)
     {
         var output = line.Output ?? DefaultOutput();
-        var format = line.Format ?? (output == Standard ? PictureFormat.Ppm : FormatOf(output));
+        var format = line.Format ?? (output == Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
         if (output == Standard && !Console.IsOutputRedirected)
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
@@ -43,10 +44,6 @@ internal sealed class DrawCommand(CommandLine line)
                 file.Commit();
             }
         }
-        catch (PictureFileException problem)
-        {
-            throw new ProblemException($"raycaster: {problem.Message}");
-        }
         catch (IOException problem) when (output == Standard)
         {
             throw new ProblemException($"raycaster: cannot write to standard output: {problem.Message}");
@@ -58,18 +55,6 @@ internal sealed class DrawCommand(CommandLine line)
 
     private string DefaultOutput() =>
         (line.Scene == Standard ? "scene" : Path.GetFileNameWithoutExtension(line.Scene)) + ".png";
-
-    private static PictureFormat FormatOf(string output)
-    {
-        try
-        {
-            return PictureFormats.ByExtension(output);
-        }
-        catch (PictureFileException problem)
-        {
-            throw new ProblemException($"raycaster: {problem.Message}");
-        }
-    }
 
     /// <summary>The scene, or null after its errors have been printed.</summary>
     private Scene? ReadScene()

@@ -36,6 +36,11 @@ internal static class Program
             StandardFile.WriteError(problem.Message + Environment.NewLine);
             return ExitCode.CouldNot;
         }
+        catch (PictureFileException problem)
+        {
+            StandardFile.WriteError($"raycaster: {problem.Message}{Environment.NewLine}");
+            return ExitCode.CouldNot;
+        }
         catch (Exception unexpected)
         {
             StandardFile.WriteError($"""

@@ -17,7 +17,7 @@ internal sealed class BandQueue
     private readonly SpanShader shader;
     private readonly Action<int>? linesDone;
     private readonly CancellationToken cancellation;
-    private readonly int rowsOfBand, tilesAcross;
+    private readonly int rowsOfBand, tilesAcross, threadCount;
     private readonly long bandCount;
 
     private readonly byte[][] buffers;
@@ -42,16 +42,14 @@ internal sealed class BandQueue
         buffers = new byte[Math.Min(bandCount, threads + 2)][];
         tilesMissing = new int[buffers.Length];
         for (var i = 0; i < buffers.Length; i++) (buffers[i], tilesMissing[i]) = (new byte[3 * camera.Width * rowsOfBand], tilesAcross);
-        Threads = threads;
+        threadCount = (int)Math.Min(threads, bandCount * tilesAcross);
     }
-
-    private int Threads { get; }
 
     /// <summary>Draws it all.</summary>
     /// <param name="write">Takes whole lines, in order, on this thread.</param>
     public void WriteAll(Action<ReadOnlySpan<byte>> write)
     {
-        var workers = new Thread[Threads];
+        var workers = new Thread[threadCount];
         for (var i = 0; i < workers.Length; i++)
         {
             workers[i] = new(Work) { IsBackground = true, Name = "caster" };

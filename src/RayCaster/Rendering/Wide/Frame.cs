@@ -35,11 +35,11 @@ internal sealed class Frame
         for (var i = 0; i < order.Length; i++) order[i] = i;
         Array.Sort(Array.ConvertAll(Views, view => view.Nearest), order);
         starts = new int[tilesAcross * TilesOf(camera.Height) + 1];
-        List(order, large, (tile, _) => starts[tile + 1]++);
+        VisitTiles(order, large, (tile, _) => starts[tile + 1]++);
         for (var tile = 1; tile < starts.Length; tile++) starts[tile] += starts[tile - 1];
         listed = new int[starts[^1]];
         var next = starts[..^1];
-        List(order, large, (tile, i) => listed[next[tile]++] = i);
+        VisitTiles(order, large, (tile, i) => listed[next[tile]++] = i);
     }
 
     /// <summary>The scene.</summary>
@@ -64,7 +64,7 @@ internal sealed class Frame
     }
 
     /// <summary>Visits the tiles of all models that are not large.</summary>
-    private void List(int[] order, long large, Action<int, int> visit)
+    private void VisitTiles(int[] order, long large, Action<int, int> visit)
     {
         foreach (var i in order)
         {

@@ -19,7 +19,7 @@ internal abstract class ModelView
     /// <param name="rays">The tile and its rays.</param>
     public virtual Reach Enter(TileRays rays) => Reach.Unknown;
 
-    /// <summary>The same for a part of the tile, where the model knows more of it.</summary>
+    /// <summary>The same for a part of the tile, where the model knows more of it; not asked of one whose <see cref="Extent"/> is small.</summary>
     /// <param name="rays">The part and its rays.</param>
     /// <param name="whole">What was said of the whole.</param>
     public virtual Reach Narrow(TileRays rays, Reach whole) => whole;

@@ -29,7 +29,7 @@ internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
     public override Reach Enter(TileRays rays) => Extent.IsSmall ? new(Nearest, double.PositiveInfinity) : Range(rays);
 
     /// <inheritdoc/>
-    public override Reach Narrow(TileRays rays, Reach whole) => Extent.IsSmall ? whole : Range(rays);
+    public override Reach Narrow(TileRays rays, Reach whole) => Range(rays);
 
     /// <inheritdoc/>
     public override void Meet(RaySpan span, int index)

@@ -4,11 +4,11 @@ namespace RayCaster;
 
 /// <summary>
 /// One thread's tool: finds for the pixels of a tile the nearest hits. The tile is halved and halved again, and each part drops the models that
-/// cannot show in it; what is left meets the rays row by row.
+/// cannot show in it; what is left meets the rays.
 /// </summary>
 internal sealed class TileCaster
 {
-    /// <summary>Parts of this size are not halved again: a row of it is four packets, for which a call is still cheap.</summary>
+    /// <summary>Parts of this size are not halved again: a row of it is a few packets, for which a call is still cheap.</summary>
     private const int LeastSide = 16;
 
     /// <summary>With more models than this a look at what is hidden pays.</summary>

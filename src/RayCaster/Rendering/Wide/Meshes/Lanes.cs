@@ -65,4 +65,14 @@ internal static class Lanes
         return (Avx.UnpackLow(xy01, xy23).AsSingle(), Avx.UnpackHigh(xy01, xy23).AsSingle(),
             Avx.UnpackLow(zw01, zw23).AsSingle(), Avx.UnpackHigh(zw01, zw23).AsSingle());
     }
+
+    /// <summary>The least of three in each lane; of NaN it promises nothing.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> Least(Vector256<float> a, Vector256<float> b, Vector256<float> c) =>
+        Vector256.MinNative(a, Vector256.MinNative(b, c));
+
+    /// <summary>The greatest of three in each lane; of NaN it promises nothing.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> Most(Vector256<float> a, Vector256<float> b, Vector256<float> c) =>
+        Vector256.MaxNative(a, Vector256.MaxNative(b, c));
 }

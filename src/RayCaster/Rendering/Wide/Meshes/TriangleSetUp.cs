@@ -37,8 +37,8 @@ internal static class TriangleSetUp
         var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
         var (ax, bx, cx) = (t.AX - column, t.BX - column, t.CX - column);
         var (ay, by, cy) = (t.AY - row, t.BY - row, t.CY - row);
-        var (left, right) = (Least(ax, bx, cx), Most(ax, bx, cx));
-        var (bottom, top) = (Least(ay, by, cy), Most(ay, by, cy));
+        var (left, right) = (Lanes.Least(ax, bx, cx), Lanes.Most(ax, bx, cx));
+        var (bottom, top) = (Lanes.Least(ay, by, cy), Lanes.Most(ay, by, cy));
         var size = right - left + (top - bottom);
         left = Vector256.MaxNative(Vector256.Ceiling(left - margin), zero);
         right = Vector256.MinNative(Vector256.Floor(right + margin), Vector256.Create(tile.Width - 1f));
@@ -66,7 +66,7 @@ internal static class TriangleSetUp
 
         // A triangle with next to no area (LeastWidth) has no side functions to speak of, and the formula may put its t anywhere that its corners
         // span along the axis that the ray follows most. Of a corner s pixels beside the ray that is its depth stretched by at most √3 s / scale.
-        var (mostW, leastW) = (Most(t.AW, t.BW, t.CW), Least(t.AW, t.BW, t.CW));
+        var (mostW, leastW) = (Lanes.Most(t.AW, t.BW, t.CW), Lanes.Least(t.AW, t.BW, t.CW));
         var ratio = mostW / leastW;
         var isSliver = ~Vector256.GreaterThan(area, size * Vector256.Create(screen.LeastWidth) * ratio * ratio);
         var stretch = size * Vector256.Create((float)(4 / screen.Scale));
@@ -112,12 +112,4 @@ internal static class TriangleSetUp
         b.StoreUnsafe(ref fields[8 * first + 8]);
         c.StoreUnsafe(ref fields[8 * first + 16]);
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Least(Vector256<float> a, Vector256<float> b, Vector256<float> c) =>
-        Vector256.MinNative(a, Vector256.MinNative(b, c));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Most(Vector256<float> a, Vector256<float> b, Vector256<float> c) =>
-        Vector256.MaxNative(a, Vector256.MaxNative(b, c));
 }

@@ -47,8 +47,8 @@ internal sealed class TriangleSorter(ScreenSpace screen, ScreenTriangles set)
         {
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
             var t = new EightTriangles(set.Points, set.Indices, ids);
-            var (left, right) = (Least(t.AX, t.BX, t.CX), Most(t.AX, t.BX, t.CX));
-            var (bottom, top) = (Least(t.AY, t.BY, t.CY), Most(t.AY, t.BY, t.CY));
+            var (left, right) = (Lanes.Least(t.AX, t.BX, t.CX), Lanes.Most(t.AX, t.BX, t.CX));
+            var (bottom, top) = (Lanes.Least(t.AY, t.BY, t.CY), Lanes.Most(t.AY, t.BY, t.CY));
             var size = right - left + (top - bottom);
 
             // The samples within the box around the triangle. Columns and rows of a picture are exact in floats.
@@ -61,15 +61,15 @@ internal sealed class TriangleSorter(ScreenSpace screen, ScreenTriangles set)
 
             // The range of w that counts; see TriangleSetUp on the stretch of the corners' w.
             var stretch = size * spread;
-            shows &= Vector256.GreaterThanOrEqual(Most(t.AW, t.BW, t.CW) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
-            shows &= Vector256.LessThanOrEqual(Least(t.AW, t.BW, t.CW) * (one - stretch), mostW);
+            shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.AW, t.BW, t.CW) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
+            shows &= Vector256.LessThanOrEqual(Lanes.Least(t.AW, t.BW, t.CW) * (one - stretch), mostW);
 
             // Where the box holds one sample only, the sides tell whether it is beside the triangle. (The others are looked at in their tiles.)
             var (ax, bx, cx) = (t.AX - column0, t.BX - column0, t.CX - column0);
             var (ay, by, cy) = (t.AY - row0, t.BY - row0, t.CY - row0);
             var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
             var slack = size * (Vector256.Create(6 * screen.Margin) + size * Vector256.Create(TriangleSetUp.Roundings));
-            var beside = Vector256.LessThan(Least(u, v, w), -slack) & Vector256.GreaterThan(Most(u, v, w), slack);
+            var beside = Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
             var single = Vector256.Equals(column0, column1) & Vector256.Equals(row0, row1);
             shows &= ~(beside & single) & ~unfit;
 
@@ -143,12 +143,4 @@ internal sealed class TriangleSorter(ScreenSpace screen, ScreenTriangles set)
         if (bottom < extent.Bottom) extent.Bottom = bottom;
         if (top > extent.Top) extent.Top = top;
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Least(Vector256<float> a, Vector256<float> b, Vector256<float> c) =>
-        Vector256.MinNative(a, Vector256.MinNative(b, c));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Most(Vector256<float> a, Vector256<float> b, Vector256<float> c) =>
-        Vector256.MaxNative(a, Vector256.MaxNative(b, c));
 }
