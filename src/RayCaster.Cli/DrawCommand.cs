@@ -4,83 +4,92 @@ using System.Globalization;
 namespace RayCaster.Cli;
 
 /// <summary>Reads a scene, draws it, writes the picture.</summary>
-internal sealed class DrawCommand(CommandLine line)
+internal sealed class DrawCommand : Command
 {
-    private const string Standard = "-";
+    public override IReadOnlyList<Option> Options { get; } =
+        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Version];
+
+    public override string Help => HelpText.Full;
 
     /// <exception cref="ProblemException">The scene does not do, or nobody takes the picture.</exception>
     /// <exception cref="PictureFileException">The picture's file does not do.</exception>
-    public int Run(CancellationToken cancellation)
+    public override int Run(CommandLine line, CancellationToken cancellation)
     {
-        var output = line.Output ?? DefaultOutput();
-        var format = line.Format ?? (output == Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
-        if (output == Standard && !Console.IsOutputRedirected)
+        var path = ScenePath(line);
+        var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
+        var output = line[Option.Output] ?? DefaultOutput(path);
+        var format = Format(line[Option.Format]) ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+        if (output == SceneInput.Standard && !Console.IsOutputRedirected)
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
 
-        // Reading leaves nothing behind, so an interruption need not wait for its end: standard input may have none.
-        var scene = Task.Run(ReadScene).WaitAsync(cancellation).GetAwaiter().GetResult();
-        if (scene is null) return ExitCode.CouldNot;
+        if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
         var start = Stopwatch.GetTimestamp();
-        try
+        var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
+        if (output == SceneInput.Standard)
         {
-            if (output == Standard)
+            try
             {
                 using var stream = StandardFile.OpenOutput();
                 try
                 {
-                    Draw(scene, stream, format, cancellation);
+                    Draw(scene, threads, stream, format, showProgress, cancellation);
                 }
                 finally
                 {
                     StandardFile.Leave(stream);
                 }
             }
-            else
+            catch (IOException problem)
             {
-                using var file = new ReplacedFile(output);
-                Draw(scene, file, format, cancellation);
-                file.Commit();
+                throw new ProblemException($"raycaster: cannot write to standard output: {problem.Message}");
             }
         }
-        catch (IOException problem) when (output == Standard)
+        else
         {
-            throw new ProblemException($"raycaster: cannot write to standard output: {problem.Message}");
+            using var file = new ReplacedFile(output);
+            Draw(scene, threads, file, format, showProgress, cancellation);
+            file.Commit();
         }
 
-        if (!line.Quiet) StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        if (!quiet) StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
         return ExitCode.Done;
     }
 
-    private string DefaultOutput() =>
-        (line.Scene == Standard ? "scene" : Path.GetFileNameWithoutExtension(line.Scene)) + ".png";
-
-    /// <summary>The scene, or null after its errors have been printed.</summary>
-    private Scene? ReadScene()
+    private static string ScenePath(CommandLine line) => line.Operands switch
     {
-        var reading = line.Scene == Standard ? ReadStandardInput() : SceneReader.Read(line.Scene);
-        if (reading.Scene is null || !line.Quiet) StandardFile.WriteError(reading.Report());
-        if (reading.Scene is not { } scene || line.Size is not var (width, height)) return reading.Scene;
-        return scene with { Camera = scene.Camera.WithSize(width, height) };
-    }
+        [var scene] when scene.Length > 0 => scene,
+        [] or [_] => throw ProblemException.Usage("which scene? Name a scene file, for example scenes/room.json"),
+        [var word, ..] when Spelling.Nearest(word, Command.Names) is { } name =>
+            throw ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
+        var scenes => throw ProblemException.Usage(
+            $"one scene at a time, but there are {scenes.Count}: {string.Join(", ", scenes)}{OutputHint(scenes)}"),
+    };
 
-    private static SceneReading ReadStandardInput()
+    private static string OutputHint(IReadOnlyList<string> operands) =>
+        operands is [_, var second] && Path.GetExtension(second).ToLowerInvariant() is ".png" or ".ppm"
+            ? $"; did you mean -o {second}?"
+            : "";
+
+    private static PictureFormat? Format(string? text) => text switch
     {
-        using var input = Console.OpenStandardInput();
-        using var bytes = new MemoryStream();
-        input.CopyTo(bytes);
-        return SceneReader.Parse(bytes.ToArray(), "<stdin>", Environment.CurrentDirectory);
-    }
+        null => null,
+        "png" => PictureFormat.Png,
+        "ppm" => PictureFormat.Ppm,
+        "ppm-text" => PictureFormat.PpmText,
+        _ => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
+    };
 
-    private void Draw(Scene scene, Stream output, PictureFormat format, CancellationToken cancellation)
+    private static string DefaultOutput(string scene) =>
+        (scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene)) + ".png";
+
+    private static void Draw(Scene scene, int? threads, Stream output, PictureFormat format, bool showProgress, CancellationToken cancellation)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
-        using var progress = line.Quiet || line.NoProgress || !ProgressLine.IsWanted
-            ? null
-            : new ProgressLine(Console.Error, width, height, TerminalWidth(), TimeProvider.System);
+        using var progress = showProgress ? new ProgressLine(Console.Error, width, height, TerminalWidth(), TimeProvider.System) : null;
         using var writer = PictureWriter.Create(format, output, width, height);
-        new Renderer(scene, line.Threads).Draw(writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
+        new Renderer(scene, threads).Draw(writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
         writer.Finish();
     }
 
@@ -102,7 +111,7 @@ internal sealed class DrawCommand(CommandLine line)
         var (width, height, models) = (scene.Camera.Width, scene.Camera.Height, scene.Models.Count);
         var rays = (double)width * height / elapsed.TotalSeconds;
         return string.Create(CultureInfo.InvariantCulture,
-            $"{(output == Standard ? "standard output" : output)}: {width} x {height} pixels, " +
+            $"{(output == SceneInput.Standard ? "standard output" : output)}: {width} x {height} pixels, " +
             $"{models} {(models == 1 ? "model" : "models")}, " +
             $"{elapsed.TotalSeconds:0.00} s, {rays / 1e6:0.0} million rays per second");
     }

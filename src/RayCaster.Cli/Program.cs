@@ -25,7 +25,7 @@ internal static class Program
 
         try
         {
-            return Run(CommandLine.Parse(arguments), cancellation.Token);
+            return Run(arguments, cancellation.Token);
         }
         catch (OperationCanceledException) when (cancellation.IsCancellationRequested)
         {
@@ -54,21 +54,24 @@ internal static class Program
         }
     }
 
-    private static int Run(CommandLine line, CancellationToken cancellation)
+    private static int Run(string[] arguments, CancellationToken cancellation)
     {
-        switch (line.Command)
+        if (arguments.Length == 0)
         {
-            case Command.Help:
-                Console.Out.Write(HelpText.Full);
-                return ExitCode.Done;
-            case Command.Version:
-                Console.Out.WriteLine(typeof(Program).Assembly.GetName().Version!.ToString(3));
-                return ExitCode.Done;
-            case Command.Usage:
-                StandardFile.WriteError(HelpText.Usage);
-                return ExitCode.CouldNot;
-            default:
-                return new DrawCommand(line).Run(cancellation);
+            StandardFile.WriteError(HelpText.Usage);
+            return ExitCode.CouldNot;
         }
+        var line = CommandLine.Parse(arguments);
+        if (line.Has(Option.Help))
+        {
+            StandardFile.WriteOutput(line.Command.Help);
+            return ExitCode.Done;
+        }
+        if (line.Has(Option.Version))
+        {
+            StandardFile.WriteOutput(typeof(Program).Assembly.GetName().Version!.ToString(3) + Environment.NewLine);
+            return ExitCode.Done;
+        }
+        return line.Command.Run(line, cancellation);
     }
 }

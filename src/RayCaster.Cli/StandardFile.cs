@@ -22,6 +22,23 @@ internal static class StandardFile
         if (stream is FileStream file) _ = file.SafeFileHandle; // a FileStream keeps its own place until it shows its handle
     }
 
+    /// <summary>Writes a command's answer.</summary>
+    /// <param name="text">Whole lines.</param>
+    /// <exception cref="ProblemException">Nobody takes it.</exception>
+    public static void WriteOutput(string text)
+    {
+        try
+        {
+            using var stream = OpenOutput();
+            stream.Write(Encoding.UTF8.GetBytes(text));
+            Leave(stream);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new ProblemException($"raycaster: cannot write to standard output: {e.Message}");
+        }
+    }
+
     /// <summary>Tells the user something; where nobody can read it, nobody misses it.</summary>
     /// <param name="text">Whole lines.</param>
     public static void WriteError(string text)

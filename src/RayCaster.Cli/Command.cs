@@ -1,0 +1,26 @@
+namespace RayCaster.Cli;
+
+/// <summary>Something that the console app can be asked for.</summary>
+internal abstract class Command
+{
+    /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
+    public static readonly string[] Names = ["help"];
+
+    /// <summary>The command of a name; null if there is none.</summary>
+    public static Command? Named(string name) => name switch
+    {
+        "help" => new HelpCommand(),
+        _ => null,
+    };
+
+    /// <summary>The options that it takes; <see cref="Option.Help"/> is one of every command's.</summary>
+    public abstract IReadOnlyList<Option> Options { get; }
+
+    /// <summary>What "help" shows of it: whole lines of at most 90 characters.</summary>
+    public abstract string Help { get; }
+
+    /// <summary>Does it.</summary>
+    /// <returns>The exit code.</returns>
+    /// <exception cref="ProblemException">It cannot be done; the message is for the user.</exception>
+    public abstract int Run(CommandLine line, CancellationToken cancellation);
+}

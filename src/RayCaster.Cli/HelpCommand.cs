@@ -1,0 +1,19 @@
+namespace RayCaster.Cli;
+
+/// <summary>Shows what there is, or one command's page.</summary>
+internal sealed class HelpCommand : Command
+{
+    public override IReadOnlyList<Option> Options => [];
+
+    public override string Help => HelpText.Full;
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var text = line.Operands is [var name, ..] ? (Named(name) ?? throw Unknown(name)).Help : Help;
+        StandardFile.WriteOutput(text);
+        return ExitCode.Done;
+    }
+
+    private static ProblemException Unknown(string name) =>
+        ProblemException.Usage($"there is no command '{name}'" + (Spelling.Nearest(name, Names) is { } near ? $"; did you mean '{near}'?" : ""));
+}

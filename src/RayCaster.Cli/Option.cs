@@ -1,0 +1,29 @@
+namespace RayCaster.Cli;
+
+/// <summary>An option of the command line. It means the same wherever a command takes it.</summary>
+/// <param name="Name">With two dashes.</param>
+/// <param name="Short">With one dash; empty if there is none. Some letters never reach us: "dotnet run" takes -c, -f, -r, -a, -p, -v and -e for itself.</param>
+/// <param name="TakesValue">Whether a value follows; otherwise it is a switch.</param>
+internal sealed record Option(string Name, string Short = "", bool TakesValue = true)
+{
+    public static readonly Option Output = new("--output", "-o");
+    public static readonly Option Format = new("--format");
+    public static readonly Option Size = new("--size", "-s");
+    public static readonly Option Threads = new("--threads", "-t");
+    public static readonly Option Quiet = new("--quiet", "-q", TakesValue: false);
+    public static readonly Option NoProgress = new("--no-progress", TakesValue: false);
+    public static readonly Option Version = new("--version", TakesValue: false);
+    public static readonly Option Help = new("--help", "-h", TakesValue: false);
+
+    /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
+    public static readonly Option[] All = [Output, Format, Size, Threads, Quiet, NoProgress, Version, Help];
+
+    /// <summary>The option that a word names, or null.</summary>
+    public static Option? Named(string word)
+    {
+        foreach (var option in All)
+            if (word == option.Name || (word == option.Short && word.Length > 0))
+                return option;
+        return word == "-?" ? Help : null;
+    }
+}

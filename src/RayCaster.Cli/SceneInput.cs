@@ -1,0 +1,32 @@
+namespace RayCaster.Cli;
+
+/// <summary>The scene that a command is about.</summary>
+internal static class SceneInput
+{
+    /// <summary>What stands for standard input, and for standard output.</summary>
+    public const string Standard = "-";
+
+    /// <summary>Reads a scene; prints what is wrong with it.</summary>
+    /// <param name="path">The file, or "-".</param>
+    /// <param name="size">The picture's size, if it is not to be the scene's.</param>
+    /// <param name="quiet">Whether warnings are left out.</param>
+    /// <param name="cancellation">Ends the wait: reading leaves nothing behind, and standard input may have no end.</param>
+    /// <returns>The scene, or null after its errors have been printed.</returns>
+    public static Scene? Read(string path, (int Width, int Height)? size, bool quiet, CancellationToken cancellation)
+    {
+        var reading = Task.Run(() => Read(path)).WaitAsync(cancellation).GetAwaiter().GetResult();
+        if (reading.Scene is null || !quiet) StandardFile.WriteError(reading.Report());
+        if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
+        return scene with { Camera = scene.Camera.WithSize(width, height) };
+    }
+
+    /// <summary>Reads a scene and all that is to be said of it.</summary>
+    public static SceneReading Read(string path)
+    {
+        if (path != Standard) return SceneReader.Read(path);
+        using var input = Console.OpenStandardInput();
+        using var bytes = new MemoryStream();
+        input.CopyTo(bytes);
+        return SceneReader.Parse(bytes.ToArray(), "<stdin>", Environment.CurrentDirectory);
+    }
+}
