@@ -30,6 +30,20 @@ public readonly struct ClipRange
         return (t >= least) & (z >= zNear) & (z <= zFar);
     }
 
+    /// <summary>Why a crossing does not count; <see cref="Refusal.None"/> exactly where <see cref="Counts"/> holds.</summary>
+    /// <param name="t">The ray parameter of the crossing.</param>
+    /// <param name="zPerT">What z gains for one unit of t.</param>
+    public Refusal Refuse(double t, double zPerT)
+    {
+        var z = t * zPerT;
+        return !double.IsFinite(t) ? Refusal.NoNumber
+            : t < 0 ? Refusal.Behind
+            : t < least ? Refusal.UnderBias
+            : z < zNear ? Refusal.BeforeNear
+            : z <= zFar ? Refusal.None
+            : Refusal.BeyondFar;
+    }
+
     /// <summary>The first of two crossings that counts, or NaN: the far side of a body shows where its near side is clipped away.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N First<N>(Crossings<N> crossings, N zPerT) where N : struct, IReal<N> =>

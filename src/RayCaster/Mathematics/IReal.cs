@@ -68,4 +68,10 @@ public interface IReal<N> where N : struct, IReal<N>
 
     /// <summary><paramref name="value"/> where it is a number, <paramref name="instead"/> where it is NaN.</summary>
     static virtual N Or(N value, N instead) => N.Select(value <= double.PositiveInfinity, value, instead);
+
+    /// <summary>Hears what a step of a formula is called (<see cref="Naming"/>). Only a number that explains listens.</summary>
+    static virtual N Named(N value, string name, string formula) => value;
+
+    /// <inheritdoc cref="Named(N, string, string)"/>
+    static virtual Vector3<N> Named(Vector3<N> value, string name, string formula) => value;
 }

@@ -17,8 +17,8 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
         var x = Slab<N>(Min.X, Max.X, ray.Origin.X, ray.Direction.X);
         var y = Slab<N>(Min.Y, Max.Y, ray.Origin.Y, ray.Direction.Y);
         var z = Slab<N>(Min.Z, Max.Z, ray.Origin.Z, ray.Direction.Z);
-        var tMin = N.Max(N.Max(x.Near, y.Near), z.Near);
-        var tMax = N.Min(N.Min(x.Far, y.Far), z.Far);
+        var tMin = N.Max(N.Max(x.Near, y.Near), z.Near).As("t_min");
+        var tMax = N.Min(N.Min(x.Far, y.Far), z.Far).As("t_max");
         var hit = tMin <= tMax;
         return new(N.If(hit, tMin), N.If(hit, tMax));
     }
@@ -31,8 +31,8 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Crossings<N> Slab<N>(N lo, N hi, N origin, N direction) where N : struct, IReal<N>
     {
-        var t0 = (lo - origin) / direction;
-        var t1 = (hi - origin) / direction;
+        var t0 = ((lo - origin) / direction).As("t0");
+        var t1 = ((hi - origin) / direction).As("t1");
         return new(N.Or(N.Min(t0, t1), double.NegativeInfinity), N.Or(N.Max(t0, t1), double.PositiveInfinity));
     }
 }

@@ -16,7 +16,7 @@ public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radi
     public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
     {
         var t = new Plane(Center, Normal).Cross(ray).Near;
-        var CX = ray.At(t) - Center; // infinite or NaN for a parallel ray, so that no comparison holds
+        var CX = (ray.At(t) - Center).As("CX"); // infinite or NaN for a parallel ray, so that no comparison holds
         return new(N.If(CX * CX <= Radius * Radius, t));
     }
 }

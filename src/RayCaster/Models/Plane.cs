@@ -13,7 +13,7 @@ public readonly record struct Plane(Vector3 Point, Vector3 Normal) : IPrimitive
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
     {
-        var t = (Point - ray.Origin) * Normal / (ray.Direction * Normal);
+        var t = ((Point - ray.Origin) * Normal / (ray.Direction * Normal)).As("t");
         return new(t);
     }
 }

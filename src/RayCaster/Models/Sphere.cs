@@ -21,10 +21,10 @@ public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
     {
-        var L = Center - ray.Origin;
-        var tca = L * ray.Direction;
-        var D = L - tca * ray.Direction;                 // from the ray's nearest point to C
-        var thc = N.Sqrt(Radius * Radius - D * D);       // NaN where the ray passes by
+        var L = (Center - ray.Origin).As("L");
+        var tca = (L * ray.Direction).As("tca");
+        var D = (L - tca * ray.Direction).As("D");      // from the ray's nearest point to C
+        var thc = N.Sqrt(Radius * Radius - D * D).As("thc");       // NaN where the ray passes by
         return new(tca - thc, tca + thc);
     }
 }
