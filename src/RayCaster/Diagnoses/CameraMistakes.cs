@@ -107,8 +107,8 @@ internal static class CameraMistakes
         new("no-center", Concerns.Camera, Slides.RayThroughPixel, "uc and ur without − w / 2 and − h / 2",
             lab =>
             {
-                lab.Uc.Becomes(uc => c => uc(c + lab.Camera.Width / 2.0));
-                lab.Ur.Becomes(ur => r => ur(r + lab.Camera.Height / 2.0));
+                lab.Uc.Becomes(uc => c => uc(c) - uc(0));
+                lab.Ur.Becomes(ur => r => ur(r) - ur(0));
             })
         {
             Hint = new("What should be in the middle is at the lower left corner.",
@@ -254,7 +254,12 @@ internal static class CameraMistakes
     ];
 
     /// <summary>The sphere's formula for a direction of any length: t counts in its lengths.</summary>
-    private static void AllowAnyLength(Lab lab) => lab.Sphere.Becomes(cross => (s, d) => cross(s, d.Normalized).Select(t => t / d.Length));
+    private static void AllowAnyLength(Lab lab) => lab.Sphere.Becomes(cross => (s, d) =>
+    {
+        var length = d.Length;
+        var crossed = cross(s, d / length);
+        return new(crossed.Near / length, crossed.Far / length);
+    });
 
     /// <summary>The slide's geometric formula for d·d = 1, with any d: the same as the analytic one with a = 1.</summary>
     private static void AssumeUnitLength(Lab lab) => lab.Sphere.Becomes(_ => (s, d) =>

@@ -230,7 +230,7 @@ internal sealed class Lab
     /// <summary>How far t is along the view direction.</summary>
     public double Depth(double t, Vector3 d) => t * -(d * W);
 
-    /// <summary>The hit of crossings where a model has one at all.</summary>
+    /// <summary>Whether a crossing counts.</summary>
     public bool Counts(double t, Vector3 d) => Ahead.Do(t) && Clipped.Do(t, Depth(t, d));
 
     /// <summary>The ray from the camera in a direction.</summary>
@@ -256,10 +256,14 @@ internal sealed class Lab
         Model<Sphere> sphere => First.Do(Sphere.Do(sphere.Primitive, d), d),
         Model<Aabb> box => First.Do(Box.Do(box.Primitive, d), d),
         Model<Circle> circle => First.Do(Circle.Do(circle.Primitive, d), d),
-        Model<Triangle> triangle => First.Do(Triangle.Do(triangle.Primitive, d), d),
+        Model<Triangle> triangle => HitOf(triangle.Primitive, d),
         Mesh mesh => TriangleTree.Of(mesh).Nearest(this, d),
         _ => model.CrossingsWith(RayOf(d)) is { } crossed ? First.Do(crossed, d) : model.Intersect(WholeRay(d)),
     };
+
+    /// <summary>Most rays pass a triangle by, which its bounds say sooner than its formula.</summary>
+    private double? HitOf(in Triangle triangle, Vector3 d) =>
+        !TrianglesReachOut && TriangleTree.Misses(triangle.Bounds, this, TriangleTree.Inverse(d)) ? null : First.Do(Triangle.Do(triangle, d), d);
 
     /// <summary>A ray for a model that chooses among its crossings by itself.</summary>
     private Ray WholeRay(Vector3 d) =>

@@ -64,7 +64,7 @@ internal static class ShapeMistakes
     private static Mistake[] OfPlanes =>
     [
         new Mistake("plane-sign", Concerns.Planes, Slides.Plane, "plane: (P − Q)·n, so that t has the wrong sign",
-            lab => lab.Plane.Becomes(cross => (plane, d) => cross(plane, d).Select(t => -t)))
+            lab => lab.Plane.Becomes(cross => (plane, d) => Mirrored(cross(plane, d))))
         {
             Hint = new("Planes are missing; those behind the camera may show.",
                 "A plane before the camera: is your t positive?",
@@ -73,7 +73,7 @@ internal static class ShapeMistakes
         .Or("plane and circle: (P − Q)·n, so that t has the wrong sign",
             lab =>
             {
-                lab.Plane.Becomes(cross => (plane, d) => cross(plane, d).Select(t => -t));
+                lab.Plane.Becomes(cross => (plane, d) => Mirrored(cross(plane, d)));
                 lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Center = 2 * lab.P - circle.Center }, d));
             }),
         new Mistake("plane-cull", Concerns.Planes, Slides.Plane, "plane: left out where n points away from the camera (d·n ≥ 0)",
@@ -192,11 +192,7 @@ internal static class ShapeMistakes
                 "u ≥ 0, v ≥ 0, u + v ≤ 1."),
         },
         new("tri-area", Concerns.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
-            lab => lab.Triangle.Becomes(_ => (triangle, d) =>
-            {
-                var (n, t, a, b, c) = Areas(lab, triangle, d);
-                return lab.Length.Do(a) + lab.Length.Do(b) + lab.Length.Do(c) == lab.Length.Do(n) ? new(t) : None;
-            }))
+            lab => lab.Triangle.Becomes(_ => (triangle, d) => TriangleByAreas(lab, triangle, d)))
         {
             Rewrites = true,
             Hint = new("Triangles are full of holes, like lace.",

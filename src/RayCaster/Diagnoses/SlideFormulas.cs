@@ -11,8 +11,8 @@ internal static class SlideFormulas
     /// <summary>No crossing.</summary>
     public static Crossed None => new(double.NaN);
 
-    /// <summary>Crossings with every t taken for another.</summary>
-    public static Crossed Select(this Crossed crossed, Func<double, double> t) => new(t(crossed.Near), t(crossed.Far));
+    /// <summary>The crossing of a surface at −t for t.</summary>
+    public static Crossed Mirrored(Crossed crossed) => new(-crossed.Near);
 
     /// <summary>Slide "Sphere – Analytic Solution": the roots of a t² + b t + c = 0, from its discriminant.</summary>
     public static Crossed Roots(double a, double b, double discriminant) =>
@@ -55,18 +55,29 @@ internal static class SlideFormulas
     /// <param name="inside">(u, v) → whether X is in the triangle.</param>
     public static Crossed Triangle(Lab lab, Triangle triangle, Vector3 d, Func<double, double, bool> inside)
     {
-        var (n, t, _, overB, overC) = Areas(lab, triangle, d);
-        return inside(overB * n / (n * n), overC * n / (n * n)) ? new(t) : None;
+        var (A, B, C) = (triangle.A, triangle.B, triangle.C);
+        var (n, t) = CrossPlane(lab, triangle, d);
+        if (!lab.Counts(t, d)) return None; // only to be done sooner
+        var X = lab.P + t * d;
+        var u = lab.Cross.Do(A - C, X - C) * n / (n * n);
+        var v = lab.Cross.Do(B - A, X - A) * n / (n * n);
+        return inside(u, v) ? new(t) : None;
     }
 
-    /// <summary>n, the crossing of the plane, and the cross products over the sides a, b and c, as long as twice the areas.</summary>
-    public static (Vector3 N, double T, Vector3 OverA, Vector3 OverB, Vector3 OverC) Areas(Lab lab, Triangle triangle, Vector3 d)
+    /// <summary>The areas of the triangles that X makes with the sides add up to the triangle's, where X is in it.</summary>
+    public static Crossed TriangleByAreas(Lab lab, Triangle triangle, Vector3 d)
     {
         var (A, B, C) = (triangle.A, triangle.B, triangle.C);
-        var cross = lab.Cross.Do;
-        var n = cross(B - A, C - A);
-        var t = (A - lab.P) * n / (d * n);
+        var (n, t) = CrossPlane(lab, triangle, d);
         var X = lab.P + t * d;
-        return (n, t, cross(C - B, X - B), cross(A - C, X - C), cross(B - A, X - A));
+        double Area(Vector3 a, Vector3 b) => lab.Length.Do(lab.Cross.Do(a, b));
+        return Area(C - B, X - B) + Area(A - C, X - C) + Area(B - A, X - A) == lab.Length.Do(n) ? new(t) : None;
+    }
+
+    /// <summary>n, and the t where the ray crosses the triangle's plane.</summary>
+    private static (Vector3 N, double T) CrossPlane(Lab lab, Triangle triangle, Vector3 d)
+    {
+        var n = lab.Cross.Do(triangle.B - triangle.A, triangle.C - triangle.A);
+        return (n, (triangle.A - lab.P) * n / (d * n));
     }
 }

@@ -36,7 +36,7 @@ internal sealed class TriangleTree
         }
         else if (order.Length > 0)
         {
-            Visit(0, lab, d, new(1 / d.X, 1 / d.Y, 1 / d.Z), new AlongRay<Scalar>(lab.RayOf(d)), ref nearest);
+            Visit(0, lab, d, Inverse(d), new AlongRay<Scalar>(lab.RayOf(d)), ref nearest);
         }
         return nearest;
     }
@@ -44,7 +44,7 @@ internal sealed class TriangleTree
     private void Visit(int index, Lab lab, Vector3 d, Vector3 inverse, in AlongRay<Scalar> along, ref double? nearest)
     {
         var node = nodes[index];
-        if (Misses(node.Bounds.PaddedFrom(lab.P), inverse)) return;
+        if (Misses(node.Bounds, lab, inverse)) return;
         if (node.Second > 0)
         {
             Visit(index + 1, lab, d, inverse, along, ref nearest);
@@ -58,17 +58,24 @@ internal sealed class TriangleTree
         }
     }
 
+    /// <summary>1 / d, coordinate by coordinate.</summary>
+    public static Vector3 Inverse(Vector3 d) => new(1 / d.X, 1 / d.Y, 1 / d.Z);
+
     private static void Keep(double? hit, ref double? nearest)
     {
         if (hit is { } t && t < (nearest ?? double.PositiveInfinity)) nearest = t;
     }
 
-    /// <summary>Whether a line through the origin passes the bounds. One in a face's plane gives 0 · ∞, NaN, which no comparison rejects.</summary>
-    private static bool Misses(Bounds bounds, Vector3 inverse)
+    /// <summary>Whether a line through P passes the bounds by. One in a face's plane gives 0 · ∞, NaN, which no comparison rejects.</summary>
+    /// <param name="bounds">The bounds.</param>
+    /// <param name="lab">Where P is.</param>
+    /// <param name="inverse">1 / d.</param>
+    public static bool Misses(Bounds bounds, Lab lab, Vector3 inverse)
     {
-        var (x0, x1) = (bounds.Min.X * inverse.X, bounds.Max.X * inverse.X);
-        var (y0, y1) = (bounds.Min.Y * inverse.Y, bounds.Max.Y * inverse.Y);
-        var (z0, z1) = (bounds.Min.Z * inverse.Z, bounds.Max.Z * inverse.Z);
+        var (min, max) = bounds.PaddedFrom(lab.P);
+        var (x0, x1) = (min.X * inverse.X, max.X * inverse.X);
+        var (y0, y1) = (min.Y * inverse.Y, max.Y * inverse.Y);
+        var (z0, z1) = (min.Z * inverse.Z, max.Z * inverse.Z);
         return Math.Max(Math.Min(x0, x1), Math.Max(Math.Min(y0, y1), Math.Min(z0, z1)))
             > Math.Min(Math.Max(x0, x1), Math.Min(Math.Max(y0, y1), Math.Max(z0, z1)));
     }
