@@ -60,7 +60,7 @@ public class LabTests
     [Theory]
     [InlineData("r-nosq", "disc-2")]
     [InlineData("oc-sign", "dir-unnorm-a1")]
-    [InlineData("tri-cull", "tri-neg")]
+    [InlineData("tri-neg", "circ-inf")]
     [InlineData("slab-tmax", "slab-minmin")]
     [InlineData("u-unnorm", "u-cross")]
     [InlineData("att-inv", "att-depth")]
