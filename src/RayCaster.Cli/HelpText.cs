@@ -18,7 +18,12 @@ internal static class HelpText
 
         Usage:
           raycaster <scene> [options]
-          raycaster help
+          raycaster <command> ...
+
+        Commands:
+          check <scene>...          Finds errors of scenes, and what their pictures cannot show.
+          diagnose <scene> <mine>   Says which mistake makes a wrong picture.
+          help [command]            Shows this help, or a command's.
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.
