@@ -53,7 +53,8 @@ public sealed class Diagnosis
     private Diagnosis(Scene scene, Picture picture, int? threads)
     {
         (this.scene, this.threads) = (scene, threads);
-        known = [.. MistakeCatalog.All.Where(mistake => mistake.Touches(scene))];
+        known = [.. MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles)];
+        NotTried = [.. MistakeCatalog.All.Where(mistake => mistake.Touches(scene)).Except(known)];
         var right = Renderer.Render(scene, threads);
         evidence = new(right, picture, Pixels);
         PixelCount = evidence.PixelCount;
@@ -96,6 +97,9 @@ public sealed class Diagnosis
 
     /// <summary>The nearest of what did not make the picture, where none of these did.</summary>
     public Suspect? Nearest { get; }
+
+    /// <summary>What might be in the picture but takes too long to try: the scene has too many triangles for it.</summary>
+    public IReadOnlyList<Mistake> NotTried { get; }
 
     /// <summary>How many pixels the picture has.</summary>
     public int PixelCount { get; }

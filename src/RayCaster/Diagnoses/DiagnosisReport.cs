@@ -34,6 +34,7 @@ public static class DiagnosisReport
             text.AppendLine("Perhaps three mistakes are at work, or one that is not in the catalogue: \"explain\" shows how a pixel should come about.");
             if (diagnosis.Nearest is { } nearest)
                 text.AppendLine($"The nearest, though not near: {Names(nearest)} would leave {Rest(diagnosis, nearest)}.");
+            AppendNotTried(text, diagnosis);
             return text.ToString();
         }
 
@@ -45,6 +46,7 @@ public static class DiagnosisReport
             foreach (var suspect in suspects.Skip(1))
                 text.AppendLine($"  {Names(suspect),-16} would leave {Rest(diagnosis, suspect)}");
         }
+        AppendNotTried(text, diagnosis);
         if (level < HintLevel.Answer)
         {
             text.AppendLine();
@@ -119,6 +121,12 @@ public static class DiagnosisReport
             Wrap(text, "  Besides:  ", "the rays pass through another place of each pixel than the scene says (\"sample\": corner or center).");
         if (suspect.Twins.Count > 0)
             Wrap(text, "  Twins:    ", $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} the same picture; \"check\" tells which scene would tell them apart.");
+    }
+
+    private static void AppendNotTried(StringBuilder text, Diagnosis diagnosis)
+    {
+        if (diagnosis.NotTried.Count > 0)
+            Wrap(text, "", $"Not tried, since the scene has too many triangles: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 
     private static string Names(Suspect suspect) => string.Join(" + ", suspect.Mistakes.Select(mistake => mistake.Id));

@@ -9,6 +9,9 @@ internal sealed class Evidence
     /// <summary>What a channel may be off by without being wrong: a level for truncating, and one for the last bits of a float.</summary>
     public const int Tolerance = 2;
 
+    /// <summary>As many triangles as are tried in all where a ray must try every triangle of a mesh.</summary>
+    public const int MostTests = 10_000_000;
+
     private readonly Picture picture;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
     private readonly int wrongCount;
@@ -74,6 +77,7 @@ internal sealed class Evidence
     private Misfit Misfit(Lab lab, int[] pixels, int stoodFor, double share)
     {
         var count = (int)Math.Ceiling(pixels.Length * share);
+        if (lab.TrianglesTried > 0) count = (int)Math.Min(count, MostTests / lab.TrianglesTried);
         if (count == 0) return default;
         var (unexplained, error) = (0, 0.0);
         for (var k = 0; k < count; k++)

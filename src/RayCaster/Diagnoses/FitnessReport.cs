@@ -47,7 +47,7 @@ public static class FitnessReport
     {
         var text = new StringBuilder();
         var one = fitness.Scenes.Count == 1;
-        var shown = MistakeCatalog.All.Count - fitness.Hidden.Count;
+        var shown = MistakeCatalog.All.Count - fitness.Hidden.Count - fitness.NotTried.Count;
         text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {fitness.Scenes.Count} scenes together show")} {shown} of the {MistakeCatalog.All.Count} known mistakes.");
         if (fitness.Reduced) text.AppendLine("A large picture was judged by a smaller one of the same shape.");
         var hidden = fitness.Hidden.Except(fitness.WithinRounding).ToArray();
@@ -65,6 +65,8 @@ public static class FitnessReport
             foreach (var group in fitness.Twins) text.AppendLine($"  {string.Join(" = ", group.Select(mistake => mistake.Id))}");
             if (fitness.Scenes.All(scene => scene.Background == Color.Black)) text.AppendLine("  The background is black: another colour tells a black model from none.");
         }
+        if (fitness.NotTried.Count > 0)
+            text.AppendLine($"Not tried, since there are too many triangles: {string.Join(", ", fitness.NotTried.Select(mistake => mistake.Id))}.");
         text.AppendLine(fitness.FragilePixels == 0
             ? "No pixel depends on the last bits of the camera's numbers."
             : string.Create(CultureInfo.InvariantCulture,

@@ -58,6 +58,9 @@ internal sealed class Lab
         reach = Length.Do(2 * (T - P));
     }
 
+    /// <summary>As many triangles as a ray may try one by one; with more a mistake is not tried at all.</summary>
+    public const int MostTriangles = 20_000;
+
     private readonly Model[] models;
     private readonly double h, w, reach;
 
@@ -232,6 +235,9 @@ internal sealed class Lab
 
     /// <summary>Whether a crossing counts.</summary>
     public bool Counts(double t, Vector3 d) => Ahead.Do(t) && Clipped.Do(t, Depth(t, d));
+
+    /// <summary>How many triangles of meshes each ray must try, one by one.</summary>
+    public long TrianglesTried => TrianglesReachOut ? models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount) : 0;
 
     /// <summary>The ray from the camera in a direction.</summary>
     public Ray<Scalar> RayOf(Vector3 d) => new(P, d);

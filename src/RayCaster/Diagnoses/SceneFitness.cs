@@ -20,13 +20,14 @@ public sealed class SceneFitness
         Scenes = [.. scenes.Select(Judged)];
         Reduced = !Scenes.SequenceEqual(scenes);
         scenes = Scenes;
-        var known = MistakeCatalog.All;
+        var known = MistakeCatalog.All.Where(mistake => scenes.All(scene => new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles)).ToArray();
+        NotTried = [.. MistakeCatalog.All.Except(known)];
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
         var views = scenes.Select(scene => new View(scene)).ToArray();
-        foreach (var view in views) Parallel.For(0, known.Count, options, i => view.Look(known[i], i));
+        foreach (var view in views) Parallel.For(0, known.Length, options, i => view.Look(known[i], IndexOf(known[i])));
 
-        Hidden = [.. known.Where((_, i) => !views.Any(view => view.Shows(i)))];
-        WithinRounding = [.. Hidden.Where((_, i) => views.Any(view => view.ShowsByALevel(IndexOf(Hidden[i]))))];
+        Hidden = [.. known.Where(mistake => !views.Any(view => view.Shows(IndexOf(mistake))))];
+        WithinRounding = [.. Hidden.Where(mistake => views.Any(view => view.ShowsByALevel(IndexOf(mistake))))];
         Twins = Groups(views, [.. known.Except(Hidden)]);
         FragilePixels = views.Sum(view => FragilePixelsOf(view.Scene, threads));
         PixelCount = scenes.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height);
@@ -43,6 +44,9 @@ public sealed class SceneFitness
 
     /// <summary>Those of the hidden ones that do change pixels, by a level: a comparison shows them, the eye does not.</summary>
     public IReadOnlyList<Mistake> WithinRounding { get; }
+
+    /// <summary>Those that take too long to try: a scene has too many triangles for them.</summary>
+    public IReadOnlyList<Mistake> NotTried { get; }
 
     /// <summary>Mistakes that are seen, but give the same pictures, in groups.</summary>
     public IReadOnlyList<IReadOnlyList<Mistake>> Twins { get; }
@@ -104,11 +108,13 @@ public sealed class SceneFitness
         public void Look(Mistake mistake, int index)
         {
             var lab = new Lab(scene, mistake);
-            var pixels = new byte[3 * Math.Min(Samples, count)];
+            var most = lab.TrianglesTried == 0 ? Samples : Math.Min(Samples, Evidence.MostTests / lab.TrianglesTried);
+            var pixels = new byte[3 * Math.Min(most, count)];
             for (var k = 0; k < pixels.Length / 3; k++) Put(lab, Sample(k), pixels, 3 * k);
             samples[index] = pixels;
             changed[index] = SizeOf(lab) != (right.Width, right.Height) ? LeastPixels : CountSamples(pixels);
-            if (Shows(index) || !mistake.Touches(scene)) return;
+            // Triangles that reach out of themselves change large parts of a picture: if the samples show nothing, nothing is there.
+            if (Shows(index) || !mistake.Touches(scene) || lab.TrianglesTried > 0) return;
             changed[index] = 0;
             var pixel = new byte[3];
             for (var i = 0; i < count && !Shows(index); i++)
@@ -126,9 +132,10 @@ public sealed class SceneFitness
             var (one, other) = (new Lab(scene, MistakeCatalog.All[a]), new Lab(scene, MistakeCatalog.All[b]));
             if (SizeOf(one) != SizeOf(other)) return false;
             var different = 0;
-            for (var k = 0; k < samples[a].Length && different < LeastPixels; k += 3)
+            for (var k = 0; k < Math.Min(samples[a].Length, samples[b].Length) && different < LeastPixels; k += 3)
                 if (Difference(samples[a], k, samples[b], k) > Evidence.Tolerance) different++;
             if (different >= LeastPixels) return false;
+            if (one.TrianglesTried + other.TrianglesTried > 0) return different == 0;
             different = 0;
             var (p, q) = (new byte[3], new byte[3]);
             for (var i = 0; i < count && different < LeastPixels; i++)
