@@ -18,7 +18,8 @@ internal static class HelpText
 
         Usage:
           raycaster <scene> [options]
-          raycaster help
+          raycaster compare <mine> <reference> [options]
+          raycaster help [command]
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.
@@ -35,6 +36,10 @@ internal static class HelpText
               --no-progress      Never draws a progress line.
               --version          Shows the version.
           -?, -h, --help         Shows this help. Under "dotnet run" write it after "--".
+
+        Commands:
+          compare <mine> <reference>  Says whether two pictures are the same, and where not.
+          help [command]              Shows this help, or that of a command.
 
         Examples:
           dotnet run --project src/RayCaster.Cli -- scenes/room.json

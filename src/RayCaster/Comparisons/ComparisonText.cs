@@ -1,0 +1,169 @@
+using System.Globalization;
+using System.Text;
+
+namespace RayCaster;
+
+/// <summary>A comparison in words.</summary>
+public static class ComparisonText
+{
+    private const int MostSentences = 6, MostRows = 20;
+
+    /// <summary>The verdict in a word or two.</summary>
+    public static string Of(Verdict verdict) => verdict switch
+    {
+        Verdict.Identical => "identical",
+        Verdict.WithinRounding => "within rounding",
+        Verdict.OutlinesOnly => "outlines only",
+        Verdict.RoundedOtherwise => "rounded otherwise",
+        _ => "wrong",
+    };
+
+    /// <summary>All that is to be said, in whole lines.</summary>
+    /// <param name="comparison">The comparison.</param>
+    /// <param name="mine">What the picture in question is called.</param>
+    /// <param name="reference">What the one that it should be is called.</param>
+    public static string Of(PictureComparison comparison, string mine, string reference)
+    {
+        var text = new StringBuilder();
+        if (comparison.Difference is not { } d)
+        {
+            var (a, b) = (comparison.Mine, comparison.Reference);
+            text.Append($"{mine} is wrong: it has {a.Width} x {a.Height} pixels, {reference} has {b.Width} x {b.Height}");
+            text.Append((a.Width, a.Height) == (b.Height, b.Width) ? ": width and height are swapped.\n" : ".\n");
+            AppendOneColor(text, comparison, mine);
+            AppendRecognition(text, comparison);
+            return text.ToString();
+        }
+
+        text.Append(comparison.Verdict switch
+        {
+            Verdict.Identical => $"{mine} and {reference} are identical: {Count(d.Pixels, "pixel")}.\n",
+            Verdict.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed in 1 % of them.\n",
+            Verdict.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n",
+            Verdict.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but it is allowed in 1 % of them only.\n",
+            _ => $"{mine} is wrong: {Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n",
+        });
+        if (comparison.Verdict == Verdict.OutlinesOnly && d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n");
+        if (comparison.Verdict == Verdict.RoundedOtherwise)
+        {
+            text.Append(Rounding(d));
+            if (d.Wrong > 0) text.Append($"  Besides, {Outlines(d)}, which is allowed.\n");
+        }
+        if (comparison.Verdict == Verdict.Wrong) AppendPlaces(text, comparison, d, mine);
+        return text.ToString();
+    }
+
+    /// <summary>The measures in one line.</summary>
+    public static string Of(Measures m) => string.Create(CultureInfo.InvariantCulture,
+        $"Measures, in levels of 255: maximum {m.Maximum}, MAE {m.MeanAbsoluteError:0.#####}, RMSE {m.RootMeanSquareError:0.#####}; " +
+        $"PSNR {(m.Maximum == 0 ? "infinite" : $"{m.PeakSignalToNoiseRatio.ToString("0.####", CultureInfo.InvariantCulture)} dB")}, " +
+        $"SSIM {m.StructuralSimilarity:0.######}\n");
+
+    private static void AppendPlaces(StringBuilder text, PictureComparison comparison, PictureDifference d, string mine)
+    {
+        var ((x, y), area) = (d.FirstWrong!.Value, d.WrongArea!.Value);
+        var last = d.Mine.Height - 1;
+        text.Append($"  The first: column {x}, line {y} from the top (row {last - y} from the bottom): {d.Mine[x, y]} instead of {d.Reference[x, y]}.\n");
+        text.Append($"  All lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
+            $"(rows {last - area.Bottom} to {last - area.Top}).\n");
+        text.Append($"  Red differs in {Number(d.WrongByChannel.R)} of them, green in {Number(d.WrongByChannel.G)}, blue in {Number(d.WrongByChannel.B)}.\n");
+        if (d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 100 ? Rounding(d) : "")}");
+        AppendOneColor(text, comparison, mine);
+        AppendRecognition(text, comparison);
+        if (comparison.ByModels is { } models) AppendModels(text, comparison, models, mine);
+    }
+
+    private static void AppendOneColor(StringBuilder text, PictureComparison comparison, string mine)
+    {
+        if (comparison.Mine.IsOneColor) text.Append($"Every pixel of {mine} is {comparison.Mine[0, 0]}.\n");
+    }
+
+    private static void AppendRecognition(StringBuilder text, PictureComparison comparison)
+    {
+        if (comparison.Recognition is not { } r) return;
+        var when = $"when {r.Change.Description}";
+        var d = r.Difference;
+        text.Append(r.Verdict switch
+        {
+            Verdict.Identical => $"It becomes identical {when}.\n",
+            Verdict.WithinRounding => $"It becomes right within rounding {when}.\n",
+            Verdict.OutlinesOnly => $"It becomes right but for {Count(d.Wrong, "pixel")} on outlines {when}.\n",
+            Verdict.RoundedOtherwise => $"It becomes right but for rounding {when}; then {OffByOne(d)}.\n{Rounding(d)}",
+            _ => $"It becomes nearly right {when}: then {Part(d.Wrong, d.Pixels)} are wrong.\n",
+        });
+    }
+
+    private static void AppendModels(StringBuilder text, PictureComparison comparison, SceneDifference scene, string mine)
+    {
+        if (!scene.IsReferenceOwn)
+        {
+            var own = scene.ReferenceToOwn;
+            text.Append(scene.IsMineOwn
+                ? $"The scene's own picture is {mine}, not the reference: are the two swapped?\n"
+                : $"The reference is not the picture of this scene, from which {Part(own.Wrong, own.Pixels)} differ; so nothing is said of models.\n");
+            return;
+        }
+        // Where a change of the whole picture explains all, its models are not to blame.
+        if (comparison.Recognition is null && !comparison.Mine.IsOneColor)
+            for (var i = 0; i < Math.Min(MostSentences, scene.Models.Count); i++)
+                if (scene.Models[i].Wrong > 0) text.Append(Sentence(comparison.Scene!, scene, scene.Models[i]));
+
+        var width = 5;
+        foreach (var model in scene.Models) width = Math.Max(width, model.Name.Length);
+        text.Append($"\n  {"model".PadRight(width)}      pixels       wrong\n");
+        for (var i = 0; i < Math.Min(MostRows, scene.Models.Count); i++)
+        {
+            var model = scene.Models[i];
+            text.Append($"  {model.Name.PadRight(width)}  {Number(model.Pixels),10}  {Number(model.Wrong),10}  {Share(model.Wrong, model.Pixels)}\n");
+        }
+        if (scene.Models.Count > MostRows) text.Append($"  and {scene.Models.Count - MostRows} more\n");
+    }
+
+    private static string Sentence(Scene scene, SceneDifference all, ModelDifference model)
+    {
+        var end = IsOnlyWrong(all, model) ? "; all others agree" : "";
+        if (model.IsMissing)
+            return model.Shows is [var (other, pixels), ..] && pixels >= 0.99 * model.Wrong
+                ? $"{model.Name} is missing: {Share(model.Wrong, model.Pixels)} of its pixels show {ModelName.Of(scene, other)}{end}.\n"
+                : $"{model.Name} is missing: its pixels show what lies behind it{end}.\n";
+        if (model.OtherColor is { } color) return $"{model.Name} has another colour: {Name(color)} instead of {Name(model.Color)}{end}.\n";
+        var shown = model.Shows is [var (most, count), ..] && count >= 0.5 * model.Wrong
+            ? count >= 0.95 * model.Wrong
+                ? $", they show {ModelName.Of(scene, most)}"
+                : $", {Share(count, model.Wrong)} of these show {ModelName.Of(scene, most)}"
+            : "";
+        return $"{model.Name}: {Share(model.Wrong, model.Pixels)} of its pixels are wrong{shown}{end}.\n";
+    }
+
+    private static bool IsOnlyWrong(SceneDifference all, ModelDifference model)
+    {
+        foreach (var other in all.Models)
+            if (other.Wrong > 0 && other != model) return false;
+        return true;
+    }
+
+    private static string Rounding(PictureDifference d) =>
+        d.OneDarker >= 0.95 * d.OffByOne ? $"  {Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded?\n"
+        : d.OneDarker <= 0.05 * d.OffByOne ? $"  {Share(d.OffByOne - d.OneDarker, d.Pixels)} of the pixels are one level lighter: rounded up, or times 256 instead of 255?\n"
+        : "";
+
+    private static string OffByOne(PictureDifference d) => $"{Part(d.OffByOne, d.Pixels)} {(d.OffByOne == 1 ? "is" : "are")} off by 1 level";
+
+    private static string Outlines(PictureDifference d) => $"{Part(d.Wrong, d.Pixels)} show{(d.Wrong == 1 ? "s" : "")} the other side of an outline";
+
+    private static string Part(int part, int whole) => $"{Number(part)} of {Count(whole, "pixel")} ({Share(part, whole)})";
+
+    private static string Name(Color c) => string.Create(CultureInfo.InvariantCulture, $"({c.R:0.###}, {c.G:0.###}, {c.B:0.###})");
+
+    private static string Count(int number, string what) => $"{Number(number)} {what}{(number == 1 ? "" : "s")}";
+
+    private static string Number(int number) => number.ToString("N0", CultureInfo.InvariantCulture);
+
+    /// <summary>A share in percent; only what is all is "100 %", only what is nothing is "0 %".</summary>
+    internal static string Share(int part, int whole)
+    {
+        if (part == whole) return "100 %";
+        var percent = 100.0 * part / whole;
+        return percent is > 0 and < 0.01 ? "less than 0.01 %" : $"{Math.Min(percent, 99.99).ToString("0.##", CultureInfo.InvariantCulture)} %";
+    }
+}
