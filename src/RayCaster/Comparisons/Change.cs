@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>A mistake that runs through a whole picture: what must be done to it so that it agrees with the right one.</summary>
@@ -59,6 +61,7 @@ public sealed record Change(
     /// </summary>
     /// <param name="mine">The picture in question; its sides are those of the reference, or swapped where the change swaps them.</param>
     /// <param name="reference">The one that it should be.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public Picture Undo(Picture mine, Picture reference)
     {
         var (width, height) = (reference.Width, reference.Height);

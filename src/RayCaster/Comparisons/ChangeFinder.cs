@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>
@@ -41,7 +43,7 @@ internal sealed class ChangeFinder
 
     private Recognition? Find()
     {
-        var candidates = new List<(Change Change, int Misses)>();
+        var candidates = new List<(Change Change, int Misses, int Number)>();
         foreach (var turn in Enum.GetValues<Turn>())
         {
             if (TurnedPlaces.SwapsSides(turn) ? (mine.Height, mine.Width) != Size : (mine.Width, mine.Height) != Size) continue;
@@ -55,25 +57,38 @@ internal sealed class ChangeFinder
                 }
         }
         if ((mine.Width, mine.Height) == Size)
-            foreach (var bytes in (ReadOnlySpan<int>)[-1, 1, -2, 2, -4, 4]) candidates.Add((new(Bytes: bytes), 0));
-        else if ((mine.Height, mine.Width) == Size) candidates.Add((new(SidesSwapped: true), 0));
+            foreach (var bytes in (ReadOnlySpan<int>)[-1, 1, -2, 2, -4, 4]) candidates.Add((new(Bytes: bytes), 0, 0));
+        else if ((mine.Height, mine.Width) == Size) candidates.Add((new(SidesSwapped: true), 0, 0));
 
         void Try(Change change)
         {
-            if (change != new Change() && Misses(change) is { } misses) candidates.Add((change, misses));
+            if (change != new Change() && Misses(change) is { } misses) candidates.Add((change, misses, candidates.Count));
         }
 
-        candidates.Sort((a, b) => (a.Misses, a.Change.Complexity).CompareTo((b.Misses, b.Change.Complexity)));
+        candidates.Sort((a, b) => (a.Misses, a.Change.Complexity, a.Number).CompareTo((b.Misses, b.Change.Complexity, b.Number)));
         Recognition? best = null;
         var fullTests = 0;
-        foreach (var (change, misses) in candidates)
+        foreach (var (change, _, _) in candidates)
         {
             if (change.Bytes == 0 && !change.SidesSwapped && fullTests++ >= Finalists) continue;
             var difference = new PictureDifference(change.Undo(mine, reference), reference);
-            var recognition = new Recognition(change, difference, Verdicts.Of(difference, outlines));
+            var recognition = new Recognition(change, difference, VerdictOn(change, difference));
             if (recognition.IsWorthTelling(before) && (best is null || Rank(recognition).CompareTo(Rank(best)) < 0)) best = recognition;
         }
         return best;
+    }
+
+    /// <summary>A formula that is guessed can undo rounding neither exactly nor a little wrong: its range of bytes includes truncation.</summary>
+    private Verdict VerdictOn(Change change, PictureDifference difference)
+    {
+        var verdict = Verdicts.Of(difference, outlines);
+        if (change.Colors is not Tone { IsInverted: false }) return verdict;
+        return verdict switch
+        {
+            Verdict.Identical => Verdict.WithinRounding,
+            Verdict.RoundedOtherwise => Verdict.Wrong,
+            _ => verdict,
+        };
     }
 
     private (int, int) Size => (reference.Width, reference.Height);
@@ -90,6 +105,7 @@ internal sealed class ChangeFinder
         return onEdges + Misses(change, places, anywhere, anywhere.Count / 20);
     }
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private int? Misses(Change change, TurnedPlaces places, List<(int X, int Y)> samples, int limit)
     {
         var tones = change.Colors?.Tones ?? ToneTable.Same;
@@ -116,6 +132,7 @@ internal sealed class ChangeFinder
         (uint)x < (uint)reference.Width && (uint)y < (uint)reference.Height ? (places.Start + x * places.Right + y * places.Down) * 3 : null;
 
     /// <summary>What formulas may have led from the reference's channels to those of a picture that was turned and moved like this.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private List<Tone> Tones(Turn turn, int right, int down)
     {
         var places = TurnedPlaces.Of(turn, mine.Width, mine.Height);
@@ -140,7 +157,11 @@ internal sealed class ChangeFinder
         List<Tone> tones = [Tone.Inverted, Tone.Srgb];
         if (n == 0) return tones;
         if (logs / logSquares is var exponent and (> 0.2 and < 0.97 or > 1.03 and < 5)) tones.Add(Tone.Power(Plain(exponent)));
-        if (sumAB / sumAA is var factor and (> 0.05 and < 0.98 or > 1.02 and < 20)) tones.Add(Tone.Linear(factor, 0));
+        if (sumAB / sumAA is var factor and (> 0.05 and < 0.98 or > 1.02 and < 20))
+        {
+            tones.Add(Tone.Linear(Math.Round(factor, 2), 0));
+            tones.Add(Tone.Linear(factor, 0));
+        }
         if ((sumB - sumA) / n is var levels && Math.Abs(levels) is > 1.5 and < 200) tones.Add(Tone.Linear(1, Math.Round(levels) / 255));
         var slope = (n * sumAB - sumA * sumB) / (n * sumAA - sumA * sumA);
         if (slope is > 0.05 and < 20) tones.Add(Tone.Linear(slope, (sumB - slope * sumA) / n / 255));

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>What was done to the colours of a picture, the same in every pixel.</summary>
@@ -111,6 +113,7 @@ internal sealed class ToneTable
     private readonly byte[] least = new byte[256], greatest = new byte[256];
 
     /// <param name="formula">What was done to a channel from 0 to 1, before rounding; it rises or falls all the way.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public ToneTable(Func<double, double> formula)
     {
         // A byte stands for channels half a level to either side of it, and is rounded or truncated after the change.

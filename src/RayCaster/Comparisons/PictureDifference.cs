@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>Where two pictures of the same size differ, and by how many levels: a level is 1 of the 255 of a channel.</summary>
@@ -73,6 +75,7 @@ public sealed class PictureDifference
     internal static int Levels((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
         Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
 
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Look(int pixel, int[] channels)
     {
         var a = Mine.Rgb.AsSpan(3 * pixel, 3);

@@ -16,9 +16,13 @@ public sealed class SceneDifference
     private readonly PictureDifference difference;
     private readonly HitMap hits, others;
 
-    private SceneDifference(Scene scene, PictureDifference difference, HitMap hits, PictureDifference referenceToOwn)
+    private SceneDifference(Scene scene, PictureDifference difference, HitMap hits, Picture own)
     {
-        (this.scene, this.difference, this.hits, ReferenceToOwn) = (scene, difference, hits, referenceToOwn);
+        (this.scene, this.difference, this.hits) = (scene, difference, hits);
+        ReferenceToOwn = new(difference.Reference, own);
+        var mineToOwn = new PictureDifference(difference.Mine, own);
+        IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
+        IsReferenceOwn = IsOwn(ReferenceToOwn) && !IsMineOwn;
         others = new(hits.Width, hits.Height);
         Models = IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
     }
@@ -27,10 +31,10 @@ public sealed class SceneDifference
     public PictureDifference ReferenceToOwn { get; }
 
     /// <summary>Whether the reference is the scene's picture, but for outlines, single levels and the like: at most 2 % of the pixels are beyond rounding.</summary>
-    public bool IsReferenceOwn => IsOwn(ReferenceToOwn);
+    public bool IsReferenceOwn { get; }
 
     /// <summary>Whether the picture in question is the scene's own and the reference is not: they may have been swapped, or one is of another scene.</summary>
-    public bool IsMineOwn { get; private init; }
+    public bool IsMineOwn { get; }
 
     /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not the scene's picture.</summary>
     public IReadOnlyList<ModelDifference> Models { get; }
@@ -45,11 +49,7 @@ public sealed class SceneDifference
         var hits = new Renderer(scene, threads).CastHits();
         var own = new Picture(hits.Width, hits.Height);
         for (var i = 0; i < difference.Pixels; i++) (own.Rgb[3 * i], own.Rgb[3 * i + 1], own.Rgb[3 * i + 2]) = BytesOf(scene, hits, i);
-        var referenceToOwn = new PictureDifference(difference.Reference, own);
-        return new(scene, difference, hits, referenceToOwn)
-        {
-            IsMineOwn = !IsOwn(referenceToOwn) && IsOwn(new PictureDifference(difference.Mine, own)),
-        };
+        return new(scene, difference, hits, own);
     }
 
     /// <summary>The scene in the size of a picture.</summary>
