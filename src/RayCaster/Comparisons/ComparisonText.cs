@@ -67,7 +67,7 @@ public static class ComparisonText
         text.Append($"  All lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n");
         text.Append($"  Red differs in {Number(d.WrongByChannel.R)} of them, green in {Number(d.WrongByChannel.G)}, blue in {Number(d.WrongByChannel.B)}.\n");
-        if (d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 100 ? Rounding(d) : "")}");
+        if (d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}");
         AppendOneColor(text, comparison, mine);
         AppendRecognition(text, comparison);
         if (comparison.ByModels is { } models) AppendModels(text, comparison, models, mine);
@@ -104,10 +104,8 @@ public static class ComparisonText
             return;
         }
         // Where a change of the whole picture explains all, its models are not to blame.
-        if (comparison.Recognition is null && !comparison.Mine.IsOneColor)
-            for (var i = 0; i < Math.Min(MostSentences, scene.Models.Count); i++)
-                if (scene.Models[i].Wrong > 0) text.Append(Sentence(comparison.Scene!, scene, scene.Models[i]));
-
+        if (comparison.Recognition is not null || comparison.Mine.IsOneColor) return;
+        AppendSentences(text, comparison.Scene!, scene);
         if (scene.ReferenceToOwn.Wrong > 0)
             text.Append($"The reference itself differs from the picture of this scene in {Count(scene.ReferenceToOwn.Wrong, "pixel")}.\n");
         AppendTable(text, scene);
@@ -129,20 +127,54 @@ public static class ComparisonText
         text.Append('\n');
     }
 
-    private static string Sentence(Scene scene, SceneDifference all, ModelDifference model)
+    private static void AppendSentences(StringBuilder text, Scene scene, SceneDifference all)
     {
-        var end = IsOnlyWrong(all, model) ? "; all others agree" : "";
+        var (pixels, unexplained, wrong) = (0, 0, 0);
+        foreach (var model in all.Models)
+        {
+            pixels += model.Pixels;
+            if (model.Wrong > 0) wrong++;
+            if (!model.IsMissing && model.OtherColor is null) unexplained += model.Wrong;
+        }
+        if (unexplained > pixels / 2) // what is behind a "missing" model may as well be a picture taken from elsewhere
+        {
+            text.Append($"No single model explains it: {Part(unexplained, pixels)} are wrong all over the picture.\n");
+            return;
+        }
+        var left = MostSentences;
+        foreach (var model in all.Models)
+            if (model.Wrong > 0 && (Sentence(scene, model) ?? (wrong == 1 ? $"{PartOf(model)} are wrong" : null)) is { } sentence && left-- > 0)
+                text.Append($"{sentence}{(wrong == 1 ? "; all others agree" : "")}.\n");
+    }
+
+    /// <summary>What can be said of a model beyond how much of it is wrong; null for nothing.</summary>
+    private static string? Sentence(Scene scene, ModelDifference model)
+    {
         if (model.IsMissing)
             return model.Shows is [var (other, pixels), ..] && pixels >= 0.99 * model.Wrong
-                ? $"{model.Name} is missing: {Share(model.Wrong, model.Pixels)} of its pixels show {ModelName.Of(scene, other)}{end}.\n"
-                : $"{model.Name} is missing: its pixels show what lies behind it{Behind(scene, model)}{end}.\n";
-        if (model.OtherColor is { } color) return $"{model.Name} has another colour: {Name(color)} instead of {Name(model.Color)}{end}.\n";
-        var shown = model.Shows is [var (most, count), ..] && count >= 0.5 * model.Wrong
-            ? count >= 0.95 * model.Wrong
-                ? $", they show {ModelName.Of(scene, most)}"
-                : $", {Share(count, model.Wrong)} of these show {ModelName.Of(scene, most)}"
-            : "";
-        return $"{model.Name}: {Share(model.Wrong, model.Pixels)} of its pixels are wrong{shown}{end}.\n";
+                ? $"{model.Name} is missing: {Share(model.Wrong, model.Pixels)} of its pixels show {ModelName.Of(scene, other)}"
+                : $"{model.Name} is missing: its pixels show what lies behind it{Behind(scene, model)}";
+        if (model.OtherColor is { } color)
+            return color.ToBytes() == default ? $"{model.Name} is black"
+                : Factor(color, model.Color) is { } factor
+                    ? string.Create(CultureInfo.InvariantCulture, $"{model.Name} is {(factor < 1 ? "darker" : "brighter")}: {factor:0.###} times what it should be")
+                    : $"{model.Name} has another colour: {Name(color)} instead of {Name(model.Color)}";
+        if (model.Shows is not [var (most, count), ..] || count < 0.5 * model.Wrong) return null;
+        return count >= 0.95 * model.Wrong
+            ? $"{PartOf(model)} are wrong, they show {ModelName.Of(scene, most)}"
+            : $"{PartOf(model)} are wrong, {Share(count, model.Wrong)} of these show {ModelName.Of(scene, most)}";
+    }
+
+    private static string PartOf(ModelDifference model) => $"{model.Name}: {Share(model.Wrong, model.Pixels)} of its pixels";
+
+    /// <summary>By what a colour must be multiplied to give another; null if no number does.</summary>
+    private static double? Factor(Color to, Color from)
+    {
+        var (sumTo, sumFrom) = (to.R + to.G + to.B, from.R + from.G + from.B);
+        if (sumFrom == 0) return null;
+        var factor = sumTo / sumFrom;
+        var off = Math.Max(Math.Abs(to.R - factor * from.R), Math.Max(Math.Abs(to.G - factor * from.G), Math.Abs(to.B - factor * from.B)));
+        return off < 0.01 * sumTo ? factor : null;
     }
 
     /// <summary>" (`wall` 70 %, the background 20 %)".</summary>
@@ -152,13 +184,6 @@ public static class ComparisonText
         for (var i = 0; i < Math.Min(3, model.Shows.Count); i++)
             parts.Add($"{ModelName.Of(scene, model.Shows[i].Model)} {Share(model.Shows[i].Pixels, model.Wrong)}");
         return parts.Count == 0 ? "" : $" ({string.Join(", ", parts)})";
-    }
-
-    private static bool IsOnlyWrong(SceneDifference all, ModelDifference model)
-    {
-        foreach (var other in all.Models)
-            if (other.Wrong > 0 && other != model) return false;
-        return true;
     }
 
     private static string Rounding(PictureDifference d) =>
