@@ -157,7 +157,7 @@ public static class ComparisonText
         if (model.OtherColor is { } color)
             return color.ToBytes() == default ? $"{model.Name} is black"
                 : Factor(color, model.Color) is { } factor
-                    ? string.Create(CultureInfo.InvariantCulture, $"{model.Name} is {(factor < 1 ? "darker" : "brighter")}: {factor:0.###} times what it should be")
+                    ? string.Create(CultureInfo.InvariantCulture, $"{model.Name} is {(factor < 1 ? "darker" : "brighter")}: {factor:0.##} times what it should be")
                     : $"{model.Name} has another colour: {Name(color)} instead of {Name(model.Color)}";
         if (model.Shows is not [var (most, count), ..] || count < 0.5 * model.Wrong) return null;
         return count >= 0.95 * model.Wrong
@@ -174,7 +174,7 @@ public static class ComparisonText
         if (sumFrom == 0) return null;
         var factor = sumTo / sumFrom;
         var off = Math.Max(Math.Abs(to.R - factor * from.R), Math.Max(Math.Abs(to.G - factor * from.G), Math.Abs(to.B - factor * from.B)));
-        return off < 0.01 * sumTo ? factor : null;
+        return off < 0.02 * sumTo ? factor : null;
     }
 
     /// <summary>" (`wall` 70 %, the background 20 %)".</summary>

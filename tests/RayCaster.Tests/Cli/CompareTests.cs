@@ -15,10 +15,17 @@ public sealed class CompareTests : IDisposable
     /// <summary>The room as the library draws it, with something done to it.</summary>
     private string Mine(Action<Picture>? change = null, string name = "mine.png")
     {
-        var picture = Renderer.Render(SceneReader.Read(room).Scene!);
+        var picture = Renderer.Render(RoomInTheReferencesSize());
         change?.Invoke(picture);
         PictureFile.Write(app.PathOf(name), picture);
         return name;
+    }
+
+    private static Scene RoomInTheReferencesSize()
+    {
+        var scene = SceneReader.Read(room).Scene!;
+        var (width, height) = (PictureFile.Read(reference).Width, PictureFile.Read(reference).Height);
+        return scene with { Camera = scene.Camera.WithSize(width, height) };
     }
 
     private static void Flip(Picture picture)
@@ -36,7 +43,7 @@ public sealed class CompareTests : IDisposable
     public void AnIdenticalPictureIsTheSame()
     {
         app.Run("compare", Mine(), Mine(name: "other.ppm"));
-        Assert.Equal((0, "mine.png and other.ppm are identical: 250,000 pixels.\n", ""), (app.ExitCode, app.OutputText, app.Error));
+        Assert.Equal((0, "mine.png and other.ppm are identical: 102,400 pixels.\n", ""), (app.ExitCode, app.OutputText, app.Error));
     }
 
     [Fact]
@@ -58,14 +65,14 @@ public sealed class CompareTests : IDisposable
     [Fact]
     public void ATruncatedPictureIsDifferentWithTheReason()
     {
-        var scene = SceneReader.Read(room).Scene!;
+        var scene = RoomInTheReferencesSize();
         var hits = new Renderer(scene).CastHits();
         app.Run("compare", Mine(picture =>
         {
             for (var i = 0; i < hits.T.Length; i++)
             {
                 var color = scene.Shade(hits.T[i], scene.Models[hits.Model[i]]);
-                picture[i % 500, i / 500] = ((byte)(color.R * 255), (byte)(color.G * 255), (byte)(color.B * 255));
+                picture[i % hits.Width, i / hits.Width] = ((byte)(color.R * 255), (byte)(color.G * 255), (byte)(color.B * 255));
             }
         }), Mine(name: "right.png"));
         Assert.Equal(1, app.ExitCode);
@@ -76,13 +83,13 @@ public sealed class CompareTests : IDisposable
     public void TheFirstWrongPixelIsToldBothWays()
     {
         app.Run("compare", Mine(picture => picture[3, 2] = (1, 2, 3)), Mine(name: "right.png"));
-        Assert.Contains("\n  The first: column 3, line 2 from the top (row 497 from the bottom): (1, 2, 3) instead of (0, ", app.OutputText);
+        Assert.Contains("\n  The first: column 3, line 2 from the top (row 317 from the bottom): (1, 2, 3) instead of (0, ", app.OutputText);
     }
 
     [Fact]
     public void WithTheSceneModelsAreNamed()
     {
-        app.Write("room.json", File.ReadAllText(room).Replace("[1, 0, 1]", "[0, 1, 1]")).Run("room.json", "-o", "mine.png", "-q");
+        app.Write("room.json", File.ReadAllText(room).Replace("[1, 0, 1]", "[0, 1, 1]")).Run("room.json", "-o", "mine.png", "-q", "-s", "320x320");
         app.Run("compare", "mine.png", reference, "--scene", room);
         Assert.Equal(1, app.ExitCode);
         Assert.Contains("\n`box` has another colour: (0, 1, 1) instead of (1, 0, 1)", app.OutputText);
@@ -101,7 +108,7 @@ public sealed class CompareTests : IDisposable
     {
         app.Run("compare", Mine(Flip), reference, "-o", "difference.png");
         Assert.Equal(["difference.png", "mine.png"], app.Files);
-        Assert.Equal(1504, PictureFile.Read(app.PathOf("difference.png")).Width);
+        Assert.Equal(964, PictureFile.Read(app.PathOf("difference.png")).Width);
         Assert.EndsWith("difference.png: mine, the reference, the difference as a heat map\n", app.OutputText);
     }
 
@@ -124,7 +131,7 @@ public sealed class CompareTests : IDisposable
         Assert.True(answer.GetProperty("scene").GetProperty("referenceIsItsPicture").GetBoolean());
         Assert.Equal(9, answer.GetProperty("scene").GetProperty("models").GetArrayLength());
         var first = answer.GetProperty("firstWrong");
-        Assert.Equal(499, first.GetProperty("line").GetInt32() + first.GetProperty("row").GetInt32());
+        Assert.Equal(319, first.GetProperty("line").GetInt32() + first.GetProperty("row").GetInt32());
         Assert.InRange(answer.GetProperty("measures").GetProperty("ssim").GetDouble(), 0, 0.99);
     }
 

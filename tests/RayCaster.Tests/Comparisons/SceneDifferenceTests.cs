@@ -79,7 +79,7 @@ public class SceneDifferenceTests
             for (var x = 60; x < 120; x++) mine[x, y] = wall[x, y];
         var comparison = new PictureComparison(mine, right, scene);
         var ball = comparison.ByModels!.Models[0];
-        Assert.Equal((2, [(0, ball.Wrong)]), (ball.Model, ball.Shows.ToArray()));
+        Assert.Equal([(0, ball.Wrong)], ball.Shows);
         Assert.InRange(ball.Share, 0.3, 0.7);
         Assert.Matches(@"\nmodels\[2\] \(sphere\): [\d.]+ % of its pixels are wrong, they show `wall`; all others agree\.\n",
             ComparisonText.Of(comparison, "mine", "reference"));
