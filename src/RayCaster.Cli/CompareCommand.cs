@@ -74,7 +74,8 @@ internal sealed class CompareCommand : Command
             text += comparison.Difference is { } difference
                 ? ComparisonText.Of(new Measures(difference))
                 : "There are no measures for pictures of different sizes.\n";
-        if (output is not null) return text + $"{output}: mine, the reference{(comparison.Difference is null ? "" : ", the difference as a heat map")}\n";
+        var heat = comparison.Difference is null ? "" : ", the difference as a heat map";
+        if (output is not null) return text + $"{output}: mine, the reference{heat}\n";
         return comparison.Verdict.IsSame() ? text : text + "To see the differences: -o difference.png\n";
     }
 }

@@ -22,10 +22,10 @@ public sealed record Change(
     {
         get
         {
-            if (SidesSwapped) return "its width and height are swapped and its bytes left as they are: the header names them the wrong way round";
-            if (Bytes != 0)
-                return $"all bytes are moved by {Math.Abs(Bytes)} towards the {(Bytes < 0 ? "beginning: there is something too much after the header"
-                    : "end: something after the header is missing")}";
+            if (SidesSwapped)
+                return "its width and height are swapped and its bytes left as they are: the header names them the wrong way round";
+            if (Bytes < 0) return $"all bytes are moved by {-Bytes} towards the beginning: there is something too much after the header";
+            if (Bytes > 0) return $"all bytes are moved by {Bytes} towards the end: something after the header is missing";
             List<string> parts = [];
             if (Turn != Turn.None) parts.Add("it is " + Turning);
             if (Right != 0 || Down != 0) parts.Add("it is moved " + Moving);

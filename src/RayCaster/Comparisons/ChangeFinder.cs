@@ -65,7 +65,8 @@ internal sealed class ChangeFinder
             if (change != new Change() && Misses(change) is { } misses) candidates.Add((change, misses, candidates.Count));
         }
 
-        candidates.Sort((a, b) => (a.Misses, a.Change.Complexity, a.Number).CompareTo((b.Misses, b.Change.Complexity, b.Number)));
+        candidates.Sort((a, b) =>
+            (a.Misses, a.Change.Complexity, a.Number).CompareTo((b.Misses, b.Change.Complexity, b.Number)));
         Recognition? best = null;
         var fullTests = 0;
         foreach (var (change, _, _) in candidates)

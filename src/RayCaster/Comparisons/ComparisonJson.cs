@@ -13,7 +13,8 @@ public static class ComparisonJson
     /// <param name="reference">What the one that it should be is called.</param>
     public static void Write(Stream output, PictureComparison comparison, string mine, string reference)
     {
-        using var json = new Utf8JsonWriter(output, new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping });
+        var format = new JsonWriterOptions { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+        using var json = new Utf8JsonWriter(output, format);
         json.WriteStartObject();
         WritePicture(json, "mine", mine, comparison.Mine);
         WritePicture(json, "reference", reference, comparison.Reference);

@@ -35,6 +35,6 @@ public sealed class Measures
     /// <summary>20 log10(255 / RMSE) decibels (PSNR); +∞ for identical pictures.</summary>
     public double PeakSignalToNoiseRatio => 20 * Math.Log10(255 / RootMeanSquareError);
 
-    /// <summary>SSIM: 1 for identical pictures, about 0 for unrelated ones (Wang, Bovik, Sheikh, Simoncelli 2004; 11 × 11 Gaussian, σ = 1.5).</summary>
+    /// <summary>SSIM: 1 for identical pictures, about 0 for unrelated ones (Wang, Bovik, Sheikh, Simoncelli 2004).</summary>
     public double StructuralSimilarity { get; }
 }

@@ -16,7 +16,7 @@ public sealed class PictureDifference
     {
         if ((mine.Width, mine.Height) != (reference.Width, reference.Height))
             throw new ArgumentException(
-                $"a picture of {mine.Width} x {mine.Height} pixels cannot be compared with one of {reference.Width} x {reference.Height}", nameof(mine));
+                $"a picture of {mine.Width} x {mine.Height} pixels beside one of {reference.Width} x {reference.Height}", nameof(mine));
         (Mine, Reference) = (mine, reference);
         levels = new byte[mine.Width * mine.Height];
         var channels = new int[3];
@@ -49,10 +49,12 @@ public sealed class PictureDifference
     /// <summary>The largest difference of a channel anywhere.</summary>
     public int Largest { get; }
 
-    /// <summary>The first pixel beyond rounding, reading from the top; null if there is none. Y counts from the top.</summary>
+    /// <summary>The first pixel beyond rounding, reading from the top; null if there is none.</summary>
     public (int X, int Y)? FirstWrong { get; private set; }
 
-    /// <summary>The columns and the lines, counted from the top, between which all pixels beyond rounding lie, ends included; null if there are none.</summary>
+    /// <summary>
+    /// The columns and the lines, counted from the top, between which all pixels beyond rounding lie, ends included; null if there are none.
+    /// </summary>
     public (int Left, int Top, int Right, int Bottom)? WrongArea { get; private set; }
 
     /// <summary>How many pixels differ by more than so many levels in a channel.</summary>
@@ -103,6 +105,8 @@ public sealed class PictureDifference
     private void Surround(int x, int y)
     {
         FirstWrong ??= (x, y);
-        WrongArea = WrongArea is var (left, top, right, _) ? (Math.Min(left, x), top, Math.Max(right, x), y) : (x, y, x, y);
+        WrongArea = WrongArea is var (left, top, right, _)
+            ? (Math.Min(left, x), top, Math.Max(right, x), y)
+            : (x, y, x, y);
     }
 }

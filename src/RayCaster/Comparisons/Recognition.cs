@@ -13,5 +13,7 @@ public sealed record Recognition(Change Change, PictureDifference Difference, Ve
     /// <param name="before">The difference without the change; null where there is none, for the sizes differ.</param>
     internal bool IsWorthTelling(PictureDifference? before) =>
         Verdict != Verdict.Wrong
-        || (Difference.Wrong > 0 && (long)Difference.Wrong * 100 <= (long)Difference.Pixels * Percent && (before is null || Difference.Wrong * Part <= before.Wrong));
+        || (Difference.Wrong > 0
+            && (long)Difference.Wrong * 100 <= (long)Difference.Pixels * Percent
+            && (before is null || (long)Difference.Wrong * Part <= before.Wrong));
 }

@@ -15,10 +15,11 @@ public sealed class SceneDifference
     private readonly Scene scene;
     private readonly PictureDifference difference;
     private readonly HitMap hits, others;
+    private readonly int? threads;
 
-    private SceneDifference(Scene scene, PictureDifference difference, HitMap hits, Picture own)
+    private SceneDifference(Scene scene, PictureDifference difference, HitMap hits, Picture own, int? threads)
     {
-        (this.scene, this.difference, this.hits) = (scene, difference, hits);
+        (this.scene, this.difference, this.hits, this.threads) = (scene, difference, hits, threads);
         ReferenceToOwn = new(difference.Reference, own);
         var mineToOwn = new PictureDifference(difference.Mine, own);
         IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
@@ -30,13 +31,13 @@ public sealed class SceneDifference
     /// <summary>The reference beside the picture that the scene really gives.</summary>
     public PictureDifference ReferenceToOwn { get; }
 
-    /// <summary>Whether the reference is the scene's picture, but for outlines, single levels and the like: at most 2 % of the pixels are beyond rounding.</summary>
+    /// <summary>Whether the reference is the scene's picture but for outlines and the like: at most 2 % of its pixels are beyond rounding.</summary>
     public bool IsReferenceOwn { get; }
 
-    /// <summary>Whether the picture in question is the scene's own and the reference is not: they may have been swapped, or one is of another scene.</summary>
+    /// <summary>Whether the picture in question is the scene's own, and the reference is not: they may have been swapped.</summary>
     public bool IsMineOwn { get; }
 
-    /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not the scene's picture.</summary>
+    /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not that picture.</summary>
     public IReadOnlyList<ModelDifference> Models { get; }
 
     /// <summary>Compares model by model.</summary>
@@ -49,7 +50,7 @@ public sealed class SceneDifference
         var hits = new Renderer(scene, threads).CastHits();
         var own = new Picture(hits.Width, hits.Height);
         for (var i = 0; i < difference.Pixels; i++) (own.Rgb[3 * i], own.Rgb[3 * i + 1], own.Rgb[3 * i + 2]) = BytesOf(scene, hits, i);
-        return new(scene, difference, hits, own);
+        return new(scene, difference, hits, own, threads);
     }
 
     /// <summary>The scene in the size of a picture.</summary>
@@ -83,14 +84,17 @@ public sealed class SceneDifference
         for (var i = 0; i < models.Count && models[i].Wrong > 0; i++)
         {
             var model = models[i] with { Shows = Tally(models[i].Model, shown) };
-            if (model is { Model: >= 0, Share: >= Nearly / 2 } && leftOut++ < MostLeftOut) model = model with { IsMissing = IsMissing(model) };
+            if (model is { Model: >= 0, Share: >= Nearly / 2 } && leftOut++ < MostLeftOut)
+                model = model with { IsMissing = IsMissing(model) };
             if (!model.IsMissing && model.Share >= Nearly / 2) model = model with { OtherColor = OtherColor(model) };
             models[i] = model;
         }
         return models;
     }
 
-    /// <summary>What each wrong pixel shows, of all that has a hit there: a model's place plus 2, 1 for the background, 0 for nothing that is certain.</summary>
+    /// <summary>
+    /// What each wrong pixel shows, of all that has a hit there: a model's place plus 2, 1 for the background, 0 for nothing that is certain.
+    /// </summary>
     private int[] Shown(List<ModelDifference> models)
     {
         var shown = new int[difference.Pixels];
@@ -105,7 +109,7 @@ public sealed class SceneDifference
         foreach (var model in byPixels[..Math.Min(MostTried, byPixels.Count)])
         {
             var alone = scene with { Models = [scene.Models[model.Model]] };
-            new Renderer(alone).CastHits(others);
+            new Renderer(alone, threads).CastHits(others);
             for (var i = 0; i < shown.Length; i++)
                 if (IsWrong(i) && others.Model[i] >= 0 && hits.Model[i] != model.Model) Note(i, model.Model, BytesOf(alone, others, i));
         }
@@ -116,7 +120,7 @@ public sealed class SceneDifference
         void Note(int pixel, int model, (byte, byte, byte) color)
         {
             if (PictureDifference.Levels(MineAt(pixel), color) > 1) return;
-            several[pixel] = shown[pixel] != 0;
+            several[pixel] |= shown[pixel] != 0;
             shown[pixel] = model + 2;
         }
     }
@@ -138,7 +142,7 @@ public sealed class SceneDifference
         var rest = new List<Model>(scene.Models);
         rest.RemoveAt(model.Model);
         var without = scene with { Models = rest };
-        new Renderer(without).CastHits(others);
+        new Renderer(without, threads).CastHits(others);
         var explained = 0;
         for (var i = 0; i < difference.Pixels; i++)
             if (hits.Model[i] == model.Model && PictureDifference.Levels(MineAt(i), BytesOf(without, others, i)) <= 1) explained++;
@@ -152,7 +156,8 @@ public sealed class SceneDifference
         var color = new Color(channels[0], channels[1], channels[2]);
         var explained = 0;
         for (var i = 0; i < difference.Pixels; i++)
-            if (hits.Model[i] == model.Model && PictureDifference.Levels(MineAt(i), (LightAt(i, model.Model) * color).ToBytes()) <= 1) explained++;
+            if (hits.Model[i] == model.Model && PictureDifference.Levels(MineAt(i), (LightAt(i, model.Model) * color).ToBytes()) <= 1)
+                explained++;
         return explained >= Nearly * model.Pixels ? color : null;
     }
 

@@ -5,7 +5,7 @@ namespace RayCaster;
 
 /// <summary>
 /// The structural similarity index of Wang, Bovik, Sheikh and Simoncelli ("Image Quality Assessment: From Error Visibility to Structural
-/// Similarity", IEEE Transactions on Image Processing 13(4), 2004): windows of 11 × 11 pixels under a Gaussian with σ = 1.5, K1 = 0.01, K2 = 0.03,
+/// Similarity", IEEE Transactions on Image Processing 13(4), 2004): windows of 11 × 11 pixels under a Gaussian, σ = 1.5, K1 = 0.01, K2 = 0.03,
 /// one window around each pixel, the mean of the three channels. Beyond the border the outermost pixels are repeated, as in ImageMagick.
 /// </summary>
 internal static class StructuralSimilarity

@@ -12,7 +12,7 @@ public enum Verdict
     /// <summary>Besides, some pixels on outlines show the other side of the outline, which the last bits may do as well.</summary>
     OutlinesOnly,
 
-    /// <summary>Nothing differs by more than 1 level (outlines aside), but more than 1 % of the pixels differ: a byte is not rounded to nearest.</summary>
+    /// <summary>Outlines aside nothing differs by more than 1 level, but more than 1 % of the pixels do: bytes are not rounded to nearest.</summary>
     RoundedOtherwise,
 
     /// <summary>Anything else.</summary>
