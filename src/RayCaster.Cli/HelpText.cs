@@ -18,8 +18,13 @@ internal static class HelpText
 
         Usage:
           raycaster <scene> [options]
-          raycaster compare <mine> <reference> [options]
-          raycaster help [command]
+          raycaster <command> ...
+
+        Commands:
+          check <scene>...            Finds errors of scenes, and what their pictures cannot show.
+          compare <mine> <reference>  Says whether two pictures are the same, and where not.
+          diagnose <scene> <mine>     Says which mistake makes a wrong picture.
+          help [command]              Shows this help, or a command's.
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.
@@ -36,10 +41,6 @@ internal static class HelpText
               --no-progress      Never draws a progress line.
               --version          Shows the version.
           -?, -h, --help         Shows this help. Under "dotnet run" write it after "--".
-
-        Commands:
-          compare <mine> <reference>  Says whether two pictures are the same, and where not.
-          help [command]              Shows this help, or that of a command.
 
         Examples:
           dotnet run --project src/RayCaster.Cli -- scenes/room.json

@@ -15,6 +15,9 @@ public abstract class Model
     /// <summary>The parameter t of the first crossing with the ray that counts (<see cref="Ray.Counts"/>), or null.</summary>
     public abstract double? Intersect(Ray ray);
 
+    /// <summary>All crossings with the ray, whether they count or not, of a shape that states them as a formula; null where only <see cref="Intersect"/> knows.</summary>
+    internal virtual Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => null;
+
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
     internal virtual ModelView See(Camera camera, int threads) => new SingleRayView(this);
 
@@ -37,6 +40,9 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
         double t = ray.Clip.First<Scalar>(crossings, ray.ZPerT);
         return double.IsNaN(t) ? null : t;
     }
+
+    /// <inheritdoc/>
+    internal override Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => Primitive.Cross(ray);
 
     /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new PrimitiveView<P>(Primitive, camera);

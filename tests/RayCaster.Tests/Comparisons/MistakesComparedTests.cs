@@ -1,4 +1,5 @@
 using RayCaster.Tests.Mistakes;
+using Planted = RayCaster.Tests.Mistakes.Mistake;
 
 namespace RayCaster.Tests.Comparisons;
 
@@ -20,7 +21,7 @@ public class MistakesComparedTests
     public void AreRecognised(string mistake, string text)
     {
         var scene = SceneFolder.Read(ProjectFolder.PathOf("scenes/mistakes/generic.json"));
-        var comparison = new PictureComparison(SlideCaster.Render(scene, Mistake.Named(mistake)), Renderer.Render(scene), scene);
+        var comparison = new PictureComparison(SlideCaster.Render(scene, Planted.Named(mistake)), Renderer.Render(scene), scene);
         Assert.Contains(text, ComparisonText.Of(comparison, "mine.png", "reference.png"));
     }
 }
