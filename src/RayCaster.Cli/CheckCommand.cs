@@ -48,7 +48,8 @@ internal sealed class CheckCommand : Command
         if (exitCode != ExitCode.Done || line.Has(Option.Quiet)) return exitCode;
 
         var fitness = Task.Run(() => SceneFitness.Of(scenes, threads)).WaitAsync(cancellation).GetAwaiter().GetResult();
-        StandardFile.WriteOutput((scenes.Count == 1 ? $"{line.Operands[0]}: no errors." : $"{scenes.Count} scenes: no errors.") + Environment.NewLine + FitnessReport.Text(fitness));
+        var head = scenes.Count == 1 ? $"{line.Operands[0]}: no errors." : $"{scenes.Count} scenes: no errors.";
+        StandardFile.WriteOutput(head + Environment.NewLine + FitnessReport.Text(fitness));
         return exitCode;
     }
 }

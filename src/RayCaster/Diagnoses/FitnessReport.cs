@@ -49,6 +49,7 @@ public static class FitnessReport
         var one = fitness.Scenes.Count == 1;
         var shown = MistakeCatalog.All.Count - fitness.Hidden.Count;
         text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {fitness.Scenes.Count} scenes together show")} {shown} of the {MistakeCatalog.All.Count} known mistakes.");
+        if (fitness.Reduced) text.AppendLine("A large picture was judged by a smaller one of the same shape.");
         var hidden = fitness.Hidden.Except(fitness.WithinRounding).ToArray();
         if (hidden.Length > 0)
         {

@@ -9,12 +9,17 @@ public sealed class SceneFitness
     /// <summary>As many pixels as must look otherwise for a mistake to be seen.</summary>
     public const int LeastPixels = 20;
 
+    /// <summary>A larger picture is judged by a smaller one of the same shape.</summary>
+    private const int MostPixels = 1_000_000;
+
     /// <summary>How many pixels of each picture tell most mistakes apart; the others need the whole picture.</summary>
     private const int Samples = 4096;
 
     private SceneFitness(IReadOnlyList<Scene> scenes, int? threads)
     {
-        Scenes = scenes;
+        Scenes = [.. scenes.Select(Judged)];
+        Reduced = !Scenes.SequenceEqual(scenes);
+        scenes = Scenes;
         var known = MistakeCatalog.All;
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
         var views = scenes.Select(scene => new View(scene)).ToArray();
@@ -27,8 +32,11 @@ public sealed class SceneFitness
         PixelCount = scenes.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height);
     }
 
-    /// <summary>What was judged.</summary>
+    /// <summary>What was judged, with the sizes of picture that were.</summary>
     public IReadOnlyList<Scene> Scenes { get; }
+
+    /// <summary>Whether a picture was too large and a smaller one was judged instead.</summary>
+    public bool Reduced { get; }
 
     /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
     public IReadOnlyList<Mistake> Hidden { get; }
@@ -46,9 +54,17 @@ public sealed class SceneFitness
     public long PixelCount { get; }
 
     /// <summary>Judges a set of scenes.</summary>
-    /// <param name="scenes">At least one, none larger than an array.</param>
+    /// <param name="scenes">At least one.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     public static SceneFitness Of(IReadOnlyList<Scene> scenes, int? threads = null) => new(scenes, threads);
+
+    private static Scene Judged(Scene scene)
+    {
+        var camera = scene.Camera;
+        var shrink = Math.Sqrt((double)camera.Width * camera.Height / MostPixels);
+        if (shrink <= 1) return scene;
+        return scene with { Camera = camera.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink))) };
+    }
 
     private static int IndexOf(Mistake mistake)
     {

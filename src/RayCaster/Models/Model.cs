@@ -15,7 +15,7 @@ public abstract class Model
     /// <summary>The parameter t of the first crossing with the ray that counts (<see cref="Ray.Counts"/>), or null.</summary>
     public abstract double? Intersect(Ray ray);
 
-    /// <summary>All crossings with the ray, whether they count or not, of a shape that states them as a formula; null where only <see cref="Intersect"/> knows.</summary>
+    /// <summary>All crossings of a shape that has a formula, counting or not; null where only <see cref="Intersect"/> knows.</summary>
     internal virtual Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => null;
 
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
