@@ -4,12 +4,13 @@ namespace RayCaster.Cli;
 internal abstract class Command
 {
     /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
-    public static readonly string[] Names = ["check", "diagnose", "help"];
+    public static readonly string[] Names = ["check", "compare", "diagnose", "help"];
 
     /// <summary>The command of a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
     {
         "check" => new CheckCommand(),
+        "compare" => new CompareCommand(),
         "diagnose" => new DiagnoseCommand(),
         "help" => new HelpCommand(),
         _ => null,

@@ -21,9 +21,10 @@ internal static class HelpText
           raycaster <command> ...
 
         Commands:
-          check <scene>...          Finds errors of scenes, and what their pictures cannot show.
-          diagnose <scene> <mine>   Says which mistake makes a wrong picture.
-          help [command]            Shows this help, or a command's.
+          check <scene>...            Finds errors of scenes, and what their pictures cannot show.
+          compare <mine> <reference>  Says whether two pictures are the same, and where not.
+          diagnose <scene> <mine>     Says which mistake makes a wrong picture.
+          help [command]              Shows this help, or a command's.
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.
