@@ -18,7 +18,8 @@ internal static class HelpText
 
         Usage:
           raycaster <scene> [options]
-          raycaster help
+          raycaster explain <scene> <column> <line> [options]
+          raycaster help [command]
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.
@@ -35,6 +36,10 @@ internal static class HelpText
               --no-progress      Never draws a progress line.
               --version          Shows the version.
           -?, -h, --help         Shows this help. Under "dotnet run" write it after "--".
+
+        Commands:
+          explain <scene> <column> <line>  Shows how one pixel gets its colour.
+          help [command]                   Shows help.
 
         Examples:
           dotnet run --project src/RayCaster.Cli -- scenes/room.json

@@ -15,6 +15,9 @@ public abstract class Model
     /// <summary>The parameter t of the first crossing with the ray that counts (<see cref="Ray.Counts"/>), or null.</summary>
     public abstract double? Intersect(Ray ray);
 
+    /// <summary>What kind of shape it is, as a scene file calls it.</summary>
+    internal virtual string Kind => GetType().Name.ToLowerInvariant();
+
     /// <summary>How many shapes with a formula it is made of: one, the triangles of a mesh, none for a model in plain doubles and ifs.</summary>
     internal virtual int PartCount => 0;
 
@@ -46,6 +49,9 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
         double t = ray.Clip.First<Scalar>(crossings, ray.ZPerT);
         return double.IsNaN(t) ? null : t;
     }
+
+    /// <inheritdoc/>
+    internal override string Kind => typeof(P).Name.ToLowerInvariant();
 
     /// <inheritdoc/>
     internal override int PartCount => 1;

@@ -1,0 +1,37 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster;
+
+/// <summary>A step of a formula with the numbers of one pixel.</summary>
+/// <param name="Name">What the slide calls it.</param>
+/// <param name="Formula">How it is computed, as written in the code.</param>
+/// <param name="Numbers">The same with this pixel's numbers put in, down to the named steps before it.</param>
+/// <param name="Values">What came out: one number, or the three of a vector.</param>
+public sealed record FormulaStep(string Name, string Formula, string Numbers, IReadOnlyList<double> Values)
+{
+    /// <summary>What came out of a step that gives one number.</summary>
+    public double Value => Values[0];
+
+    internal Vector3 Vector => new(Values[0], Values[1], Values[2]);
+
+    /// <summary>The named steps that led to some numbers, in the order in which they were computed.</summary>
+    internal static IReadOnlyList<FormulaStep> LeadingTo(params ReadOnlySpan<Derivation> results)
+    {
+        var (steps, seen) = (new List<FormulaStep>(), new HashSet<object>(ReferenceEqualityComparer.Instance));
+        foreach (var result in results) Walk(result.Term);
+        return steps;
+
+        void Walk(Term term)
+        {
+            if (!seen.Add(term) || !RuntimeHelpers.TryEnsureSufficientExecutionStack()) return;
+            if (term.Step is { } step)
+            {
+                if (!seen.Add(step) || step.Formula.Length == 0) return;
+                foreach (var coordinate in step.Terms) Walk(coordinate.A);
+                steps.Add(new(step.Name, step.Formula, TermText.Of(step.Terms), Array.ConvertAll(step.Terms, coordinate => coordinate.Value)));
+                return;
+            }
+            foreach (var part in term.Parts) Walk(part);
+        }
+    }
+}
