@@ -136,7 +136,7 @@ public sealed class Camera
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
-        var pixel = (across + upwards - W).As("pixel"); // as seen from P, on the picture plane
+        var pixel = (across + upwards - W).As("pixel", "uc * U + ur * V - W"); // on the picture plane, seen from P
         return (pixel / N.Sqrt(pixel * pixel)).As("d");
     }
 

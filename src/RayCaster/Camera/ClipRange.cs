@@ -26,7 +26,7 @@ public readonly struct ClipRange
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N Counts<N>(N t, N zPerT) where N : struct, IReal<N>
     {
-        var z = (t * zPerT).As("z");
+        var z = t * zPerT;
         return (t >= least) & (z >= zNear) & (z <= zFar);
     }
 

@@ -19,9 +19,9 @@ internal static class ColorExplanation
     private static List<FormulaStep> Channels(string formula, Derivation red, Derivation green, Derivation blue)
     {
         (red, green, blue) = (red.As("red", $"{formula}.R"), green.As("green", $"{formula}.G"), blue.As("blue", $"{formula}.B"));
-        return [.. FormulaStep.LeadingTo(Level(red, "red level"), Level(green, "green level"), Level(blue, "blue level"))
+        return [.. FormulaStep.LeadingTo(Level(red, "red"), Level(green, "green"), Level(blue, "blue"))
             .Where(step => step.Name != "attenuation")];
     }
 
-    private static Derivation Level(Derivation channel, string name) => Color.Level(channel).As(name, "min(max(channel, 0), 1) * 255 + 0.5");
+    private static Derivation Level(Derivation channel, string name) => Color.Level(channel).As($"{name} level", $"min(max({name}, 0), 1) * 255 + 0.5");
 }

@@ -31,6 +31,6 @@ internal static class Digits
         var text = value.ToString("G" + digits.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
         if (text == "-0") text = "0";
         if (text.IndexOf('E') is var e and > 0) text = $"{text[..e]}e{int.Parse(text.AsSpan(e + 1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture).ToString(CultureInfo.InvariantCulture)}";
-        return text.Replace('-', '−');
+        return text.StartsWith('-') ? $"−{text[1..]}" : text;
     }
 }

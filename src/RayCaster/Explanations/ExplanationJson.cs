@@ -122,7 +122,7 @@ internal sealed class ExplanationJson
         json.WriteString("refusal", Word(crossing.Refusal));
         json.WriteString("reason", crossing.Reason);
         if (crossing.Untested is { } t) Number("untested", t);
-        List("steps", crossing.Steps, Step);
+        json.WriteString("numbers", crossing.Numbers);
     }
 
     private void Others(OtherModels others)
@@ -188,7 +188,8 @@ internal sealed class ExplanationJson
         json.WriteString("name", step.Name);
         json.WriteString("formula", step.Formula);
         json.WriteString("numbers", step.Numbers);
-        if (step.Values is [var only]) Number("value", only);
+        if (step.IsTest) json.WriteBoolean("value", step.Value != 0);
+        else if (step.Values is [var only]) Number("value", only);
         else Numbers("value", step.Values);
     }
 

@@ -45,9 +45,9 @@ internal sealed class ExplanationText
         Section("Ray", camera.Sample == Sample.Corner ? "through the pixel's lower left corner" : "through the pixel's middle");
         Steps(2, pixel.RaySteps);
         Line(2, $"X(t) = P + t d = {Digits.Of(pixel.Ray.Origin)} + t · {Digits.Of(pixel.Ray.Direction)}");
-        var z = camera.Clip == Clip.Depth ? $"z = t · (−d·W) = t · {Digits.Of(pixel.Ray.ZPerT)}" : "z = t";
+        Line(2, camera.Clip == Clip.Depth ? $"z = t · (−d·W) = t · {Digits.Of(pixel.Ray.ZPerT)}" : "z = t");
         var least = camera.Bias == 0 ? "t ≥ 0" : $"t > bias = {Digits.Of(camera.Bias)}";
-        Line(2, $"A crossing counts where {least} and zNear = {Digits.Of(camera.ZNear)} ≤ z ≤ zFar = {Digits.Of(camera.ZFar)}, with {z}");
+        Line(2, $"A crossing counts where {least} and zNear = {Digits.Of(camera.ZNear)} ≤ z ≤ zFar = {Digits.Of(camera.ZFar)}");
     }
 
     private void Models(PixelExplanation pixel)
@@ -64,7 +64,7 @@ internal sealed class ExplanationText
         if (model.Beside is { } beside) Line(6, $"It shows in the next pixel: {beside}.");
         if (model.Mesh is { } mesh) Line(6, Mesh(mesh));
         Slabs(model.Slabs);
-        Steps(6, model.Slabs.Count == 0 ? model.Steps : [.. model.Steps.Where(step => step.Name is not ("t0" or "t1" or "enters" or "leaves"))]);
+        Steps(6, model.Slabs.Count == 0 ? model.Steps : [.. model.Steps.Where(step => step.Name is not ("t0" or "t1"))]);
         if (model.Weights is [var w, var u, var v])
             Line(6, $"of w + u + v: w = {Digits.Of(w)}, u = {Digits.Of(u)}, v = {Digits.Of(v)}");
         foreach (var crossing in model.Crossings) Crossing(model, crossing);
@@ -74,12 +74,11 @@ internal sealed class ExplanationText
     {
         if (double.IsNaN(crossing.T))
         {
-            if (crossing.Untested is { } t) Line(6, $"→ no crossing; the test fails at t = {Digits.Of(t)}");
+            if (crossing.Untested is { } untested) Line(6, $"→ no crossing; the test fails at t = {Digits.Of(untested)}");
             return;
         }
-        foreach (var step in crossing.Steps)
-            if (step.Name == "t") Steps(6, [step]);
-        Line(6, $"→ t = {Digits.Of(crossing.T)}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Verdict) : crossing.Reason)}");
+        var t = $"t = {(crossing.Numbers.Length == 0 ? "" : $"{crossing.Numbers} = ")}{Digits.Of(crossing.T)}";
+        Line(6, $"→ {t}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Verdict) : crossing.Reason)}");
     }
 
     private void Slabs(IReadOnlyList<SlabExplanation> slabs)
@@ -177,7 +176,7 @@ internal sealed class ExplanationText
         var longest = steps.Count == 0 ? 0 : steps.Max(step => step.Name.Length);
         foreach (var step in steps)
         {
-            var value = Digits.Of(step.Values);
+            var value = step.IsTest ? step.Value != 0 ? "true" : "false" : Digits.Of(step.Values);
             string[] parts = step.Formula == step.Numbers || step.Numbers == value ? [step.Formula, value] : [step.Formula, step.Numbers, value];
             text.Append(' ', indent).Append(step.Name.PadRight(longest));
             var column = indent + longest;
@@ -188,7 +187,7 @@ internal sealed class ExplanationText
                     column = indent + longest;
                     text.Append('\n').Append(' ', column);
                 }
-                text.Append(" = ").Append(part);
+                text.Append(step.IsTest && ReferenceEquals(part, value) ? " is " : " = ").Append(part);
                 column += 3 + part.Length;
             }
             text.Append('\n');

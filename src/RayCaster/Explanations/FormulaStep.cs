@@ -9,6 +9,9 @@ namespace RayCaster;
 /// <param name="Values">What came out: one number, or the three of a vector.</param>
 public sealed record FormulaStep(string Name, string Formula, string Numbers, IReadOnlyList<double> Values)
 {
+    /// <summary>Whether it is a test: its value is 1 for true and 0 for false.</summary>
+    public bool IsTest { get; init; }
+
     /// <summary>What came out of a step that gives one number.</summary>
     public double Value => Values[0];
 
@@ -17,21 +20,27 @@ public sealed record FormulaStep(string Name, string Formula, string Numbers, IR
     /// <summary>The named steps that led to some numbers, in the order in which they were computed.</summary>
     internal static IReadOnlyList<FormulaStep> LeadingTo(params ReadOnlySpan<Derivation> results)
     {
-        var (steps, seen) = (new List<FormulaStep>(), new HashSet<object>(ReferenceEqualityComparer.Instance));
+        var (found, seen) = (new List<StepName>(), new HashSet<object>(ReferenceEqualityComparer.Instance));
         foreach (var result in results) Walk(result.Term);
-        return steps;
+        return [.. found.OrderBy(step => step.Number).Select(Of)];
 
         void Walk(Term term)
         {
             if (!seen.Add(term) || !RuntimeHelpers.TryEnsureSufficientExecutionStack()) return;
-            if (term.Step is { } step)
+            if (term.Step is not { } step)
             {
-                if (!seen.Add(step) || step.Formula.Length == 0) return;
-                foreach (var coordinate in step.Terms) Walk(coordinate.A);
-                steps.Add(new(step.Name, step.Formula, TermText.Of(step.Terms), Array.ConvertAll(step.Terms, coordinate => coordinate.Value)));
+                foreach (var part in term.Parts) Walk(part);
                 return;
             }
-            foreach (var part in term.Parts) Walk(part);
+            if (!seen.Add(step) || step.Formula.Length == 0) return;
+            foreach (var coordinate in step.Terms) Walk(coordinate.A);
+            found.Add(step);
         }
+
+        static FormulaStep Of(StepName step) =>
+            new(step.Name, step.Formula, TermText.Of(step.Terms), Array.ConvertAll(step.Terms, coordinate => coordinate.Value))
+            {
+                IsTest = step.Terms[0].IsTest,
+            };
     }
 }

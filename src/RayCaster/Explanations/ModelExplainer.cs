@@ -23,7 +23,7 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
             crossings = trial.Mesh is null ? [Plain(trial)] : [];
         else
         {
-            steps = FormulaStep.LeadingTo(derived.Near, derived.Far);
+            steps = [.. Corners(shape), .. FormulaStep.LeadingTo(derived.Near, derived.Far)];
             crossings = Crossings(trial, shape, derived, steps);
         }
 
@@ -50,7 +50,13 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         var name = NameOf(scene, shown!.Value);
         return (Verdict.Hidden, t == cast.HitParameter
             ? $"a tie: {name} has the same t and stands earlier in the scene"
-            : $"hidden by {name}, which is nearer: {Reasons.Compare("t", cast.HitParameter, "<", "t", t)}");
+            : $"hidden by {name}, whose {Nearer(cast.HitParameter, t)}");
+    }
+
+    private static string Nearer(double nearest, double t)
+    {
+        var (a, b) = Digits.Apart(nearest, t);
+        return $"t = {a} < {b}";
     }
 
     private List<CrossingExplanation> Crossings(Trial trial, Model shape, Crossings<Derivation> derived, IReadOnlyList<FormulaStep> steps)
@@ -61,9 +67,6 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         {
             var (t, term) = (crossing.Value, crossing.Term);
             if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed once, or the same reason once more
-            var zPerT = (Derivation)cast.ZPerT;
-            var z = cast.Clip.Counts(crossing.As("t"), zPerT);
-            var own = FormulaStep.LeadingTo(z).Where(step => step.Name == "z" || (step.Name == "t" && !IsStep(term) && !double.IsNaN(t))).ToList();
             var refusal = cast.Clip.Refuse(t, cast.ZPerT);
             var (verdict, reason) = refusal switch
             {
@@ -73,9 +76,21 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
                 _ => (Verdict.Refused, Reasons.Of(refusal, t, t * cast.ZPerT, scene.Camera)),
             };
             isHit |= refusal is Refusal.None;
-            crossings.Add(new(t, t * cast.ZPerT, verdict, refusal, reason, own, Untested(term)));
+            crossings.Add(new(t, t * cast.ZPerT, verdict, refusal, reason, IsStep(term) ? "" : TermText.Of(term), Untested(term)));
         }
         return crossings;
+    }
+
+    /// <summary>
+    /// A triangle's corners as they are seen along the ray. Its own formula does not name them: one name more there, and the compiler
+    /// no longer inlines the formula's operators where it draws.
+    /// </summary>
+    private IReadOnlyList<FormulaStep> Corners(Model shape)
+    {
+        if (shape is not Model<Triangle> { Primitive: var (A, B, C) }) return [];
+        var along = new AlongRay<Derivation>(ray);
+        var (a, b, c) = (along.See(A).As("a", "along.See(A)"), along.See(B).As("b", "along.See(B)"), along.See(C).As("c", "along.See(C)"));
+        return FormulaStep.LeadingTo(a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z);
     }
 
     private static bool IsStep(Term term) => term.Chosen.Operation is Operation.Name;
@@ -91,14 +106,14 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         var (verdict, reason) = trial.Hit is { } hit ? Hit(trial, hit)
             : refusal is Refusal.NoNumber ? (Verdict.Missed, "its Intersect finds no crossing")
             : (Verdict.Refused, refusal is Refusal.None ? "its Intersect gives no hit, though this t counts" : Reasons.Of(refusal, t, z, scene.Camera));
-        return new(t, z, verdict, refusal, reason, [], null);
+        return new(t, z, verdict, refusal, reason, "", null);
     }
 
     private static IReadOnlyList<SlabExplanation> Slabs(Aabb box, IReadOnlyList<FormulaStep> steps)
     {
-        double[] Values(string name) => [.. steps.Where(step => step.Name == name).Select(step => step.Value)];
-        var (t0, t1, enters, leaves) = (Values("t0"), Values("t1"), Values("enters"), Values("leaves"));
-        if ((t0.Length, t1.Length, enters.Length, leaves.Length) is not (3, 3, 3, 3)) return [];
+        var (t0, t1) = (Reasons.Values(steps, "t0"), Reasons.Values(steps, "t1"));
+        if ((t0.Length, t1.Length) is not (3, 3)) return [];
+        var (enters, leaves) = Reasons.Slabs(t0, t1);
         var (entry, exit) = (Array.IndexOf(enters, enters.Max()), Array.IndexOf(leaves, leaves.Min()));
         double[] lo = [box.Min.X, box.Min.Y, box.Min.Z], hi = [box.Max.X, box.Max.Y, box.Max.Z];
         return [.. Enumerable.Range(0, 3).Select(i =>

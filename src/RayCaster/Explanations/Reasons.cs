@@ -48,6 +48,14 @@ internal static class Reasons
     /// <summary>A step by its name.</summary>
     public static FormulaStep? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name);
 
+    /// <summary>The values of all steps of a name.</summary>
+    public static double[] Values(IReadOnlyList<FormulaStep> steps, string name) => [.. steps.Where(step => step.Name == name).Select(step => step.Value)];
+
+    /// <summary>Where a ray enters and leaves the slabs of a box: the lesser and the greater of t0 and t1; in a slab whose face it runs in it is for ever.</summary>
+    public static (double[] Enters, double[] Leaves) Slabs(double[] t0, double[] t1) => (
+        [.. t0.Zip(t1, (a, b) => Math.Min(a, b) is var t && double.IsNaN(t) ? double.NegativeInfinity : t)],
+        [.. t0.Zip(t1, (a, b) => Math.Max(a, b) is var t && double.IsNaN(t) ? double.PositiveInfinity : t)]);
+
     private static string? Circle(Circle circle, IReadOnlyList<FormulaStep> steps)
     {
         if (Find(steps, "t") is not { } t || !double.IsFinite(t.Value)) return "d·n = 0: the ray runs along the circle's plane";
@@ -58,9 +66,8 @@ internal static class Reasons
 
     private static string Box(IReadOnlyList<FormulaStep> steps, double tMin, double tMax)
     {
-        var enters = steps.Where(step => step.Name == "enters").ToArray();
-        var leaves = steps.Where(step => step.Name == "leaves").ToArray();
-        var (entered, left) = (Array.FindIndex(enters, step => step.Value == tMin), Array.FindIndex(leaves, step => step.Value == tMax));
+        var (enters, leaves) = Slabs(Values(steps, "t0"), Values(steps, "t1"));
+        var (entered, left) = (Array.IndexOf(enters, tMin), Array.IndexOf(leaves, tMax));
         var compared = Compare("t_min", tMin, ">", "t_max", tMax);
         if (entered < 0 || left < 0) return compared + ": the ray passes the box by";
         return entered == left

@@ -32,6 +32,9 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
     /// <summary>The second operand.</summary>
     public Term B => b!;
 
+    /// <summary>Whether there is a second operand.</summary>
+    public bool HasB => b is not null;
+
     /// <summary>The third operand.</summary>
     public Term C => c!;
 
@@ -41,9 +44,18 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
     /// <summary>What a step is called in a sentence: L, or L.x for a vector's coordinate; null for what has no name.</summary>
     public string? Label => Step is null ? null : Step.Terms.Length == 1 ? Step.Name : $"{Step.Name}.{"xyz"[Array.IndexOf(Step.Terms, this)]}";
 
-    /// <summary>How many numbers it takes to write the term down; a step stands for itself.</summary>
-    public int Size { get; } = operation is Operation.Name or Operation.Constant ? 1
-        : Math.Min(Huge, 1 + (a?.Size ?? 0) + (b?.Size ?? 0) + (c?.Size ?? 0));
+    /// <summary>Whether it is the answer of a test, true or false, or a name for one.</summary>
+    public bool IsTest => operation is >= Operation.Less and <= Operation.Or || (operation is Operation.Name && A.IsTest);
+
+    /// <summary>How long the term is written down; a step stands for itself, a choice for what it chose.</summary>
+    public int Size { get; } = operation switch
+    {
+        Operation.Name or Operation.Constant => 1,
+        Operation.Select => a!.Value != 0 ? b!.Size : c!.Size,
+        Operation.If => b!.Size,
+        Operation.Instead => double.IsNaN(a!.Value) ? b!.Size : a.Size,
+        _ => Math.Min(Huge, 1 + (a?.Size ?? 0) + (b?.Size ?? 0)),
+    };
 
     /// <summary>What a choice chose; any other term itself. Of "a crossing here, if …" the crossing, whether or not.</summary>
     public Term Chosen => operation switch
@@ -71,6 +83,11 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
 /// <param name="formula">As in the code; empty for what is given, as the ray is.</param>
 internal sealed class StepName(string name, string formula)
 {
+    private static long count;
+
+    /// <summary>Which of all steps it is: those of one formula are numbered in the order in which they are computed.</summary>
+    public long Number { get; } = Interlocked.Increment(ref count);
+
     /// <summary>As on the slide.</summary>
     public string Name => name;
 

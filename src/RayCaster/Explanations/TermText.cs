@@ -10,36 +10,40 @@ internal static class TermText
     private const int Condition = 0, Sum = 1, Product = 2, Sign = 3, Whole = 4;
 
     /// <summary>Larger parts stand as their value: a formula without named steps may repeat itself endlessly.</summary>
-    private const int LargestPart = 60;
+    private const int LargestPart = 10;
 
     /// <summary>A number's or a vector's formula with its numbers; a step's is what it was computed from.</summary>
     public static string Of(params IReadOnlyList<Term> terms)
     {
         var formula = terms is [var x, var y, var z] ? new Three(x, y, z) : new Three(terms[0]);
         formula = formula.Chosen;
-        return Text(formula.Is(Operation.Name) ? formula.A.Chosen : formula, Condition, isRoot: true);
+        return Text(formula.Is(Operation.Name) ? formula.A.Chosen : formula, Condition, leads: true, isRoot: true);
     }
 
-    private static string Text(Three term, int rank, bool isRoot = false)
+    /// <param name="term">What is written.</param>
+    /// <param name="rank">The least rank that needs no brackets here.</param>
+    /// <param name="leads">Whether it begins the formula or a bracket; elsewhere a negative number stands in brackets.</param>
+    /// <param name="isRoot">Whether it is the whole.</param>
+    private static string Text(Three term, int rank, bool leads, bool isRoot = false)
     {
         term = term.Chosen;
-        if (term.IsOne && (term.IsLeaf || (!isRoot && term.X.Size > LargestPart))) return Number(term.X.Value, rank);
-        if (DotProduct(term) is var (a, b)) return Infix(a, " · ", b, Product, rank);
-        if (!term.IsOne && term.IsLeaf) return Digits.Of([term.X.Value, term.Y.Value, term.Z.Value]);
-        if (!term.IsAlike) return $"({Text(new(term.X), Sum)}, {Text(new(term.Y), Sum)}, {Text(new(term.Z), Sum)})";
+        if (term.IsOne && (term.IsLeaf || (!isRoot && term.X.Size > LargestPart))) return Number(term.X.Value, leads);
+        if (DotProduct(term) is var (a, b)) return Infix(a, " · ", b, Product, rank, leads);
+        if (!term.IsOne && (term.IsLeaf || (!isRoot && term.IsLong))) return Digits.Of([term.X.Value, term.Y.Value, term.Z.Value]);
+        if (!term.IsOfOneShape) return $"({Inner(new(term.X))}, {Inner(new(term.Y))}, {Inner(new(term.Z))})";
         return term.X.Operation switch
         {
-            Operation.Add => Infix(term.A, " + ", term.B, Sum, rank),
-            Operation.Subtract => Infix(term.A, " − ", term.B, Sum, rank),
-            Operation.Multiply => Infix(term.A, " · ", term.B, Product, rank),
-            Operation.Divide => Infix(term.A, " / ", term.B, Product, rank),
-            Operation.Negate => Bracketed($"−{Text(term.A, Whole)}", Sign, rank),
-            Operation.SquareRoot => $"√{Bracketed(Text(term.A, Condition), Condition, Whole)}",
-            Operation.Min => $"min({Text(term.A, Sum)}, {Text(term.B, Sum)})",
-            Operation.Max => $"max({Text(term.A, Sum)}, {Text(term.B, Sum)})",
-            Operation.And => $"({Text(term.A, Condition)} and {Text(term.B, Condition)})",
-            Operation.Or => $"({Text(term.A, Condition)} or {Text(term.B, Condition)})",
-            var comparison => $"{Text(term.A, Sum)} {Comparison(comparison)} {Text(term.B, Sum)}",
+            Operation.Add => Infix(term.A, " + ", term.B, Sum, rank, leads),
+            Operation.Subtract => Infix(term.A, " − ", term.B, Sum, rank, leads),
+            Operation.Multiply => Infix(term.A, " · ", term.B, Product, rank, leads),
+            Operation.Divide => Infix(term.A, " / ", term.B, Product, rank, leads),
+            Operation.Negate => Bracketed($"−{Text(term.A, Whole, leads: false)}", leads ? Sign : Condition, Math.Max(rank, Sum)),
+            Operation.SquareRoot => $"√({Inner(term.A)})",
+            Operation.Min => $"min({Inner(term.A)}, {Inner(term.B)})",
+            Operation.Max => $"max({Inner(term.A)}, {Inner(term.B)})",
+            Operation.And => $"({Inner(term.A)} and {Inner(term.B)})",
+            Operation.Or => $"({Inner(term.A)} or {Inner(term.B)})",
+            var comparison => $"{Inner(term.A)} {Comparison(comparison)} {Inner(term.B)}",
         };
     }
 
@@ -53,14 +57,15 @@ internal static class TermText
         _ => throw new ArgumentOutOfRangeException(nameof(operation), operation, "no comparison"),
     };
 
-    private static string Infix(Three left, string sign, Three right, int own, int rank) =>
-        Bracketed(Text(left, own) + sign + Text(right, own + 1), own, rank);
+    private static string Inner(Three term) => Text(term, Condition, leads: true);
+
+    private static string Infix(Three left, string sign, Three right, int own, int rank, bool leads) =>
+        Bracketed(Text(left, own, leads || own < rank) + sign + Text(right, own + 1, leads: false), own, rank);
 
     private static string Bracketed(string text, int own, int rank) => own < rank ? $"({text})" : text;
 
-    /// <summary>A negative number on the right of a sign is put into brackets.</summary>
-    private static string Number(double value, int rank) =>
-        Digits.Of(value) is var text && text.StartsWith('−') && rank >= Product ? $"({text})" : text;
+    private static string Number(double value, bool leads) =>
+        Digits.Of(value) is var text && text.StartsWith('−') && !leads ? $"({text})" : text;
 
     private static (Three A, Three B)? DotProduct(Three sum)
     {
@@ -84,6 +89,19 @@ internal static class TermText
         public bool IsOne => ReferenceEquals(X, Y) && ReferenceEquals(Y, Z);
 
         public bool IsAlike => X.Operation == Y.Operation && Y.Operation == Z.Operation;
+
+        public bool IsLong => Math.Max(X.Size, Math.Max(Y.Size, Z.Size)) > LargestPart;
+
+        /// <summary>Whether the three can be written as one formula of vectors.</summary>
+        public bool IsOfOneShape
+        {
+            get
+            {
+                var chosen = Chosen;
+                return chosen.IsOne || chosen.IsLeaf
+                    || (chosen.IsAlike && chosen.A.IsOfOneShape && (!chosen.X.HasB || chosen.B.IsOfOneShape));
+            }
+        }
 
         public bool IsLeaf => IsLeafTerm(X) && IsLeafTerm(Y) && IsLeafTerm(Z);
 

@@ -33,8 +33,6 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
     {
         var t0 = ((lo - origin) / direction).As("t0");
         var t1 = ((hi - origin) / direction).As("t1");
-        var enters = N.Or(N.Min(t0, t1), double.NegativeInfinity).As("enters");
-        var leaves = N.Or(N.Max(t0, t1), double.PositiveInfinity).As("leaves");
-        return new(enters, leaves);
+        return new(N.Or(N.Min(t0, t1), double.NegativeInfinity), N.Or(N.Max(t0, t1), double.PositiveInfinity));
     }
 }

@@ -34,16 +34,14 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     internal static Crossings<N> Cross<N>(in AlongRay<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
         where N : struct, IReal<N>
     {
-        var a = along.See(cornerA).As("a");
-        var b = along.See(cornerB).As("b");
-        var c = along.See(cornerC).As("c");
+        var (a, b, c) = (along.See(cornerA), along.See(cornerB), along.See(cornerC));
         var w = (b.X * c.Y - b.Y * c.X).As("w");
         var u = (c.X * a.Y - c.Y * a.X).As("u");
         var v = (a.X * b.Y - a.Y * b.X).As("v");
         var inside = ((u >= 0) & (v >= 0) & (w >= 0)) | ((u <= 0) & (v <= 0) & (w <= 0));
         var between = ((a.X <= 0) | (b.X <= 0) | (c.X <= 0)) & ((a.X >= 0) | (b.X >= 0) | (c.X >= 0))
             & ((a.Y <= 0) | (b.Y <= 0) | (c.Y <= 0)) & ((a.Y >= 0) | (b.Y >= 0) | (c.Y >= 0));
-        var t = ((w * a.Z + u * b.Z + v * c.Z) / ((w + u + v) * along.ZPerT)).As("t");
+        var t = (w * a.Z + u * b.Z + v * c.Z) / ((w + u + v) * along.ZPerT);
         return new(N.If(inside & between, t));
     }
 
