@@ -18,7 +18,10 @@ public sealed record FormulaStep(string Name, string Formula, string Numbers, IR
     internal Vector3 Vector => new(Values[0], Values[1], Values[2]);
 
     /// <summary>The named steps that led to some numbers, in the order in which they were computed.</summary>
-    internal static IReadOnlyList<FormulaStep> LeadingTo(params ReadOnlySpan<Derivation> results)
+    internal static IReadOnlyList<FormulaStep> LeadingTo(params ReadOnlySpan<Derivation> results) => LeadingTo(new TermText(), results);
+
+    /// <inheritdoc cref="LeadingTo(ReadOnlySpan{Derivation})"/>
+    internal static IReadOnlyList<FormulaStep> LeadingTo(TermText writer, params ReadOnlySpan<Derivation> results)
     {
         var (found, seen) = (new List<StepName>(), new HashSet<object>(ReferenceEqualityComparer.Instance));
         foreach (var result in results) Walk(result.Term);
@@ -37,8 +40,8 @@ public sealed record FormulaStep(string Name, string Formula, string Numbers, IR
             found.Add(step);
         }
 
-        static FormulaStep Of(StepName step) =>
-            new(step.Name, step.Formula, TermText.Of(step.Terms), Array.ConvertAll(step.Terms, coordinate => coordinate.Value))
+        FormulaStep Of(StepName step) =>
+            new(step.Name, step.Formula, writer.Of(step.Terms), Array.ConvertAll(step.Terms, coordinate => coordinate.Value))
             {
                 IsTest = step.Terms[0].IsTest,
             };

@@ -23,8 +23,10 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
             crossings = trial.Mesh is null ? [Plain(trial)] : [];
         else
         {
-            steps = [.. Corners(shape), .. FormulaStep.LeadingTo(derived.Near, derived.Far)];
-            crossings = Crossings(trial, shape, derived, steps);
+            steps = Corners(shape);
+            var writer = new TermText(steps.SelectMany(step => step.Values).ToHashSet());
+            steps = [.. steps, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
+            crossings = Crossings(trial, shape, derived, steps, writer);
         }
 
         var (verdict, reason) = Sum(trial, crossings);
@@ -59,7 +61,8 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         return $"t = {a} < {b}";
     }
 
-    private List<CrossingExplanation> Crossings(Trial trial, Model shape, Crossings<Derivation> derived, IReadOnlyList<FormulaStep> steps)
+    private List<CrossingExplanation> Crossings(Trial trial, Model shape, Crossings<Derivation> derived,
+        IReadOnlyList<FormulaStep> steps, TermText writer)
     {
         var crossings = new List<CrossingExplanation>();
         var isHit = false;
@@ -76,7 +79,7 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
                 _ => (Verdict.Refused, Reasons.Of(refusal, t, t * cast.ZPerT, scene.Camera)),
             };
             isHit |= refusal is Refusal.None;
-            crossings.Add(new(t, t * cast.ZPerT, verdict, refusal, reason, IsStep(term) ? "" : TermText.Of(term), Untested(term)));
+            crossings.Add(new(t, t * cast.ZPerT, verdict, refusal, reason, IsStep(term) ? "" : writer.Of(term), Untested(term)));
         }
         return crossings;
     }

@@ -4,16 +4,17 @@ namespace RayCaster;
 /// Writes a formula with its numbers put in, down to the steps that have a name. Three terms of one shape are a vector:
 /// (20, 0, 0) + 15 · (−1, 0, 0) rather than three sums; three products added up are a dot product.
 /// </summary>
-internal static class TermText
+/// <param name="known">What the reader has seen already: a part with such a value stands as the value.</param>
+internal sealed class TermText(IReadOnlySet<double>? known = null)
 {
     // What binds closer has the higher rank.
     private const int Condition = 0, Sum = 1, Product = 2, Sign = 3, Whole = 4;
 
     /// <summary>Larger parts stand as their value: a formula without named steps may repeat itself endlessly.</summary>
-    private const int LargestPart = 10;
+    private const int LargestPart = 60;
 
     /// <summary>A number's or a vector's formula with its numbers; a step's is what it was computed from.</summary>
-    public static string Of(params IReadOnlyList<Term> terms)
+    public string Of(params IReadOnlyList<Term> terms)
     {
         var formula = terms is [var x, var y, var z] ? new Three(x, y, z) : new Three(terms[0]);
         formula = formula.Chosen;
@@ -24,10 +25,10 @@ internal static class TermText
     /// <param name="rank">The least rank that needs no brackets here.</param>
     /// <param name="leads">Whether it begins the formula or a bracket; elsewhere a negative number stands in brackets.</param>
     /// <param name="isRoot">Whether it is the whole.</param>
-    private static string Text(Three term, int rank, bool leads, bool isRoot = false)
+    private string Text(Three term, int rank, bool leads, bool isRoot = false)
     {
         term = term.Chosen;
-        if (term.IsOne && (term.IsLeaf || (!isRoot && term.X.Size > LargestPart))) return Number(term.X.Value, leads);
+        if (term.IsOne && (term.IsLeaf || (!isRoot && (term.X.Size > LargestPart || known?.Contains(term.X.Value) == true)))) return Number(term.X.Value, leads);
         if (DotProduct(term) is var (a, b)) return Infix(a, " · ", b, Product, rank, leads);
         if (!term.IsOne && (term.IsLeaf || (!isRoot && term.IsLong))) return Digits.Of([term.X.Value, term.Y.Value, term.Z.Value]);
         if (!term.IsOfOneShape) return $"({Inner(new(term.X))}, {Inner(new(term.Y))}, {Inner(new(term.Z))})";
@@ -57,9 +58,9 @@ internal static class TermText
         _ => throw new ArgumentOutOfRangeException(nameof(operation), operation, "no comparison"),
     };
 
-    private static string Inner(Three term) => Text(term, Condition, leads: true);
+    private string Inner(Three term) => Text(term, Condition, leads: true);
 
-    private static string Infix(Three left, string sign, Three right, int own, int rank, bool leads) =>
+    private string Infix(Three left, string sign, Three right, int own, int rank, bool leads) =>
         Bracketed(Text(left, own, leads || own < rank) + sign + Text(right, own + 1, leads: false), own, rank);
 
     private static string Bracketed(string text, int own, int rank) => own < rank ? $"({text})" : text;

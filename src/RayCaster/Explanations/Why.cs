@@ -37,7 +37,7 @@ internal static class Why
             Find(part, reasons);
             return;
         }
-        reasons.Add($"{TermText.Of(term)} is no number");
+        reasons.Add($"{new TermText().Of(term)} is no number");
     }
 
     private static void FindFailure(Term mask, string? formula, List<string> reasons)
@@ -66,7 +66,7 @@ internal static class Why
     {
         var (left, right) = Digits.Apart(comparison.A.Value, comparison.B.Value);
         var sign = TermText.Comparison(comparison.Operation);
-        var working = TermText.Of(comparison.A);
+        var working = new TermText().Of(comparison.A);
         var source = formula is not null ? $"{formula}: "
             : comparison.A.Chosen.Label is { } name ? $"{name} = "
             : working != left ? $"{working} = "
