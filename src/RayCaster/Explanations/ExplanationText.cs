@@ -91,9 +91,9 @@ internal sealed class ExplanationText
                 slab.Axis.ToString(), Digits.Of(slab.Lo), Digits.Of(slab.Hi), Digits.Of(slab.T0), Digits.Of(slab.T1), Digits.Of(slab.Enters),
                 Digits.Of(slab.Leaves), (slab.DecidesEntry, slab.DecidesExit) switch
                 {
-                    (true, true) => "entered last, left first",
-                    (true, false) => "entered last",
-                    (false, true) => "left first",
+                    (true, true) => "t_min, t_max",
+                    (true, false) => "t_min",
+                    (false, true) => "t_max",
                     _ => "",
                 },
             ]);

@@ -23,16 +23,17 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
             crossings = trial.Mesh is null ? [Plain(trial)] : [];
         else
         {
-            steps = Corners(shape);
-            var writer = new TermText(steps.SelectMany(step => step.Values).ToHashSet());
-            steps = [.. steps, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
+            var corners = Corners(shape);
+            var slabs = Slabs(shape, FormulaStep.LeadingTo(derived.Near));
+            var writer = new TermText(corners.SelectMany(step => step.Values).Concat(slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])).ToHashSet());
+            steps = [.. corners, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
             crossings = Crossings(trial, shape, derived, steps, writer);
         }
 
         var (verdict, reason) = Sum(trial, crossings);
         return new ModelExplanation(trial.Index, NameOf(scene, trial.Index), trial.Model.Kind, verdict, reason, steps, crossings)
         {
-            Slabs = shape is Model<Aabb> { Primitive: var box } ? Slabs(box, steps) : [],
+            Slabs = Slabs(shape, steps),
             Weights = shape is Model<Triangle> ? Reasons.Weights(steps) : null,
             Mesh = trial.Mesh,
         };
@@ -112,8 +113,9 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         return new(t, z, verdict, refusal, reason, "", null);
     }
 
-    private static IReadOnlyList<SlabExplanation> Slabs(Aabb box, IReadOnlyList<FormulaStep> steps)
+    private static IReadOnlyList<SlabExplanation> Slabs(Model shape, IReadOnlyList<FormulaStep> steps)
     {
+        if (shape is not Model<Aabb> { Primitive: var box }) return [];
         var (t0, t1) = (Reasons.Values(steps, "t0"), Reasons.Values(steps, "t1"));
         if ((t0.Length, t1.Length) is not (3, 3)) return [];
         var (enters, leaves) = Reasons.Slabs(t0, t1);
