@@ -27,6 +27,9 @@ public abstract class Model
     /// <typeparam name="N">The kind of number.</typeparam>
     internal virtual Crossings<N>? Cross<N>(in Ray<N> ray, int part) where N : struct, IReal<N> => null;
 
+    /// <summary>All crossings of a shape that has a formula, counting or not; null where only <see cref="Intersect"/> knows.</summary>
+    internal virtual Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => null;
+
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
     internal virtual ModelView See(Camera camera, int threads) => new SingleRayView(this);
 
@@ -58,6 +61,8 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 
     /// <inheritdoc/>
     internal override Crossings<N>? Cross<N>(in Ray<N> ray, int part) => Primitive.Cross(ray);
+
+    internal override Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => Primitive.Cross(ray);
 
     /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new PrimitiveView<P>(Primitive, camera);
