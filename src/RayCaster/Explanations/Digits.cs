@@ -30,7 +30,11 @@ internal static class Digits
         if (double.IsInfinity(value)) return value > 0 ? "∞" : "−∞";
         var text = value.ToString("G" + digits.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
         if (text == "-0") text = "0";
-        if (text.IndexOf('E') is var e and > 0) text = $"{text[..e]}e{int.Parse(text.AsSpan(e + 1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture).ToString(CultureInfo.InvariantCulture)}";
+        if (text.IndexOf('E') is var e and > 0)
+        {
+            var exponent = int.Parse(text.AsSpan(e + 1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
+            text = string.Create(CultureInfo.InvariantCulture, $"{text[..e]}e{exponent}");
+        }
         return text.StartsWith('-') ? $"−{text[1..]}" : text;
     }
 }

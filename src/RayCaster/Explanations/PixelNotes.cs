@@ -34,7 +34,8 @@ internal static class PixelNotes
             if (other == t)
                 yield return $"a tie: {pixel.NameOf(pixel.Winner)} and {pixel.NameOf(trial.Index)} have the same t; the first in the scene shows";
             else if (other - t <= AlmostEqual * t)
-                yield return $"almost a tie: t of {pixel.NameOf(pixel.Winner)} and of {pixel.NameOf(trial.Index)} differ in the last digits only; another program may show either";
+                yield return $"almost a tie: t of {pixel.NameOf(pixel.Winner)} and of {pixel.NameOf(trial.Index)} " +
+                    "differ in the last digits only; another program may show either";
         }
     }
 
@@ -43,13 +44,15 @@ internal static class PixelNotes
         foreach (var model in pixel.Models)
             foreach (var slab in model.Slabs)
                 if (double.IsNaN(slab.T0) || double.IsNaN(slab.T1))
-                    yield return $"{model.Name}: the ray runs in a face of the {slab.Axis} slab, where (B − P) / d is 0 / 0; the face belongs to the slab, so the ray is in it for ever";
+                    yield return $"{model.Name}: the ray runs in a face of the {slab.Axis} slab, " +
+                        "where (B − P) / d is 0 / 0; the face belongs to the slab, so the ray is in it for ever";
     }
 
     private static IEnumerable<string> Light(PixelExplanation pixel)
     {
         if (pixel.Winner is not null && 1 - pixel.Ray.HitParameter / pixel.Scene.Camera.Reach <= 0)
-            yield return $"all light is lost: {Reasons.Compare("t", pixel.Ray.HitParameter, "≥", "2 |T − P|", pixel.Scene.Camera.Reach)}, so the attenuation is 0";
+            yield return $"all light is lost: {Reasons.Compare("t", pixel.Ray.HitParameter, "≥", "2 |T − P|", pixel.Scene.Camera.Reach)}" +
+                ", so the attenuation is 0";
         if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })
             yield return $"a channel is more than 1 and is clamped: the colour is ({Digits.Of(pixel.Color.R)}, {Digits.Of(pixel.Color.G)}, {Digits.Of(pixel.Color.B)})";
     }
