@@ -4,7 +4,7 @@ namespace RayCaster.Cli;
 internal abstract class Command
 {
     /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
-    public static readonly string[] Names = ["check", "compare", "diagnose", "help"];
+    public static readonly string[] Names = ["check", "compare", "diagnose", "explain", "help"];
 
     /// <summary>The command of a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
@@ -12,6 +12,7 @@ internal abstract class Command
         "check" => new CheckCommand(),
         "compare" => new CompareCommand(),
         "diagnose" => new DiagnoseCommand(),
+        "explain" => new ExplainCommand(),
         "help" => new HelpCommand(),
         _ => null,
     };

@@ -21,10 +21,11 @@ internal static class HelpText
           raycaster <command> ...
 
         Commands:
-          check <scene>...            Finds errors of scenes, and what their pictures cannot show.
-          compare <mine> <reference>  Says whether two pictures are the same, and where not.
-          diagnose <scene> <mine>     Says which mistake makes a wrong picture.
-          help [command]              Shows this help, or a command's.
+          check <scene>...                 Finds errors of scenes, and what their pictures cannot show.
+          compare <mine> <reference>       Says whether two pictures are the same, and where not.
+          diagnose <scene> <mine>          Says which mistake makes a wrong picture.
+          explain <scene> <column> <line>  Shows how one pixel gets its colour.
+          help [command]                   Shows this help, or a command's.
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.

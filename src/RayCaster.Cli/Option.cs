@@ -17,11 +17,15 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option Scene = new("--scene");
     public static readonly Option Measures = new("--measures", TakesValue: false);
     public static readonly Option Version = new("--version", TakesValue: false);
+    public static readonly Option Reference = new("--reference");
     public static readonly Option Help = new("--help", "-h", TakesValue: false);
 
     /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
     public static readonly Option[] All =
-        [Output, Format, Size, Threads, Scene, Hint, Json, Measures, Quiet, NoProgress, Version, Help];
+    [
+        Output, Format, Size, Threads, Scene, Hint, Reference,
+        Json, Measures, Quiet, NoProgress, Version, Help,
+    ];
 
     /// <summary>The option that a word names, or null.</summary>
     public static Option? Named(string word)

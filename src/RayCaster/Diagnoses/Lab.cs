@@ -264,7 +264,7 @@ internal sealed class Lab
         Model<Circle> circle => First.Do(Circle.Do(circle.Primitive, d), d),
         Model<Triangle> triangle => HitOf(triangle.Primitive, d),
         Mesh mesh => TriangleTree.Of(mesh).Nearest(this, d),
-        _ => model.CrossingsWith(RayOf(d)) is { } crossed ? First.Do(crossed, d) : model.Intersect(WholeRay(d)),
+        _ => model.Cross(RayOf(d), part: 0) is { } crossed ? First.Do(crossed, d) : model.Intersect(WholeRay(d)),
     };
 
     /// <summary>Most rays pass a triangle by, which its bounds say sooner than its formula.</summary>

@@ -26,5 +26,11 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
     }
 
     /// <inheritdoc/>
+    internal override int PartCount => TriangleCount;
+
+    /// <inheritdoc/>
+    internal override Crossings<N>? Cross<N>(in Ray<N> ray, int part) => this[part].Cross(ray);
+
+    /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new MeshView(vertices, indices, new(camera), threads);
 }

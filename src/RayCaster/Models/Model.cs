@@ -15,8 +15,17 @@ public abstract class Model
     /// <summary>The parameter t of the first crossing with the ray that counts (<see cref="Ray.Counts"/>), or null.</summary>
     public abstract double? Intersect(Ray ray);
 
-    /// <summary>All crossings of a shape that has a formula, counting or not; null where only <see cref="Intersect"/> knows.</summary>
-    internal virtual Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => null;
+    /// <summary>What kind of shape it is, as a scene file calls it.</summary>
+    internal virtual string Kind => GetType().Name.ToLowerInvariant();
+
+    /// <summary>How many shapes with a formula it is made of: one, the triangles of a mesh, none for a model in plain doubles and ifs.</summary>
+    internal virtual int PartCount => 0;
+
+    /// <summary>Where any kind of ray crosses one of its shapes, by the shape's own formula; null where it has none.</summary>
+    /// <param name="ray">The ray; its direction has length 1.</param>
+    /// <param name="part">Which of the <see cref="PartCount"/> shapes, from 0.</param>
+    /// <typeparam name="N">The kind of number.</typeparam>
+    internal virtual Crossings<N>? Cross<N>(in Ray<N> ray, int part) where N : struct, IReal<N> => null;
 
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
     internal virtual ModelView See(Camera camera, int threads) => new SingleRayView(this);
@@ -42,7 +51,13 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     }
 
     /// <inheritdoc/>
-    internal override Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => Primitive.Cross(ray);
+    internal override string Kind => typeof(P).Name.ToLowerInvariant();
+
+    /// <inheritdoc/>
+    internal override int PartCount => 1;
+
+    /// <inheritdoc/>
+    internal override Crossings<N>? Cross<N>(in Ray<N> ray, int part) => Primitive.Cross(ray);
 
     /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new PrimitiveView<P>(Primitive, camera);
