@@ -64,7 +64,7 @@ internal sealed class CompareCommand : Command
             StandardFile.WriteOutput(System.Text.Encoding.UTF8.GetString(json.ToArray()));
         }
         else StandardFile.WriteOutput(Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
-        return comparison.Verdict.IsSame() ? ExitCode.Done : ExitCode.No;
+        return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
     }
 
     private static string Text(PictureComparison comparison, string mine, string reference, string? output, bool measures)
@@ -76,6 +76,6 @@ internal sealed class CompareCommand : Command
                 : "There are no measures for pictures of different sizes.\n";
         var heat = comparison.Difference is null ? "" : ", the difference as a heat map";
         if (output is not null) return text + $"{output}: mine, the reference{heat}\n";
-        return comparison.Verdict.IsSame() ? text : text + "To see the differences: -o difference.png\n";
+        return comparison.Likeness.IsSame() ? text : text + "To see the differences: -o difference.png\n";
     }
 }

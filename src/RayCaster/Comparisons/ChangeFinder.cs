@@ -80,14 +80,14 @@ internal sealed class ChangeFinder
     }
 
     /// <summary>A formula that is guessed can undo rounding neither exactly nor a little wrong: its range of bytes includes truncation.</summary>
-    private Verdict VerdictOn(Change change, PictureDifference difference)
+    private Likeness VerdictOn(Change change, PictureDifference difference)
     {
-        var verdict = Verdicts.Of(difference, outlines);
+        var verdict = Likenesses.Of(difference, outlines);
         if (change.Colors is not Tone { IsInverted: false }) return verdict;
         return verdict switch
         {
-            Verdict.Identical => Verdict.WithinRounding,
-            Verdict.RoundedOtherwise => Verdict.Wrong,
+            Likeness.Identical => Likeness.WithinRounding,
+            Likeness.RoundedOtherwise => Likeness.Wrong,
             _ => verdict,
         };
     }
@@ -95,7 +95,7 @@ internal sealed class ChangeFinder
     private (int, int) Size => (reference.Width, reference.Height);
 
     private static (bool, int, int) Rank(Recognition r) =>
-        (r.Verdict == Verdict.Wrong, r.Verdict == Verdict.Wrong ? r.Difference.Wrong : 0, r.Change.Complexity);
+        (r.Likeness == Likeness.Wrong, r.Likeness == Likeness.Wrong ? r.Difference.Wrong : 0, r.Change.Complexity);
 
     /// <summary>In how many samples the pictures differ after a change; null as soon as they are too many.</summary>
     private int? Misses(Change change)

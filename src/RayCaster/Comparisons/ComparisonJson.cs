@@ -18,8 +18,8 @@ public static class ComparisonJson
         json.WriteStartObject();
         WritePicture(json, "mine", mine, comparison.Mine);
         WritePicture(json, "reference", reference, comparison.Reference);
-        json.WriteString("verdict", ComparisonText.Of(comparison.Verdict));
-        json.WriteBoolean("same", comparison.Verdict.IsSame());
+        json.WriteString("verdict", ComparisonText.Of(comparison.Likeness));
+        json.WriteBoolean("same", comparison.Likeness.IsSame());
         if (comparison.Difference is { } difference) WriteDifference(json, difference);
         if (comparison.Recognition is { } recognition) WriteRecognition(json, recognition);
         if (comparison.ByModels is { } models) WriteModels(json, comparison.Scene!, models);
@@ -105,7 +105,7 @@ public static class ComparisonJson
                 json.WriteNumber("offset", offset);
                 break;
         }
-        json.WriteString("verdict", ComparisonText.Of(r.Verdict));
+        json.WriteString("verdict", ComparisonText.Of(r.Likeness));
         json.WriteNumber("wrong", r.Difference.Wrong);
         json.WriteNumber("offByOne", r.Difference.OffByOne);
         json.WriteEndObject();

@@ -7,12 +7,12 @@ namespace RayCaster;
 public static class ComparisonText
 {
     /// <summary>The verdict in a word or two.</summary>
-    public static string Of(Verdict verdict) => verdict switch
+    public static string Of(Likeness verdict) => verdict switch
     {
-        Verdict.Identical => "identical",
-        Verdict.WithinRounding => "within rounding",
-        Verdict.OutlinesOnly => "outlines only",
-        Verdict.RoundedOtherwise => "rounded otherwise",
+        Likeness.Identical => "identical",
+        Likeness.WithinRounding => "within rounding",
+        Likeness.OutlinesOnly => "outlines only",
+        Likeness.RoundedOtherwise => "rounded otherwise",
         _ => "wrong",
     };
 
@@ -33,21 +33,21 @@ public static class ComparisonText
             return text.ToString();
         }
 
-        text.Append(comparison.Verdict switch
+        text.Append(comparison.Likeness switch
         {
-            Verdict.Identical => $"{mine} and {reference} are identical: {Count(d.Pixels, "pixel")}.\n",
-            Verdict.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed in 1 % of them.\n",
-            Verdict.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n",
-            Verdict.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but it is allowed in 1 % of them only.\n",
+            Likeness.Identical => $"{mine} and {reference} are identical: {Count(d.Pixels, "pixel")}.\n",
+            Likeness.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed in 1 % of them.\n",
+            Likeness.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n",
+            Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but it is allowed in 1 % of them only.\n",
             _ => $"{mine} is wrong: {Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n",
         });
-        if (comparison.Verdict == Verdict.OutlinesOnly && d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n");
-        if (comparison.Verdict == Verdict.RoundedOtherwise)
+        if (comparison.Likeness == Likeness.OutlinesOnly && d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n");
+        if (comparison.Likeness == Likeness.RoundedOtherwise)
         {
             text.Append(Rounding(d));
             if (d.Wrong > 0) text.Append($"  Besides, {Outlines(d)}, which is allowed.\n");
         }
-        if (comparison.Verdict == Verdict.Wrong) AppendPlaces(text, comparison, d, mine);
+        if (comparison.Likeness == Likeness.Wrong) AppendPlaces(text, comparison, d, mine);
         return text.ToString();
     }
 
@@ -83,12 +83,12 @@ public static class ComparisonText
         if (comparison.Recognition is not { } r) return;
         var when = $"when {r.Change.Description}";
         var d = r.Difference;
-        text.Append(r.Verdict switch
+        text.Append(r.Likeness switch
         {
-            Verdict.Identical => $"It becomes identical {when}.\n",
-            Verdict.WithinRounding => $"It becomes right within rounding {when}.\n",
-            Verdict.OutlinesOnly => $"It becomes right but for {Count(d.Wrong, "pixel")} on outlines {when}.\n",
-            Verdict.RoundedOtherwise => $"It becomes right but for rounding {when}; then {OffByOne(d)}.\n{Rounding(d)}",
+            Likeness.Identical => $"It becomes identical {when}.\n",
+            Likeness.WithinRounding => $"It becomes right within rounding {when}.\n",
+            Likeness.OutlinesOnly => $"It becomes right but for {Count(d.Wrong, "pixel")} on outlines {when}.\n",
+            Likeness.RoundedOtherwise => $"It becomes right but for rounding {when}; then {OffByOne(d)}.\n{Rounding(d)}",
             _ => $"It becomes nearly right {when}: then {Part(d.Wrong, d.Pixels)} are wrong.\n",
         });
     }

@@ -19,8 +19,8 @@ public sealed class PictureComparison
         IOutlines outlines = ByModels is { IsReferenceOwn: true }
             ? new SceneOutlines(SceneDifference.InSizeOf(scene!, reference))
             : PictureOutlines.Instance;
-        Verdict = Difference is null ? Verdict.Wrong : Verdicts.Of(Difference, outlines);
-        if (Verdict == Verdict.Wrong) Recognition = ChangeFinder.Find(mine, reference, Difference, outlines);
+        Likeness = Difference is null ? Likeness.Wrong : Likenesses.Of(Difference, outlines);
+        if (Likeness == Likeness.Wrong) Recognition = ChangeFinder.Find(mine, reference, Difference, outlines);
     }
 
     /// <summary>The picture in question.</summary>
@@ -32,8 +32,8 @@ public sealed class PictureComparison
     /// <summary>What the reference shows, if that was given.</summary>
     public Scene? Scene { get; }
 
-    /// <summary>The verdict; pictures of different sizes are <see cref="Verdict.Wrong"/>.</summary>
-    public Verdict Verdict { get; }
+    /// <summary>The verdict; pictures of different sizes are <see cref="Likeness.Wrong"/>.</summary>
+    public Likeness Likeness { get; }
 
     /// <summary>Where the pictures differ; null if their sizes do.</summary>
     public PictureDifference? Difference { get; }

@@ -13,7 +13,7 @@ public class RecognitionTests
     {
         var recognition = Recognise(mine, reference);
         Assert.Equal(change, recognition?.Change);
-        Assert.Equal(Verdict.Identical, recognition!.Verdict);
+        Assert.Equal(Likeness.Identical, recognition!.Likeness);
     }
 
     [Fact]
@@ -107,7 +107,7 @@ public class RecognitionTests
     {
         var recognition = Recognise(still.MapChannels(c => Math.Pow(c, exponent)), still)!;
         Assert.Equal(exponent, ((Tone)recognition.Change.Colors!).Exponent!.Value, 0.01);
-        Assert.Equal(Verdict.WithinRounding, recognition.Verdict);
+        Assert.Equal(Likeness.WithinRounding, recognition.Likeness);
     }
 
     [Fact]
@@ -136,7 +136,7 @@ public class RecognitionTests
     {
         var mine = SomePictures.Make(96, 64, (x, y) => still[x, 63 - y]).Map(p => ((byte)Math.Max(0, p.R - 1), p.G, p.B));
         var recognition = Recognise(mine, still)!;
-        Assert.Equal((new Change(Turn.TopBottom), Verdict.RoundedOtherwise), (recognition.Change, recognition.Verdict));
+        Assert.Equal((new Change(Turn.TopBottom), Likeness.RoundedOtherwise), (recognition.Change, recognition.Likeness));
     }
 
     [Fact]
@@ -144,7 +144,7 @@ public class RecognitionTests
     {
         var mine = SomePictures.Make(96, 64, (x, y) => still[x, 63 - y]).With(p => p[3, 3] = p[4, 4] = (9, 9, 9));
         var recognition = Recognise(mine, still)!;
-        Assert.Equal((new Change(Turn.TopBottom), Verdict.Wrong, 2), (recognition.Change, recognition.Verdict, recognition.Difference.Wrong));
+        Assert.Equal((new Change(Turn.TopBottom), Likeness.Wrong, 2), (recognition.Change, recognition.Likeness, recognition.Difference.Wrong));
     }
 
     [Fact]

@@ -13,8 +13,8 @@ public class ReferencesComparedTests
     {
         var (scene, reference) = Read(name);
         var mine = Renderer.Render(scene);
-        Assert.True(new PictureComparison(mine, reference, scene).Verdict.IsSame());
-        Assert.True(new PictureComparison(mine, reference).Verdict.IsSame());
+        Assert.True(new PictureComparison(mine, reference, scene).Likeness.IsSame());
+        Assert.True(new PictureComparison(mine, reference).Likeness.IsSame());
     }
 
     [Theory]
@@ -28,8 +28,8 @@ public class ReferencesComparedTests
         {
             Camera = new Camera(c.Position, c.Target, c.Up, c.FovY, c.Width, c.Height, c.ZNear, c.ZFar, c.Bias, c.Clip, other),
         });
-        Assert.False(new PictureComparison(mine, reference, scene).Verdict.IsSame());
-        Assert.False(new PictureComparison(mine, reference).Verdict.IsSame());
+        Assert.False(new PictureComparison(mine, reference, scene).Likeness.IsSame());
+        Assert.False(new PictureComparison(mine, reference).Likeness.IsSame());
     }
 
     private static (Scene Scene, Picture Reference) Read(string name)

@@ -143,8 +143,8 @@ public class SceneDifferenceTests
         var reference = Renderer.Render(edge);
         Assert.NotEqual(reference[29, 0], reference[30, 0]);
         var shifted = SomePictures.Make(60, 40, (x, y) => x == 30 ? reference[29, y] : reference[x, y]);
-        Assert.Equal(Verdict.OutlinesOnly, new PictureComparison(shifted, reference, edge).Verdict);
+        Assert.Equal(Likeness.OutlinesOnly, new PictureComparison(shifted, reference, edge).Likeness);
         var farther = SomePictures.Make(60, 40, (x, y) => x == 31 ? reference[29, y] : reference[x, y]);
-        Assert.Equal(Verdict.Wrong, new PictureComparison(farther, reference, edge).Verdict);
+        Assert.Equal(Likeness.Wrong, new PictureComparison(farther, reference, edge).Likeness);
     }
 }

@@ -4,7 +4,7 @@ public class VerdictTests
 {
     private static readonly Picture still = SomePictures.Still(); // 6144 pixels
 
-    private static Verdict VerdictOn(Action<Picture> change) => new PictureComparison(still.With(change), still).Verdict;
+    private static Likeness VerdictOn(Action<Picture> change) => new PictureComparison(still.With(change), still).Likeness;
 
     private static void MakeLighter(Picture picture, int pixels)
     {
@@ -12,40 +12,40 @@ public class VerdictTests
     }
 
     [Fact]
-    public void EqualPicturesAreIdentical() => Assert.Equal(Verdict.Identical, VerdictOn(_ => { }));
+    public void EqualPicturesAreIdentical() => Assert.Equal(Likeness.Identical, VerdictOn(_ => { }));
 
     [Fact]
-    public void OnePixelInAHundredMayBeOffByOne() => Assert.Equal(Verdict.WithinRounding, VerdictOn(picture => MakeLighter(picture, 61)));
+    public void OnePixelInAHundredMayBeOffByOne() => Assert.Equal(Likeness.WithinRounding, VerdictOn(picture => MakeLighter(picture, 61)));
 
     [Fact]
-    public void MoreThanThatIsRoundedOtherwise() => Assert.Equal(Verdict.RoundedOtherwise, VerdictOn(picture => MakeLighter(picture, 62)));
+    public void MoreThanThatIsRoundedOtherwise() => Assert.Equal(Likeness.RoundedOtherwise, VerdictOn(picture => MakeLighter(picture, 62)));
 
     [Fact]
     public void APixelOnAnOutlineMayShowItsNeighbour() =>
-        Assert.Equal(Verdict.OutlinesOnly, VerdictOn(picture => picture[10, 40] = picture[9, 40])); // the box begins at column 10
+        Assert.Equal(Likeness.OutlinesOnly, VerdictOn(picture => picture[10, 40] = picture[9, 40])); // the box begins at column 10
 
     [Fact]
-    public void ButNotWhatNoNeighbourShows() => Assert.Equal(Verdict.Wrong, VerdictOn(picture => picture[10, 40] = (200, 0, 0)));
+    public void ButNotWhatNoNeighbourShows() => Assert.Equal(Likeness.Wrong, VerdictOn(picture => picture[10, 40] = (200, 0, 0)));
 
     [Fact]
-    public void NorInABlockOfFour() => Assert.Equal(Verdict.Wrong, VerdictOn(picture =>
+    public void NorInABlockOfFour() => Assert.Equal(Likeness.Wrong, VerdictOn(picture =>
     {
         for (var i = 0; i < 4; i++) picture[10 + i % 2, 40 + i / 2] = picture[9, 40];
     }));
 
     [Fact]
     public void NorAlongHalfOfTheOutlines() =>
-        Assert.Equal(Verdict.Wrong, new PictureComparison(SomePictures.Make(96, 64, (x, y) => still[Math.Max(0, x - 1), y]), still).Verdict);
+        Assert.Equal(Likeness.Wrong, new PictureComparison(SomePictures.Make(96, 64, (x, y) => still[Math.Max(0, x - 1), y]), still).Likeness);
 
     [Fact]
     public void PicturesOfDifferentSizesAreWrong() =>
-        Assert.Equal(Verdict.Wrong, new PictureComparison(SomePictures.Still(64, 96), still).Verdict);
+        Assert.Equal(Likeness.Wrong, new PictureComparison(SomePictures.Still(64, 96), still).Likeness);
 
     [Theory]
-    [InlineData(Verdict.Identical, true)]
-    [InlineData(Verdict.WithinRounding, true)]
-    [InlineData(Verdict.OutlinesOnly, true)]
-    [InlineData(Verdict.RoundedOtherwise, false)]
-    [InlineData(Verdict.Wrong, false)]
-    public void WhatRoundingExplainsIsTheSame(Verdict verdict, bool same) => Assert.Equal(same, verdict.IsSame());
+    [InlineData(Likeness.Identical, true)]
+    [InlineData(Likeness.WithinRounding, true)]
+    [InlineData(Likeness.OutlinesOnly, true)]
+    [InlineData(Likeness.RoundedOtherwise, false)]
+    [InlineData(Likeness.Wrong, false)]
+    public void WhatRoundingExplainsIsTheSame(Likeness verdict, bool same) => Assert.Equal(same, verdict.IsSame());
 }

@@ -1,7 +1,7 @@
 namespace RayCaster;
 
 /// <summary>How a picture stands to the one that it should be, from right to wrong.</summary>
-public enum Verdict
+public enum Likeness
 {
     /// <summary>Every byte is equal.</summary>
     Identical,
@@ -19,20 +19,20 @@ public enum Verdict
     Wrong,
 }
 
-/// <summary>What follows from a <see cref="Verdict"/>.</summary>
-public static class Verdicts
+/// <summary>What follows from a <see cref="Likeness"/>.</summary>
+public static class Likenesses
 {
     /// <summary>Whether the picture is as right as two programs written apart from each other can make it.</summary>
-    public static bool IsSame(this Verdict verdict) => verdict <= Verdict.OutlinesOnly;
+    public static bool IsSame(this Likeness verdict) => verdict <= Likeness.OutlinesOnly;
 
     /// <summary>The verdict on a difference.</summary>
     /// <param name="difference">The difference.</param>
     /// <param name="outlines">What tells pixels on outlines.</param>
-    internal static Verdict Of(PictureDifference difference, IOutlines outlines)
+    internal static Likeness Of(PictureDifference difference, IOutlines outlines)
     {
-        if (difference.Largest == 0) return Verdict.Identical;
-        if (difference.Wrong > 0 && !outlines.HoldAllWrong(difference)) return Verdict.Wrong;
-        if (difference.OffByOne > difference.Pixels / 100) return Verdict.RoundedOtherwise;
-        return difference.Wrong == 0 ? Verdict.WithinRounding : Verdict.OutlinesOnly;
+        if (difference.Largest == 0) return Likeness.Identical;
+        if (difference.Wrong > 0 && !outlines.HoldAllWrong(difference)) return Likeness.Wrong;
+        if (difference.OffByOne > difference.Pixels / 100) return Likeness.RoundedOtherwise;
+        return difference.Wrong == 0 ? Likeness.WithinRounding : Likeness.OutlinesOnly;
     }
 }
