@@ -7,7 +7,7 @@ namespace RayCaster.Cli;
 internal sealed class DrawCommand : Command
 {
     public override IReadOnlyList<Option> Options { get; } =
-        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Version];
+        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Map, Option.Version];
 
     public override string Help => HelpText.Full;
 
@@ -16,8 +16,9 @@ internal sealed class DrawCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = ScenePath(line);
+        if (line.Has(Option.Map)) return MapOutput.Run(line, path, cancellation);
         var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
-        var output = line[Option.Output] ?? DefaultOutput(path);
+        var output = line[Option.Output] ?? NameOf(path) + ".png";
         var format = Format(line[Option.Format]) ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
         if (output == SceneInput.Standard && !Console.IsOutputRedirected)
             throw new ProblemException(
@@ -81,8 +82,8 @@ internal sealed class DrawCommand : Command
         _ => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
     };
 
-    private static string DefaultOutput(string scene) =>
-        (scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene)) + ".png";
+    /// <summary>What a scene's pictures are called: as its file is, without folder and extension.</summary>
+    public static string NameOf(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
     private static void Draw(Scene scene, int? threads, Stream output, PictureFormat format, bool showProgress, CancellationToken cancellation)
     {

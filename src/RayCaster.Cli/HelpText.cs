@@ -32,6 +32,8 @@ internal static class HelpText
                                  [default: what the file's extension says]
           -s, --size <W>x<H>     Overrides the scene's picture size, in pixels.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
+              --map <kind>       Writes numbers in place of the picture: t, depth, model, normal
+                                 or uv, as <scene>.<kind>.pfm, and to look at as .png.
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
               --version          Shows the version.
