@@ -7,7 +7,7 @@ namespace RayCaster.Cli;
 internal sealed class DrawCommand : Command
 {
     public override IReadOnlyList<Option> Options { get; } =
-        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Map, Option.Version];
+        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Map, Option.Ledger, Option.Version];
 
     public override string Help => HelpText.Full;
 
@@ -26,6 +26,7 @@ internal sealed class DrawCommand : Command
 
         if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
+        var watch = new OddPicture(scene.Background);
         var start = Stopwatch.GetTimestamp();
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
         if (output == SceneInput.Standard)
@@ -35,7 +36,7 @@ internal sealed class DrawCommand : Command
                 using var stream = StandardFile.OpenOutput();
                 try
                 {
-                    Draw(scene, threads, stream, format, showProgress, cancellation);
+                    Draw(scene, threads, stream, format, watch, showProgress, cancellation);
                 }
                 finally
                 {
@@ -50,11 +51,13 @@ internal sealed class DrawCommand : Command
         else
         {
             using var file = new ReplacedFile(output);
-            Draw(scene, threads, file, format, showProgress, cancellation);
+            Draw(scene, threads, file, format, watch, showProgress, cancellation);
             file.Commit();
         }
 
-        if (!quiet) StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        if (quiet) return ExitCode.Done;
+        StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        if (line.Has(Option.Ledger) || watch.IsOdd) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
     }
 
@@ -85,13 +88,20 @@ internal sealed class DrawCommand : Command
     /// <summary>What a scene's pictures are called: as its file is, without folder and extension.</summary>
     public static string NameOf(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
-    private static void Draw(Scene scene, int? threads, Stream output, PictureFormat format, bool showProgress, CancellationToken cancellation)
+    private static void Draw(
+        Scene scene, int? threads, Stream output, PictureFormat format, OddPicture watch, bool showProgress, CancellationToken cancellation)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         using var progress = showProgress ? new ProgressLine(Console.Error, width, height, TerminalWidth(), TimeProvider.System) : null;
         using var writer = PictureWriter.Create(format, output, width, height);
-        new Renderer(scene, threads).Draw(writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
+        new Renderer(scene, threads).Draw(Take, progress is null ? null : progress.LinesDone, cancellation);
         writer.Finish();
+
+        void Take(ReadOnlySpan<byte> lines)
+        {
+            watch.Take(lines);
+            writer.WriteRows(lines);
+        }
     }
 
     private static int TerminalWidth()

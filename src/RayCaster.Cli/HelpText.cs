@@ -34,6 +34,8 @@ internal static class HelpText
           -t, --threads <n>      How many threads cast rays. [default: one per core]
               --map <kind>       Writes numbers in place of the picture: t, depth, model, normal
                                  or uv, as <scene>.<kind>.pfm, and to look at as .png.
+              --ledger           Prints which models show, and why the others do not. Printed
+                                 by itself when the picture is empty or of one colour.
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
               --version          Shows the version.

@@ -31,7 +31,9 @@ internal static class MapOutput
             file.Commit();
         }
         PictureFile.Write(picture, MapPicture.Draw(map, kind));
-        if (!quiet) StandardFile.WriteError(Summary(map, kind, numbers, picture) + Environment.NewLine);
+        if (quiet) return ExitCode.Done;
+        StandardFile.WriteError(Summary(map, kind, numbers, picture) + Environment.NewLine);
+        if (line.Has(Option.Ledger)) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
     }
 
