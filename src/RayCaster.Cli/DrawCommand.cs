@@ -7,7 +7,7 @@ namespace RayCaster.Cli;
 internal sealed class DrawCommand : Command
 {
     public override IReadOnlyList<Option> Options { get; } =
-        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Map, Option.Ledger, Option.Version];
+        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Map, Option.Ledger, Option.Preview, Option.Color, Option.Version];
 
     public override string Help => HelpText.Full;
 
@@ -24,9 +24,14 @@ internal sealed class DrawCommand : Command
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
 
+        var colors = TerminalScreen.Colors(line);
+        if (line.Has(Option.Preview) && output == SceneInput.Standard)
+            throw ProblemException.Usage("--preview and -o - both want standard output: write the picture to a file");
+
         if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
-        var watch = new OddPicture(scene.Background);
+        var odd = new OddPicture(scene.Background);
+        var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, scene.Camera.Height) : null;
         var start = Stopwatch.GetTimestamp();
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
         if (output == SceneInput.Standard)
@@ -36,7 +41,7 @@ internal sealed class DrawCommand : Command
                 using var stream = StandardFile.OpenOutput();
                 try
                 {
-                    Draw(scene, threads, stream, format, watch, showProgress, cancellation);
+                    Draw(scene, threads, stream, format, Watch, showProgress, cancellation);
                 }
                 finally
                 {
@@ -51,14 +56,21 @@ internal sealed class DrawCommand : Command
         else
         {
             using var file = new ReplacedFile(output);
-            Draw(scene, threads, file, format, watch, showProgress, cancellation);
+            Draw(scene, threads, file, format, Watch, showProgress, cancellation);
             file.Commit();
         }
 
+        if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
-        if (line.Has(Option.Ledger) || watch.IsOdd) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
+        if (line.Has(Option.Ledger) || odd.IsOdd) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
+
+        void Watch(ReadOnlySpan<byte> lines)
+        {
+            odd.Take(lines);
+            preview?.Take(lines);
+        }
     }
 
     private static string ScenePath(CommandLine line) => line.Operands switch
@@ -89,30 +101,18 @@ internal sealed class DrawCommand : Command
     public static string NameOf(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
     private static void Draw(
-        Scene scene, int? threads, Stream output, PictureFormat format, OddPicture watch, bool showProgress, CancellationToken cancellation)
+        Scene scene, int? threads, Stream output, PictureFormat format, Action<ReadOnlySpan<byte>> watch, bool showProgress, CancellationToken cancellation)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
-        using var progress = showProgress ? new ProgressLine(Console.Error, width, height, TerminalWidth(), TimeProvider.System) : null;
+        using var progress = showProgress ? new ProgressLine(Console.Error, width, height, TerminalScreen.Width(), TimeProvider.System) : null;
         using var writer = PictureWriter.Create(format, output, width, height);
         new Renderer(scene, threads).Draw(Take, progress is null ? null : progress.LinesDone, cancellation);
         writer.Finish();
 
         void Take(ReadOnlySpan<byte> lines)
         {
-            watch.Take(lines);
+            watch(lines);
             writer.WriteRows(lines);
-        }
-    }
-
-    private static int TerminalWidth()
-    {
-        try
-        {
-            return Console.WindowWidth;
-        }
-        catch (IOException)
-        {
-            return 0;
         }
     }
 

@@ -20,6 +20,7 @@ internal static class MapOutput
         var numbers = line[Option.Output] ?? DrawCommand.NameOf(path) + $".{kind.Name()}.pfm";
         if (!numbers.EndsWith(".pfm", StringComparison.OrdinalIgnoreCase))
             throw ProblemException.Usage($"a map's numbers go to a file that ends in .pfm, but '{numbers}' is given; its picture gets the same name with .png");
+        var colors = TerminalScreen.Colors(line);
         var picture = numbers[..^4] + ".png";
 
         if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
@@ -30,7 +31,14 @@ internal static class MapOutput
             PfmFile.Write(file, map);
             file.Commit();
         }
-        PictureFile.Write(picture, MapPicture.Draw(map, kind));
+        var drawn = MapPicture.Draw(map, kind);
+        PictureFile.Write(picture, drawn);
+        if (line.Has(Option.Preview))
+        {
+            var preview = TerminalScreen.Preview(drawn.Width, drawn.Height);
+            preview.Take(drawn.Rgb);
+            TerminalScreen.Show(preview, colors);
+        }
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(map, kind, numbers, picture) + Environment.NewLine);
         if (line.Has(Option.Ledger)) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());

@@ -14,13 +14,15 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option NoProgress = new("--no-progress", TakesValue: false);
     public static readonly Option Map = new("--map");
     public static readonly Option Ledger = new("--ledger", TakesValue: false);
+    public static readonly Option Preview = new("--preview", TakesValue: false);
+    public static readonly Option Color = new("--color");
     public static readonly Option Version = new("--version", TakesValue: false);
     public static readonly Option Json = new("--json", TakesValue: false);
     public static readonly Option Reference = new("--reference");
     public static readonly Option Help = new("--help", "-h", TakesValue: false);
 
     /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
-    public static readonly Option[] All = [Output, Format, Size, Threads, Quiet, NoProgress, Map, Ledger, Version, Json, Reference, Help];
+    public static readonly Option[] All = [Output, Format, Size, Threads, Quiet, NoProgress, Map, Ledger, Preview, Color, Version, Json, Reference, Help];
 
     /// <summary>The option that a word names, or null.</summary>
     public static Option? Named(string word)
