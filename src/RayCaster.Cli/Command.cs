@@ -4,11 +4,13 @@ namespace RayCaster.Cli;
 internal abstract class Command
 {
     /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
-    public static readonly string[] Names = ["explain", "help"];
+    public static readonly string[] Names = ["check", "diagnose", "explain", "help"];
 
     /// <summary>The command of a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
     {
+        "check" => new CheckCommand(),
+        "diagnose" => new DiagnoseCommand(),
         "explain" => new ExplainCommand(),
         "help" => new HelpCommand(),
         _ => null,

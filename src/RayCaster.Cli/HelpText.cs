@@ -18,8 +18,14 @@ internal static class HelpText
 
         Usage:
           raycaster <scene> [options]
-          raycaster explain <scene> <column> <line> [options]
-          raycaster help [command]
+          raycaster <command> ...
+
+        Commands:
+          check <scene>...          Finds errors of scenes, and what their pictures cannot show.
+          diagnose <scene> <mine>   Says which mistake makes a wrong picture.
+          explain <scene> <column> <line>
+                                    Shows how one pixel gets its colour.
+          help [command]            Shows this help, or a command's.
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.
@@ -43,10 +49,6 @@ internal static class HelpText
               --no-progress      Never draws a progress line.
               --version          Shows the version.
           -?, -h, --help         Shows this help. Under "dotnet run" write it after "--".
-
-        Commands:
-          explain <scene> <column> <line>  Shows how one pixel gets its colour.
-          help [command]                   Shows help.
 
         Examples:
           dotnet run --project src/RayCaster.Cli -- scenes/room.json

@@ -10,6 +10,8 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option Format = new("--format");
     public static readonly Option Size = new("--size", "-s");
     public static readonly Option Threads = new("--threads", "-t");
+    public static readonly Option Hint = new("--hint");
+    public static readonly Option Json = new("--json", TakesValue: false);
     public static readonly Option Quiet = new("--quiet", "-q", TakesValue: false);
     public static readonly Option NoProgress = new("--no-progress", TakesValue: false);
     public static readonly Option Map = new("--map");
@@ -17,12 +19,12 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option Preview = new("--preview", TakesValue: false);
     public static readonly Option Color = new("--color");
     public static readonly Option Version = new("--version", TakesValue: false);
-    public static readonly Option Json = new("--json", TakesValue: false);
     public static readonly Option Reference = new("--reference");
     public static readonly Option Help = new("--help", "-h", TakesValue: false);
 
     /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
-    public static readonly Option[] All = [Output, Format, Size, Threads, Quiet, NoProgress, Map, Ledger, Preview, Color, Version, Json, Reference, Help];
+    public static readonly Option[] All =
+        [Output, Format, Size, Threads, Map, Ledger, Preview, Color, Hint, Json, Reference, Quiet, NoProgress, Version, Help];
 
     /// <summary>The option that a word names, or null.</summary>
     public static Option? Named(string word)

@@ -31,6 +31,9 @@ public abstract class Model
     /// <inheritdoc cref="Cross{N}"/>
     internal virtual ISurface? SurfaceOf(int part) => this as ISurface;
 
+    /// <summary>All crossings with the ray, whether they count or not, of a shape that states them as a formula; null where only <see cref="Intersect"/> knows.</summary>
+    internal virtual Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => null;
+
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
     internal virtual ModelView See(Camera camera, int threads) => new SingleRayView(this);
 
@@ -65,6 +68,9 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 
     /// <inheritdoc/>
     internal override ISurface? SurfaceOf(int part) => Primitive as ISurface;
+
+    /// <inheritdoc/>
+    internal override Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => Primitive.Cross(ray);
 
     /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new PrimitiveView<P>(Primitive, camera);

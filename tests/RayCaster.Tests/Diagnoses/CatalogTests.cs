@@ -1,0 +1,81 @@
+using RayCaster.Tests.Mistakes;
+using Planted = RayCaster.Tests.Mistakes.Mistake;
+
+namespace RayCaster.Tests.Diagnoses;
+
+/// <summary>The catalogue, against a ray caster written apart from the library that makes the same mistakes in the slides' algebra.</summary>
+public class CatalogTests
+{
+    private static readonly Dictionary<string, Scene> scenes =
+        SceneFolder.Files("scenes/mistakes").ToDictionary(SceneFolder.NameOf, SceneFolder.Read);
+
+    /// <summary>The share of pixels beyond a level that other last bits of the same mistake may change.</summary>
+    private const double Share = 0.0002;
+
+    public static TheoryData<string> Ids => [.. Planted.All.Select(mistake => mistake.Id)];
+
+    [Theory]
+    [MemberData(nameof(Ids))]
+    public void DrawsWhatAnUnrelatedProgramWithThatMistakeDraws(string id)
+    {
+        foreach (var (name, scene) in scenes)
+        {
+            var expected = SlideCaster.Render(scene, Planted.Named(id));
+            var actual = new Lab(scene, MistakeCatalog.Named(id)!).Render();
+            Assert.Equal((expected.Width, expected.Height), (actual.Width, actual.Height));
+            var allowed = Share * expected.Width * expected.Height;
+            var count = PictureDifference.Count(expected, actual, levels: 1);
+            Assert.True(count <= allowed, $"{id}, {name}: {count} pixels beyond one level; {PictureDifference.Describe(expected, actual)}");
+        }
+    }
+
+    [Fact]
+    public void KnowsEveryPlantedMistakeByItsId()
+    {
+        var ids = MistakeCatalog.All.Select(mistake => mistake.Id).ToArray();
+        Assert.Equal(ids.Length, ids.Distinct().Count());
+        Assert.Empty(Planted.All.Select(mistake => mistake.Id).Except(ids));
+        Assert.All(ids, id => Assert.Equal(id, MistakeCatalog.Named(id)!.Id));
+        Assert.Null(MistakeCatalog.Named("no-such-mistake"));
+    }
+
+    [Fact]
+    public void EverySlideIsOneOfTheDocs()
+    {
+        var titles = File.ReadAllLines(ProjectFolder.PathOf("docs/slides-to-code.md"))
+            .Where(line => line.StartsWith("| ", StringComparison.Ordinal)).Select(line => line.Split('|')[1].Trim()).ToHashSet();
+        Assert.All(MistakeCatalog.All, mistake => Assert.Contains(mistake.Slide, titles));
+    }
+
+    [Fact]
+    public void EveryWordingKeepsTheIdAndHasAPictureOfItsOwn()
+    {
+        foreach (var mistake in MistakeCatalog.All)
+        {
+            Assert.Same(mistake, mistake.Wordings[0]);
+            Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id));
+            var pictures = mistake.Wordings.Select(wording => string.Join(' ', scenes.Values.Select(scene => Hash(new Lab(scene, wording).Render()))));
+            Assert.Equal(mistake.Wordings.Count, pictures.Distinct().Count());
+        }
+    }
+
+    [Fact]
+    public void NoTwoMistakesGiveTheSamePictures()
+    {
+        var alike = MistakeCatalog.All.GroupBy(mistake => string.Join(' ', scenes.Values.Select(scene => Hash(new Lab(scene, mistake).Render()))));
+        Assert.Empty(alike.Where(group => group.Count() > 1).Select(group => string.Join(" = ", group)));
+    }
+
+    [Fact]
+    public void WhatASceneDoesNotHaveIsNotTouched()
+    {
+        var scene = SceneFolder.Read(SceneFolder.FileOf("sphere"));
+        var right = new Lab(scene).Render().Rgb;
+        Assert.All(MistakeCatalog.All.Where(mistake => !mistake.Touches(scene)), mistake => Assert.Equal(right, new Lab(scene, mistake).Render().Rgb));
+        Assert.True(MistakeCatalog.Named("r-nosq")!.Touches(scene));
+        Assert.False(MistakeCatalog.Named("tri-uv")!.Touches(scene));
+    }
+
+    private static string Hash(Picture picture) =>
+        $"{picture.Width} {Convert.ToHexString(System.Security.Cryptography.SHA256.HashData(picture.Rgb))}";
+}
