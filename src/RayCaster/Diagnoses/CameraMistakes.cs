@@ -115,7 +115,8 @@ internal static class CameraMistakes
                 "Which pixel has uc = 0 and ur = 0?",
                 "uc = w c / width − w / 2, ur = h r / height − h / 2."),
         },
-        new("center", Concerns.Camera, Slides.RayThroughPixel, "the ray passes the pixel's centre where its corner is meant (its corner where the centre is meant)",
+        new("center", Concerns.Camera, Slides.RayThroughPixel,
+            "the ray passes the pixel's centre where its corner is meant (its corner where the centre is meant)",
             lab => lab.Sample.Becomes(sample =>
             {
                 var half = lab.Camera.Sample == Sample.Corner ? 0.5 : -0.5;
@@ -168,7 +169,8 @@ internal static class CameraMistakes
                 lab.Length.Becomes(length => a => length(a) * length(a));
                 AssumeUnitLength(lab);
             }),
-        new("cross-y", Concerns.Camera, Slides.CrossProduct, "the cross product's y has the wrong sign", lab => MistakeCross(lab, (_, _, n) => n with { Y = -n.Y }))
+        new("cross-y", Concerns.Camera, Slides.CrossProduct, "the cross product's y has the wrong sign",
+            lab => MistakeCross(lab, (_, _, n) => n with { Y = -n.Y }))
         {
             Hint = new("The picture is turned or skewed, and triangles are torn.",
                 "What is (0, 0, 1) × (1, 0, 0)?",
@@ -227,7 +229,8 @@ internal static class CameraMistakes
                 "Which angle do V and W have where the camera looks down?",
                 "V = W × U."),
         },
-        new("norm-copy", Concerns.Camera, Slides.Vectors, "W, U and d are not normalised: Normalize() changes a copy, or its result is not used",
+        new("norm-copy", Concerns.Camera, Slides.Vectors,
+            "W, U and d are not normalised: Normalize() changes a copy, or its result is not used",
             lab =>
             {
                 lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t));
@@ -240,7 +243,8 @@ internal static class CameraMistakes
                 "Print |W|, |U| and |d|. What should they be?",
                 "A vector's method returns a new vector: d = d.Normalized."),
         },
-        new("size-mixed", Concerns.Camera, Slides.RayThroughPixel, "width and height swapped in the mapping: uc = w c / height − w / 2, ur = h r / width − h / 2",
+        new("size-mixed", Concerns.Camera, Slides.RayThroughPixel,
+            "width and height swapped in the mapping: uc = w c / height − w / 2, ur = h r / width − h / 2",
             lab =>
             {
                 lab.Uc.Becomes(uc => c => uc(c * lab.Camera.Width / lab.Camera.Height));

@@ -5,25 +5,29 @@ internal static class ColorMistakes
 {
     public static Mistake[] All =>
     [
-        new("att-depth", Concerns.Color, Slides.Attenuation, "attenuation by the depth t · (−d·W), not by t", lab => lab.Distance.Becomes(_ => lab.Depth))
+        new("att-depth", Concerns.Color, Slides.Attenuation, "attenuation by the depth t · (−d·W), not by t",
+            lab => lab.Distance.Becomes(_ => lab.Depth))
         {
             Hint = new("The borders of the picture are too bright; all places are right.",
                 "From where does the attenuation measure: from the camera, or from a plane through it?",
                 "1 − t / (2 |T − P|), with t itself."),
         },
-        new("att-no2", Concerns.Color, Slides.Attenuation, "1 − t / |T − P|: the 2 is missing", lab => lab.Attenuation.Becomes(fade => t => fade(2 * t)))
+        new("att-no2", Concerns.Color, Slides.Attenuation, "1 − t / |T − P|: the 2 is missing",
+            lab => lab.Attenuation.Becomes(fade => t => fade(2 * t)))
         {
             Hint = new("The picture is too dark, and black from the target on.",
                 "How bright should the target be?",
                 "1 − t / (2 |T − P|): the target has half of its light."),
         },
-        new("att-inv", Concerns.Color, Slides.Attenuation, "t / (2 |T − P|): far is bright", lab => lab.Attenuation.Becomes(fade => t => 1 - fade(t)))
+        new("att-inv", Concerns.Color, Slides.Attenuation, "t / (2 |T − P|): far is bright",
+            lab => lab.Attenuation.Becomes(fade => t => 1 - fade(t)))
         {
             Hint = new("Far things are brighter than near ones.",
                 "How bright should a thing at t = 0 be?",
                 "1 − t / (2 |T − P|)."),
         },
-        new("att-none", Concerns.Color, Slides.Attenuation, "no attenuation: the model's colour as it is", lab => lab.Attenuation.Becomes(_ => _ => 1))
+        new("att-none", Concerns.Color, Slides.Attenuation, "no attenuation: the model's colour as it is",
+            lab => lab.Attenuation.Becomes(_ => _ => 1))
         {
             Rewrites = true,
             Hint = new("Everything is flat: each model has one colour.",
@@ -38,7 +42,8 @@ internal static class ColorMistakes
                 "|X| is the distance of X from which point?",
                 "1 − t / (2 |T − P|): t is the distance from the camera."),
         },
-        new("att-int", Concerns.Color, Slides.Attenuation, "the attenuation cut to an integer: 0", lab => lab.Attenuation.Becomes(fade => t => Math.Truncate(fade(t))))
+        new("att-int", Concerns.Color, Slides.Attenuation, "the attenuation cut to an integer: 0",
+            lab => lab.Attenuation.Becomes(fade => t => Math.Truncate(fade(t))))
         {
             Hint = new("Every model is black.",
                 "Of which type is your attenuation, and what is (int)0.7?",
@@ -63,28 +68,25 @@ internal static class ColorMistakes
                 lab.Dark.Becomes(_ => attenuation => attenuation);
                 lab.Clamp.Becomes(_ => channel => channel);
                 lab.Byte.Becomes(_ => channel => Wrapped(255 * channel));
-            })
-        .Or("the attenuation is kept from 0 on, but a colour above 1 wraps round",
-            lab =>
-            {
-                lab.Clamp.Becomes(_ => channel => channel);
-                lab.Byte.Becomes(_ => channel => Wrapped(255 * channel + 0.5));
             }),
-        new("x256", Concerns.Color, Slides.Picture, "256 · channel", lab => lab.Byte.Becomes(_ => channel => (byte)Math.Min(256 * channel, 255)))
+        new("x256", Concerns.Color, Slides.Picture, "256 · channel",
+            lab => lab.Byte.Becomes(_ => channel => (byte)Math.Min(256 * channel, 255)))
         {
             Rewrites = true,
             Hint = new("Many channels differ by one level.",
                 "What is the greatest number in a byte?",
                 "(byte)(255 · channel + 0.5), the channel between 0 and 1."),
         },
-        new("round", Concerns.Color, Slides.Picture, "(byte)(255 · channel): truncated, not rounded", lab => lab.Byte.Becomes(_ => channel => (byte)(255 * channel)))
+        new("round", Concerns.Color, Slides.Picture, "(byte)(255 · channel): truncated, not rounded",
+            lab => lab.Byte.Becomes(_ => channel => (byte)(255 * channel)))
         {
             Rewrites = true,
             Hint = new("Many channels are one level too low.",
                 "What does a cast to byte do with 127.9?",
                 "(byte)(255 · channel + 0.5)."),
         },
-        new Mistake("gamma", Concerns.Color, Slides.Picture, "a gamma of 2: the root of each channel", lab => lab.Clamp.Becomes(clamp => channel => Math.Sqrt(clamp(channel))))
+        new Mistake("gamma", Concerns.Color, Slides.Picture, "a gamma of 2: the root of each channel",
+            lab => lab.Clamp.Becomes(clamp => channel => Math.Sqrt(clamp(channel))))
         {
             Hint = new("The picture is too bright and pale; black and full light are right.",
                 "Is there anything between the channel and × 255?",
@@ -100,7 +102,8 @@ internal static class ColorMistakes
                 "First times 255, then the cast: (byte)(255 · channel + 0.5)."),
         }
         .Or("255 forgotten: (byte)channel, 0 or 1 of 255", lab => lab.Byte.Becomes(_ => channel => (byte)channel))
-        .Or("255 forgotten: each channel rounded to 0 or 1 of 1", lab => lab.Byte.Becomes(_ => channel => (byte)(255 * (int)(channel + 0.5)))),
+        .Or("255 forgotten: each channel rounded to 0 or 1 of 1",
+            lab => lab.Byte.Becomes(_ => channel => (byte)(255 * (int)(channel + 0.5)))),
     ];
 
     /// <summary>The lowest eight bits of the whole part; 0 for no number.</summary>

@@ -16,7 +16,8 @@ internal static class HitMistakes
                 "Where on the ray is a point with t = −3?",
                 "A crossing counts only if t > bias, and from zNear on."),
         },
-        new("last-hit", Concerns.Hit, Slides.NearestHit, "the last model hit shows, not the nearest", lab => lab.Better.Becomes(_ => (_, _) => true))
+        new("last-hit", Concerns.Hit, Slides.NearestHit, "the last model hit shows, not the nearest",
+            lab => lab.Better.Becomes(_ => (_, _) => true))
         {
             Hint = new("Far things cover near ones; the order of the models changes the picture.",
                 "When may a hit replace the one that was found before?",
@@ -33,7 +34,8 @@ internal static class HitMistakes
                 "Which t is the best: the least or the greatest?",
                 "Start with the best t = +∞ and keep a hit only if t < best."),
         },
-        new("best0", Concerns.Hit, Slides.NearestHit, "the best t starts at 0, so that no hit is nearer", lab => lab.Start.Becomes(_ => () => 0))
+        new("best0", Concerns.Hit, Slides.NearestHit, "the best t starts at 0, so that no hit is nearer",
+            lab => lab.Start.Becomes(_ => () => 0))
         {
             Hint = new("There is nothing but background.",
                 "With which t is the first hit compared?",
@@ -98,7 +100,8 @@ internal static class HitMistakes
                 "What is the bias for, and what is zNear for?",
                 "t > bias with the scene's tiny bias, and zNear as a test of its own."),
         },
-        new("clip-root", Concerns.Hit, Slides.ClipPlanes, "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",
+        new("clip-root", Concerns.Hit, Slides.ClipPlanes,
+            "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",
             lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)))
         {
             Hint = new("A sphere or a box that the near plane cuts has a hole through it.",

@@ -263,7 +263,8 @@ internal sealed class Lab
 
     /// <summary>Most rays pass a triangle by, which its bounds say sooner than its formula.</summary>
     private double? HitOf(in Triangle triangle, Vector3 d) =>
-        !TrianglesReachOut && TriangleTree.Misses(triangle.Bounds, this, TriangleTree.Inverse(d)) ? null : First.Do(Triangle.Do(triangle, d), d);
+        !TrianglesReachOut && TriangleTree.Misses(triangle.Bounds, this, TriangleTree.Inverse(d)) ? null
+        : First.Do(Triangle.Do(triangle, d), d);
 
     /// <summary>A ray for a model that chooses among its crossings by itself.</summary>
     private Ray WholeRay(Vector3 d) =>

@@ -67,13 +67,13 @@ public sealed class Mistake
     /// <summary>What it touches.</summary>
     public Concerns Concerns { get; }
 
-    /// <summary>The same mistake as different people write it, each with an <see cref="Id"/> of this mistake and a cause of its own; this one is the first.</summary>
+    /// <summary>The same mistake as different people write it: one id, but each a cause of its own. This one is the first.</summary>
     public IReadOnlyList<Mistake> Wordings => wordings;
 
     /// <summary>Plants the mistake.</summary>
     internal Action<Lab> Deviate { get; }
 
-    /// <summary>Whether it puts a formula of its own in the place of a step, not around it; such a mistake is planted before the others.</summary>
+    /// <summary>Whether it puts another formula in the place of a step, not around it; it is planted before such as do not.</summary>
     internal bool Rewrites { get; init; }
 
     /// <summary>Whether a scene has what the mistake touches; where not, its picture is right.</summary>

@@ -107,7 +107,8 @@ internal static class ShapeMistakes
                 "The ray is in the box when it is in all three slabs. Has it entered at the first way in, or at the last?",
                 "t_min = max of the ways in, t_max = min of the ways out."),
         }
-        .Or("box: t_max is the last way out, not the first", lab => lab.Box.Becomes(_ => (box, d) => Slabs(lab, box, d, Slab, Math.Max, Math.Max))),
+        .Or("box: t_max is the last way out, not the first",
+            lab => lab.Box.Becomes(_ => (box, d) => Slabs(lab, box, d, Slab, Math.Max, Math.Max))),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.Box, "box: the slab of z forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
             cross(new(box.Min with { Z = double.NegativeInfinity }, box.Max with { Z = double.PositiveInfinity }), d)))
         {

@@ -48,7 +48,7 @@ internal static class SlideFormulas
     /// <summary>The lesser first; no number if one is none.</summary>
     public static (double, double) Sorted(double t0, double t1) => (Math.Min(t0, t1), Math.Max(t0, t1));
 
-    /// <summary>Slide "Triangle – Barycentric Coordinates": n = (B − A) × (C − A), u and v the shares of the area that X cuts off.</summary>
+    /// <summary>Slide "Triangle – Barycentric Coordinates": n = (B − A) × (C − A), u and v are shares of its length.</summary>
     /// <param name="lab">Whose cross product is used.</param>
     /// <param name="triangle">The triangle.</param>
     /// <param name="d">The ray's direction.</param>

@@ -14,7 +14,7 @@ internal sealed class TriangleTree
 
     private readonly Mesh mesh;
     private readonly int[] order;
-    private readonly List<(Bounds Bounds, int First, int End, int Second)> nodes = []; // a branch's first child is the next node; Second 0: a leaf
+    private readonly List<(Bounds Bounds, int First, int End, int Second)> nodes = [];  // a branch's first child is the next node
 
     private TriangleTree(Mesh mesh)
     {
@@ -66,7 +66,7 @@ internal sealed class TriangleTree
         if (hit is { } t && t < (nearest ?? double.PositiveInfinity)) nearest = t;
     }
 
-    /// <summary>Whether a line through P passes the bounds by. One in a face's plane gives 0 · ∞, NaN, which no comparison rejects.</summary>
+    /// <summary>Whether a line through P passes the bounds by. In a face's plane 0 · ∞ is NaN, which no comparison rejects.</summary>
     /// <param name="bounds">The bounds.</param>
     /// <param name="lab">Where P is.</param>
     /// <param name="inverse">1 / d.</param>
@@ -93,7 +93,9 @@ internal sealed class TriangleTree
         if (end - first <= MaxLeaf) return;
 
         var size = centers.Max - centers.Min;
-        Func<int, double> along = size.X >= size.Y && size.X >= size.Z ? i => Center(i).X : size.Y >= size.Z ? i => Center(i).Y : i => Center(i).Z;
+        Func<int, double> along = size.X >= size.Y && size.X >= size.Z ? i => Center(i).X
+            : size.Y >= size.Z ? i => Center(i).Y
+            : i => Center(i).Z;
         var keys = new double[end - first];
         for (var i = 0; i < keys.Length; i++) keys[i] = along(order[first + i]);
         keys.AsSpan().Sort(order.AsSpan(first, keys.Length));

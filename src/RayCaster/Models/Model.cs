@@ -31,7 +31,7 @@ public abstract class Model
     /// <inheritdoc cref="Cross{N}"/>
     internal virtual ISurface? SurfaceOf(int part) => this as ISurface;
 
-    /// <summary>All crossings with the ray, whether they count or not, of a shape that states them as a formula; null where only <see cref="Intersect"/> knows.</summary>
+    /// <summary>All crossings of a shape that has a formula, counting or not; null where only <see cref="Intersect"/> knows.</summary>
     internal virtual Crossings<Scalar>? CrossingsWith(in Ray<Scalar> ray) => null;
 
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>

@@ -91,7 +91,8 @@ public class LabTests
             var triangles = scene.Models.SelectMany<Model, Model>(model => model is not Mesh mesh
                 ? [model]
                 : Enumerable.Range(0, mesh.TriangleCount).Select(i => new Model<Triangle>(mesh[i]) { Color = mesh.Color }));
-            var (whole, single) = (new Lab(scene, MistakeCatalog.Named(id)!), new Lab(scene with { Models = [.. triangles] }, MistakeCatalog.Named(id)!));
+            var mistake = MistakeCatalog.Named(id)!;
+            var (whole, single) = (new Lab(scene, mistake), new Lab(scene with { Models = [.. triangles] }, mistake));
             for (var i = 0; i < 150; i++)
             {
                 var (x, y) = (i * 7919 % whole.Width, i * 104729 % whole.Height);
@@ -105,7 +106,8 @@ public class LabTests
     {
         var scene = new Scene(new(new(0, -5, 0), Vector3.Zero, width: 8, height: 8), [new Wall { Color = new(1, 0.5, 0) }]);
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, new Lab(scene).Render().Rgb);
-        Assert.Equal(((byte)0, (byte)128, (byte)255), new Lab(scene, MistakeCatalog.Named("bgr")!, MistakeCatalog.Named("att-none")!)[4, 4]);
+        var lab = new Lab(scene, MistakeCatalog.Named("bgr")!, MistakeCatalog.Named("att-none")!);
+        Assert.Equal(((byte)0, (byte)128, (byte)255), lab[4, 4]);
     }
 
     private static Lab Of(params string[] ids) =>
