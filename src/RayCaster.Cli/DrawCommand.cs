@@ -7,7 +7,7 @@ namespace RayCaster.Cli;
 internal sealed class DrawCommand : Command
 {
     public override IReadOnlyList<Option> Options { get; } =
-        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Version];
+        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Map, Option.Ledger, Option.Preview, Option.Color, Option.Version];
 
     public override string Help => HelpText.Full;
 
@@ -16,15 +16,22 @@ internal sealed class DrawCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = ScenePath(line);
+        if (line.Has(Option.Map)) return MapOutput.Run(line, path, cancellation);
         var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
-        var output = line[Option.Output] ?? DefaultOutput(path);
+        var output = line[Option.Output] ?? NameOf(path) + ".png";
         var format = Format(line[Option.Format]) ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
         if (output == SceneInput.Standard && !Console.IsOutputRedirected)
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
 
+        var colors = TerminalScreen.Colors(line);
+        if (line.Has(Option.Preview) && output == SceneInput.Standard)
+            throw ProblemException.Usage("--preview and -o - both want standard output: write the picture to a file");
+
         if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
+        var odd = new OddPicture(scene.Background);
+        var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, scene.Camera.Height) : null;
         var start = Stopwatch.GetTimestamp();
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
         if (output == SceneInput.Standard)
@@ -34,7 +41,7 @@ internal sealed class DrawCommand : Command
                 using var stream = StandardFile.OpenOutput();
                 try
                 {
-                    Draw(scene, threads, stream, format, showProgress, cancellation);
+                    Draw(scene, threads, stream, format, Watch, showProgress, cancellation);
                 }
                 finally
                 {
@@ -49,12 +56,21 @@ internal sealed class DrawCommand : Command
         else
         {
             using var file = new ReplacedFile(output);
-            Draw(scene, threads, file, format, showProgress, cancellation);
+            Draw(scene, threads, file, format, Watch, showProgress, cancellation);
             file.Commit();
         }
 
-        if (!quiet) StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        if (preview is not null) TerminalScreen.Show(preview, colors);
+        if (quiet) return ExitCode.Done;
+        StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        if (line.Has(Option.Ledger) || odd.IsOdd) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
+
+        void Watch(ReadOnlySpan<byte> lines)
+        {
+            odd.Take(lines);
+            preview?.Take(lines);
+        }
     }
 
     private static string ScenePath(CommandLine line) => line.Operands switch
@@ -81,27 +97,22 @@ internal sealed class DrawCommand : Command
         _ => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
     };
 
-    private static string DefaultOutput(string scene) =>
-        (scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene)) + ".png";
+    /// <summary>What a scene's pictures are called: as its file is, without folder and extension.</summary>
+    public static string NameOf(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
-    private static void Draw(Scene scene, int? threads, Stream output, PictureFormat format, bool showProgress, CancellationToken cancellation)
+    private static void Draw(
+        Scene scene, int? threads, Stream output, PictureFormat format, Action<ReadOnlySpan<byte>> watch, bool showProgress, CancellationToken cancellation)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
-        using var progress = showProgress ? new ProgressLine(Console.Error, width, height, TerminalWidth(), TimeProvider.System) : null;
+        using var progress = showProgress ? new ProgressLine(Console.Error, width, height, TerminalScreen.Width(), TimeProvider.System) : null;
         using var writer = PictureWriter.Create(format, output, width, height);
-        new Renderer(scene, threads).Draw(writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
+        new Renderer(scene, threads).Draw(Take, progress is null ? null : progress.LinesDone, cancellation);
         writer.Finish();
-    }
 
-    private static int TerminalWidth()
-    {
-        try
+        void Take(ReadOnlySpan<byte> lines)
         {
-            return Console.WindowWidth;
-        }
-        catch (IOException)
-        {
-            return 0;
+            watch(lines);
+            writer.WriteRows(lines);
         }
     }
 
