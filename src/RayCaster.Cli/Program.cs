@@ -25,8 +25,8 @@ internal static class Program
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
         using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Cancel); // the terminal's window was closed
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
-        // It would end the process on the spot; without it the write fails, which is told in words.
-        using var tooLarge = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
+        // It would end the process on the spot; without it the write fails, which is told in words. Not disposed of: it may come after that.
+        var tooLarge = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
 
         try
         {
@@ -61,6 +61,10 @@ internal static class Program
             if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1")
                 StandardFile.WriteError(unexpected.StackTrace + Environment.NewLine);
             return ExitCode.InternalError;
+        }
+        finally
+        {
+            GC.KeepAlive(tooLarge);
         }
     }
 

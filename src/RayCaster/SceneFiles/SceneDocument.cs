@@ -5,7 +5,7 @@ namespace RayCaster;
 /// <param name="folder">Where the paths of mesh files start.</param>
 internal sealed class SceneDocument(SourceText text, string folder)
 {
-    /// <summary>So many problems are kept; a file of nothing but mistakes would otherwise take hundreds of times its size.</summary>
+    /// <summary>After so many errors the rest is not read, and after so many problems no warning is kept: a file of nothing but mistakes would take hours.</summary>
     public const int MostProblems = 1000;
 
     private const int LongestMessage = 2000; // a mesh file's path may stand in it, as long as somebody likes
@@ -15,8 +15,8 @@ internal sealed class SceneDocument(SourceText text, string folder)
     /// <summary>How many errors were found so far.</summary>
     public int ErrorCount { get; private set; }
 
-    /// <summary>How many problems were found that are not kept.</summary>
-    public int Unlisted { get; private set; }
+    /// <summary>Whether enough errors were found.</summary>
+    public bool IsHopeless => ErrorCount >= MostProblems;
 
     /// <summary>The text.</summary>
     public SourceText Text => text;
@@ -25,11 +25,7 @@ internal sealed class SceneDocument(SourceText text, string folder)
     public void Add(bool isError, int start, int end, string path, string message)
     {
         if (isError) ErrorCount++;
-        if (findings.Count == MostProblems)
-        {
-            Unlisted++;
-            return;
-        }
+        else if (findings.Count >= MostProblems) return;
         if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
         findings.Add(new(isError, start, end, path, SourceText.Printable(message)));
     }

@@ -32,7 +32,7 @@ internal sealed class SceneObject
         (this.document, this.json, this.path) = (document, json, path);
         errorsBefore = document.ErrorCount;
         var content = json.Content;
-        for (var i = 0; i < content.Count; i += 2)
+        for (var i = 0; i < content.Count && !document.IsHopeless; i += 2)
         {
             var key = content[i].Text;
             if (written.TryAdd(key, (content[i], content[i + 1]))) continue;
@@ -182,7 +182,7 @@ internal sealed class SceneObject
             yield break;
         }
         var elements = value.Content;
-        for (var i = 0; i < elements.Count; i++)
+        for (var i = 0; i < elements.Count && !document!.IsHopeless; i++)
             if (AsObject(document!, elements[i], PathOf(key, i), PathOf(key, i)) is { } element)
                 yield return element;
     }
@@ -214,6 +214,7 @@ internal sealed class SceneObject
         asked.AddRange(allowed);
         foreach (var (key, member) in written)
         {
+            if (document!.IsHopeless) return;
             if (asked.Contains(key)) continue;
             Report(true, member.Key, PathOf(Shown(key)), " is an unknown key" + RightKey(key));
         }

@@ -30,16 +30,15 @@ public static class SceneReader
     /// <exception cref="IOException">The stream fails.</exception>
     public static SceneReading Read(Stream stream, string displayName, string folder)
     {
-        // One byte more than the file seems to have, or than it may have, so that the end is met without growing.
-        var bytes = new byte[stream.CanSeek ? Math.Clamp(stream.Length - stream.Position, 0, MostBytes) + 1 : 1 << 16];
+        var known = stream.CanSeek ? stream.Length - stream.Position : 0;
+        if (known > MostBytes) return TooLong(displayName);
+        var bytes = new byte[known > 0 ? known + 1 : 1 << 16]; // one more than there should be, so that the end is met without growing
         for (var length = 0; ;)
         {
             var count = stream.Read(bytes.AsSpan(length));
             if (count == 0) return Parse(bytes.AsMemory(0, length), displayName, folder);
             length += count;
-            if (length > MostBytes)
-                return Unreadable(displayName, FormattableString.Invariant(
-                    $"the scene file has more than {MostBytes:N0} bytes, which is the limit; let mesh files hold what is large"));
+            if (length > MostBytes) return TooLong(displayName);
             if (length == bytes.Length) Array.Resize(ref bytes, Math.Min(2 * length, MostBytes + 1));
         }
     }
@@ -53,7 +52,7 @@ public static class SceneReader
         var hasMark = utf8.Span.StartsWith(Encodings.Utf8Mark);
         var document = new SceneDocument(new SourceText(displayName, utf8[(hasMark ? 3 : 0)..]), folder);
         var scene = Read(document);
-        return new(document.ErrorCount == 0 ? scene : null, document.Problems(), document.Unlisted);
+        return new(document.ErrorCount == 0 ? scene : null, document.Problems());
     }
 
     private static Scene? Read(SceneDocument document)
@@ -157,6 +156,9 @@ public static class SceneReader
         if (Directory.Exists(path)) return "this is a folder, not a scene file";
         return $"file not found{FileNames.Hint(path, ".json")}";
     }
+
+    private static SceneReading TooLong(string path) => Unreadable(path, FormattableString.Invariant(
+        $"the scene file has more than {MostBytes:N0} bytes, which is the limit; let mesh files hold what is large"));
 
     private static SceneReading Unreadable(string path, string message) =>
         new(null, [new Problem(true, path, 0, 0, "", message, "")]);
