@@ -36,16 +36,16 @@ internal static class Reading
 
     public static void OfMesh(SeedFile file)
     {
-        MeshData? mesh = null;
-        try
+        var (mesh, refusal) = default((MeshData?, string?));
+        Within(MemoryLimit.OfMesh(file.Bytes.Length), () => (mesh, refusal) = Parsed(file, MeshSource.UsualBlockSize));
+        var (inBlocks, refusalInBlocks) = Parsed(file, blockSize: 100);
+        Assert.Equal(refusal, refusalInBlocks);
+        if (mesh is null)
         {
-            Within(MemoryLimit.OfMesh(file.Bytes.Length), () => mesh = MeshFile.Parse(file.Name, file.Bytes));
+            Wholesome(refusal!);
+            return;
         }
-        catch (MeshFileException e)
-        {
-            Wholesome(e.Message);
-        }
-        if (mesh is null) return;
+        Assert.Equal(mesh.Indices, inBlocks!.Indices);
         Assert.NotEmpty(mesh.Indices);
         Assert.All(mesh.Indices, index => Assert.InRange(index, 0, mesh.Vertices.Length - 1));
         try
@@ -56,6 +56,18 @@ internal static class Reading
         catch (OverflowException)
         {
             // Vertices whose turning overflows are refused in words by the scene's reader.
+        }
+    }
+
+    private static (MeshData?, string?) Parsed(SeedFile file, int blockSize)
+    {
+        try
+        {
+            return (MeshFile.Parse(file.Name, file.Bytes, blockSize), null);
+        }
+        catch (MeshFileException e)
+        {
+            return (null, e.Message);
         }
     }
 
