@@ -14,7 +14,7 @@ internal static class StandardFile
     /// <summary>Writes a command's answer.</summary>
     /// <param name="text">Whole lines.</param>
     /// <exception cref="ProblemException">Nobody takes it.</exception>
-    public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+    public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(WithoutControls(text))));
 
     /// <summary>Has something written to standard output.</summary>
     /// <exception cref="ProblemException">Nobody takes it.</exception>

@@ -11,23 +11,32 @@ public sealed class ProcessTests : IDisposable
     public void Dispose() => raycaster.Dispose();
 
     [Fact]
-    public void SpoiltScenesAndMeshes()
+    public void SpoiltScenesMeshesAndPictures()
     {
         foreach (var mesh in Directory.GetFiles(Corpus.SceneFolder, "*.obj")) File.Copy(mesh, raycaster.PathOf(Path.GetFileName(mesh)));
+        const string camera = """{ "position": [9, 0, 0], "target": [0, 0, 0], "width": 9, "height": 5 }""";
+        raycaster.Write("good.json", $$"""{ "camera": {{camera}}, "models": [{ "type": "sphere", "center": [0, 0, 0], "radius": 2 }] }""");
         for (var i = 0; i < Sample; i++)
         {
-            var input = new Mutation(new Random(Campaign.Seed * 1000 + i), i % 2 == 0 ? Corpus.Scenes : Corpus.Meshes).Next();
+            var seeds = (i % 4) switch { 0 or 1 => Corpus.Scenes, 2 => Corpus.Meshes, _ => Corpus.Pictures };
+            var input = new Mutation(new Random(Campaign.Seed * 1000 + i), seeds).Next();
             var file = "spoilt" + input.Extension;
             File.WriteAllBytes(raycaster.PathOf(file), input.Bytes);
-            var scene = $$"""{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [{ "type": "mesh", "file": "{{file}}" }] }""";
-            if (i % 2 == 1) raycaster.Write("mesh.json", scene);
+            raycaster.Write("mesh.json", $$"""{ "camera": {{camera}}, "models": [{ "type": "mesh", "file": "{{file}}" }] }""");
             var before = raycaster.Files;
 
-            raycaster.Run(i % 2 == 0 ? file : "mesh.json", "-s", "20x10", "-o", "out.png");
+            raycaster.Run((i % 4) switch
+            {
+                0 => [file, "-s", "20x10", "-o", "out.png"],
+                1 => ["check", file],
+                2 => ["mesh.json", "-o", "out.png"],
+                _ => ["diagnose", "good.json", file],
+            });
 
-            Assert.Contains(raycaster.ExitCode, (int[])[0, 2]);
+            Assert.Contains(raycaster.ExitCode, (int[])[0, 1, 2]);
             Reading.Wholesome(raycaster.Error);
-            Assert.Equal(raycaster.ExitCode == 0 ? before.Append("out.png").Order() : before, raycaster.Files);
+            Reading.Wholesome(raycaster.OutputText);
+            Assert.Equal(raycaster.ExitCode == 0 && i % 2 == 0 ? before.Append("out.png").Order() : before, raycaster.Files);
             File.Delete(raycaster.PathOf("out.png"));
         }
     }
