@@ -36,22 +36,9 @@ internal sealed class DrawCommand : Command
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
         if (output == SceneInput.Standard)
         {
-            try
-            {
-                using var stream = StandardFile.OpenOutput();
-                try
-                {
-                    Draw(scene, threads, stream, format, Watch, showProgress, cancellation);
-                }
-                finally
-                {
-                    StandardFile.Leave(stream);
-                }
-            }
-            catch (IOException problem)
-            {
-                throw new ProblemException($"raycaster: cannot write to standard output: {problem.Message}");
-            }
+            // Who cancels does not wait until a reader that has stopped reads on; what it has not got nobody misses.
+            Task.Run(() => StandardFile.WriteOutput(stream => Draw(scene, threads, stream, format, Watch, showProgress, cancellation)))
+                .WaitAsync(cancellation).GetAwaiter().GetResult();
         }
         else
         {
