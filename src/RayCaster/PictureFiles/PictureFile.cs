@@ -6,7 +6,7 @@ namespace RayCaster;
 public static class PictureFile
 {
     /// <summary>The largest array there is, a little less than 2^31 bytes.</summary>
-    private static long MostBytes => Array.MaxLength;
+    internal static long MostBytes => Array.MaxLength;
 
     /// <summary>
     /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), told apart by their first bytes.
@@ -47,9 +47,10 @@ public static class PictureFile
     {
         try
         {
-            var file = ReadToEnd(stream);
+            var bytes = ReadToEnd(stream);
+            ReadOnlySpan<byte> file = bytes;
             if (file.IsEmpty) throw new PictureFileException("the file is empty");
-            if (IsPng(file)) return PngReader.Read(file);
+            if (IsPng(file)) return PngReader.Read(new MemoryStream(bytes.Array!, bytes.Offset, bytes.Count));
             if (IsPnm(file)) return PnmReader.Read(file);
             throw new PictureFileException($"{Guess(file)}; PNG, PBM, PGM and PPM can be read");
         }
@@ -77,14 +78,17 @@ public static class PictureFile
     }
 
     /// <summary>Refuses a size that a header promises before anything is allocated for it.</summary>
-    /// <exception cref="PictureFileException">A side is 0, or the picture does not fit into an array.</exception>
-    internal static void CheckSize(long width, long height)
+    /// <param name="width">Pixels in a line.</param>
+    /// <param name="height">Lines.</param>
+    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel.</param>
+    /// <exception cref="PictureFileException">A side is 0, or the picture is too large.</exception>
+    internal static void CheckSize(long width, long height, long mostBytes)
     {
         if (width < 1 || height < 1)
             throw new PictureFileException($"its size is {width} × {height} pixels, but each side must be at least 1");
         var bytes = (Int128)width * height * 3;
-        if (bytes <= MostBytes) return;
-        throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {MostBytes:N0}");
+        if (bytes <= mostBytes) return;
+        throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {mostBytes:N0}");
     }
 
     /// <summary>A piece of a damaged file, fit for a message.</summary>
@@ -102,7 +106,7 @@ public static class PictureFile
     private static bool IsPnm(ReadOnlySpan<byte> file) => file[0] == 'P';
 
     /// <summary>The bytes that are there; a pipe or a device promises no length, so that memory grows with them.</summary>
-    private static ReadOnlySpan<byte> ReadToEnd(Stream stream)
+    private static ArraySegment<byte> ReadToEnd(Stream stream)
     {
         if (stream.CanSeek && stream.Length - stream.Position > MostBytes) throw TooLong();
         // One more than there should be, so that the end is met without growing.
@@ -110,9 +114,9 @@ public static class PictureFile
         for (var length = 0; ;)
         {
             var count = stream.Read(bytes.AsSpan(length));
-            if (count == 0) return bytes.AsSpan(0, length);
+            if (count == 0) return new(bytes, 0, length);
             length += count;
-            if (length == count && !IsPng(bytes) && !IsPnm(bytes)) return bytes.AsSpan(0, length); // enough to see what it is not
+            if (length == count && !IsPng(bytes) && !IsPnm(bytes)) return new(bytes, 0, length); // enough to see what it is not
             if (length < bytes.Length) continue;
             if (length == MostBytes) throw TooLong();
             Array.Resize(ref bytes, (int)Math.Min(2L * length, MostBytes));
