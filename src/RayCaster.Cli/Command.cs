@@ -4,11 +4,12 @@ namespace RayCaster.Cli;
 internal abstract class Command
 {
     /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
-    public static readonly string[] Names = ["help"];
+    public static readonly string[] Names = ["stitch", "help"];
 
     /// <summary>The command of a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
     {
+        "stitch" => new StitchCommand(),
         "help" => new HelpCommand(),
         _ => null,
     };

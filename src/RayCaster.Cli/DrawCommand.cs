@@ -3,11 +3,13 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Reads a scene, draws it, writes the picture.</summary>
+/// <summary>Reads a scene, draws it or a part of it, writes the picture.</summary>
 internal sealed class DrawCommand : Command
 {
     public override IReadOnlyList<Option> Options { get; } =
-        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Version];
+    [
+        Option.Output, Option.Format, Option.Size, Option.Rows, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress, Option.Version,
+    ];
 
     public override string Help => HelpText.Full;
 
@@ -16,44 +18,39 @@ internal sealed class DrawCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = ScenePath(line);
-        var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
-        var output = line[Option.Output] ?? DefaultOutput(path);
-        var format = Format(line[Option.Format]) ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+        var (size, threads, quiet, rows) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet), line[Option.Rows]);
+        if (rows is not null) Rows.Check(rows);
+        var isPart = rows is not null || line.Has(Option.Resume);
+        var output = line[Option.Output] ?? (rows is null ? Name(path) + ".png" : null); // a part's name needs the picture's height
+        var format = Format(line.PictureFormat(), output, isPart);
+        if (output == SceneInput.Standard && line.Has(Option.Resume))
+            throw ProblemException.Usage("--resume looks whether the picture is there already, but what was written to standard output is gone");
         if (output == SceneInput.Standard && !Console.IsOutputRedirected)
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
 
         if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
+        var lines = rows is null ? LineRange.Whole(scene.Camera.Height) : Rows.Of(rows, scene.Camera.Height);
+        output ??= PartName(Name(path), lines, scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
-        var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
-        if (output == SceneInput.Standard)
+        var part = isPart ? Facts(scene, lines) : null;
+        if (line.Has(Option.Resume) && PartFile.Holds(output, part!))
         {
-            try
-            {
-                using var stream = StandardFile.OpenOutput();
-                try
-                {
-                    Draw(scene, threads, stream, format, showProgress, cancellation);
-                }
-                finally
-                {
-                    StandardFile.Leave(stream);
-                }
-            }
-            catch (IOException problem)
-            {
-                throw new ProblemException($"raycaster: cannot write to standard output: {problem.Message}");
-            }
-        }
-        else
-        {
-            using var file = new ReplacedFile(output);
-            Draw(scene, threads, file, format, showProgress, cancellation);
-            file.Commit();
+            if (!quiet) StandardFile.WriteError($"{output}: there already{Environment.NewLine}");
+            return ExitCode.Done;
         }
 
-        if (!quiet) StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
+        PictureOutput.Write(output, stream =>
+        {
+            var (width, height) = (scene.Camera.Width, lines.Count);
+            using var progress = showProgress ? ProgressLine.OnTerminal(width, height) : null;
+            using var writer = PictureWriter.Create(format, stream, width, height, part);
+            new Renderer(scene, threads).Draw(lines, writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
+            writer.Finish();
+        });
+        if (!quiet) StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
         return ExitCode.Done;
     }
 
@@ -72,46 +69,44 @@ internal sealed class DrawCommand : Command
             ? $"; did you mean -o {second}?"
             : "";
 
-    private static PictureFormat? Format(string? text) => text switch
+    /// <summary>The kind of file; what can be stitched or resumed must be able to say what it is.</summary>
+    private static PictureFormat Format(PictureFormat? wanted, string? output, bool isPart)
     {
-        null => null,
-        "png" => PictureFormat.Png,
-        "ppm" => PictureFormat.Ppm,
-        "ppm-text" => PictureFormat.PpmText,
-        _ => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
-    };
-
-    private static string DefaultOutput(string scene) =>
-        (scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene)) + ".png";
-
-    private static void Draw(Scene scene, int? threads, Stream output, PictureFormat format, bool showProgress, CancellationToken cancellation)
-    {
-        var (width, height) = (scene.Camera.Width, scene.Camera.Height);
-        using var progress = showProgress ? new ProgressLine(Console.Error, width, height, TerminalWidth(), TimeProvider.System) : null;
-        using var writer = PictureWriter.Create(format, output, width, height);
-        new Renderer(scene, threads).Draw(writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
-        writer.Finish();
+        var format = wanted ?? (output is null ? PictureFormat.Png
+            : output != SceneInput.Standard ? PictureFormats.ByExtension(output)
+            : isPart ? PictureFormat.Png : PictureFormat.Ppm);
+        return !isPart || format == PictureFormat.Png ? format
+            : throw ProblemException.Usage("what --rows and --resume draw is a PNG, which can say what it is part of; choose another name or format");
     }
 
-    private static int TerminalWidth()
+    private static string Name(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
+
+    /// <summary>As room.part-0000-0249.png: the names of all parts of a picture are of one length, so that they stand in order.</summary>
+    private static string PartName(string name, LineRange lines, int height)
+    {
+        var digits = $"D{Math.Max(4, (height - 1).ToString(CultureInfo.InvariantCulture).Length)}";
+        return $"{name}.part-{lines.First.ToString(digits, CultureInfo.InvariantCulture)}-{lines.Last.ToString(digits, CultureInfo.InvariantCulture)}.png";
+    }
+
+    private static PartFacts Facts(Scene scene, LineRange lines)
     {
         try
         {
-            return Console.WindowWidth;
+            return PartFacts.Of(scene, lines);
         }
-        catch (IOException)
+        catch (NotSupportedException e)
         {
-            return 0;
+            throw new ProblemException($"raycaster: the scene cannot be drawn in parts: {e.Message}");
         }
     }
 
     /// <summary>One line: picture, size, models, time, rays per second.</summary>
-    private static string Summary(string output, Scene scene, TimeSpan elapsed)
+    private static string Summary(string output, Scene scene, LineRange lines, TimeSpan elapsed)
     {
         var (width, height, models) = (scene.Camera.Width, scene.Camera.Height, scene.Models.Count);
-        var rays = (double)width * height / elapsed.TotalSeconds;
+        var rays = (double)width * lines.Count / elapsed.TotalSeconds;
         return string.Create(CultureInfo.InvariantCulture,
-            $"{(output == SceneInput.Standard ? "standard output" : output)}: {width} x {height} pixels, " +
+            $"{(output == SceneInput.Standard ? "standard output" : output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
             $"{models} {(models == 1 ? "model" : "models")}, " +
             $"{elapsed.TotalSeconds:0.00} s, {rays / 1e6:0.0} million rays per second");
     }

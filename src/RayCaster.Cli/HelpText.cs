@@ -18,7 +18,8 @@ internal static class HelpText
 
         Usage:
           raycaster <scene> [options]
-          raycaster help
+          raycaster stitch <part>... -o <file>
+          raycaster help [command]
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.
@@ -30,19 +31,28 @@ internal static class HelpText
               --format <format>  png, ppm or ppm-text (PPM in readable numbers).
                                  [default: what the file's extension says]
           -s, --size <W>x<H>     Overrides the scene's picture size, in pixels.
+              --rows <lines>     Draws only these lines of the picture, a part for "stitch": as
+                                 0..249 (from the top, 0 first, both included), or as 3/8 (the
+                                 third of eight parts). [default output: room.part-0000-0249.png]
+              --resume           Does nothing if the picture or part is there already, whole
+                                 and of this very scene.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
               --version          Shows the version.
           -?, -h, --help         Shows this help. Under "dotnet run" write it after "--".
 
+        Commands:
+          stitch <part>...       Joins parts into one picture; says which are missing.
+          help [command]         Shows this, or a command's own page.
+
         Examples:
           dotnet run --project src/RayCaster.Cli -- scenes/room.json
           dotnet run --project src/RayCaster.Cli -- scenes/room.json -o room.ppm --size 1920x1080
 
         Exit codes:
-          0 done, 2 could not do it, 70 internal error, 129 hung up, 130 interrupted,
-          143 terminated.
+          0 done, 1 the answer is no (parts are missing), 2 could not do it, 70
+          internal error, 129 hung up, 130 interrupted, 143 terminated.
 
         """;
 }

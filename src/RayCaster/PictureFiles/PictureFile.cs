@@ -14,31 +14,10 @@ public static class PictureFile
     /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
     /// <exception cref="PictureFileException">The file cannot be read, is damaged, of another kind, or too large.</exception>
-    public static Picture Read(string path)
+    public static Picture Read(string path) => Open(path, file =>
     {
-        try
-        {
-            if (Directory.Exists(path)) throw new PictureFileException("it is a folder, not a picture");
-            using var file = File.OpenRead(path);
-            return Read(file);
-        }
-        catch (PictureFileException e)
-        {
-            throw new PictureFileException($"cannot read {path}: {e.Message}", e);
-        }
-        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
-        {
-            throw new PictureFileException($"picture file not found: {path}\n  looked for {Path.GetFullPath(path)}", e);
-        }
-        catch (ArgumentException e) // empty, or with a zero in it
-        {
-            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e);
-        }
-        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
-        {
-            throw new PictureFileException($"cannot read {path}: {PictureFileException.Reason(e)}", e);
-        }
-    }
+        using (file) return Read(file);
+    });
 
     /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string)"/> does; the messages name no file.</summary>
     /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
@@ -75,6 +54,44 @@ public static class PictureFile
             writer.Finish();
         }
         file.Commit();
+    }
+
+    /// <summary>Opens a file and reads it, or begins to; says which file it is that does not do.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="read">Reads. It closes the file or keeps it; here it is closed only after a failure, or where nothing comes of it.</param>
+    /// <exception cref="PictureFileException">The file cannot be read.</exception>
+    internal static T Open<T>(string path, Func<FileStream, T> read)
+    {
+        FileStream? file = null;
+        var isKept = false;
+        try
+        {
+            if (Directory.Exists(path)) throw new PictureFileException("it is a folder, not a picture");
+            file = File.OpenRead(path);
+            var result = read(file);
+            isKept = result is not null;
+            return result;
+        }
+        catch (PictureFileException e)
+        {
+            throw new PictureFileException($"cannot read {path}: {e.Message}", e);
+        }
+        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw new PictureFileException($"picture file not found: {path}\n  looked for {Path.GetFullPath(path)}", e);
+        }
+        catch (ArgumentException e) // empty, or with a zero in it
+        {
+            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e);
+        }
+        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
+        {
+            throw new PictureFileException($"cannot read {path}: {PictureFileException.Reason(e)}", e);
+        }
+        finally
+        {
+            if (!isKept) file?.Dispose();
+        }
     }
 
     /// <summary>Refuses a size that a header promises before anything is allocated for it.</summary>

@@ -12,11 +12,10 @@ internal sealed class PngReader : IDisposable
     /// <summary>Deflate describes 258 bytes with two bits at best.</summary>
     private const int MostBytesFromOne = 1032;
 
-    /// <summary>A longer text is not kept: nobody here asks for one.</summary>
+    /// <summary>A longer text is none of ours.</summary>
     private const int MostText = 4096;
 
     private readonly PngChunkReader chunks;
-    private readonly Dictionary<string, string> texts = [];
     private readonly byte[] palette = [];
     private readonly long firstData;
     private ZLibStream? data;
@@ -52,7 +51,7 @@ internal sealed class PngReader : IDisposable
                     chunks.Skip();
                     continue;
                 case "tEXt" when chunks.Left <= MostText:
-                    if (Encoding.Latin1.GetString(chunks.ReadUpTo(MostText)).Split('\0') is [var keyword, var text]) texts.TryAdd(keyword, text);
+                    if (Encoding.Latin1.GetString(chunks.ReadUpTo(MostText)).Split('\0') is [PartFacts.Keyword, var text]) PartText ??= text;
                     break;
                 case "IEND":
                     break;
@@ -78,8 +77,8 @@ internal sealed class PngReader : IDisposable
     /// <summary>What the file says about its pixels.</summary>
     public PngHeader Header { get; }
 
-    /// <summary>A short text that the file holds besides its pixels (a chunk tEXt), or null.</summary>
-    public string? Text(string keyword) => texts.GetValueOrDefault(keyword);
+    /// <summary>What the file says of the picture that it is part of (<see cref="PartFacts"/>), or null.</summary>
+    public string? PartText { get; }
 
     /// <summary>Reads a whole picture.</summary>
     /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
