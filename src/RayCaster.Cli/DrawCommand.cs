@@ -34,7 +34,7 @@ internal sealed class DrawCommand : Command
         var lines = rows is null ? LineRange.Whole(scene.Camera.Height) : Rows.Of(rows, scene.Camera.Height);
         output ??= PartName(Name(path), lines, scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
-        var part = isPart ? Facts(scene, lines) : null;
+        var part = isPart ? PictureOutput.Facts(scene, lines) : null;
         if (line.Has(Option.Resume) && PartFile.Holds(output, part!))
         {
             if (!quiet) StandardFile.WriteError($"{output}: there already{Environment.NewLine}");
@@ -42,14 +42,7 @@ internal sealed class DrawCommand : Command
         }
 
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
-        PictureOutput.Write(output, stream =>
-        {
-            var (width, height) = (scene.Camera.Width, lines.Count);
-            using var progress = showProgress ? ProgressLine.OnTerminal(width, height) : null;
-            using var writer = PictureWriter.Create(format, stream, width, height, part);
-            new Renderer(scene, threads).Draw(lines, writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
-            writer.Finish();
-        });
+        PictureOutput.Draw(output, format, scene, lines, part, threads, showProgress, cancellation);
         if (!quiet) StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
         return ExitCode.Done;
     }
@@ -86,18 +79,6 @@ internal sealed class DrawCommand : Command
     {
         var digits = $"D{Math.Max(4, (height - 1).ToString(CultureInfo.InvariantCulture).Length)}";
         return $"{name}.part-{lines.First.ToString(digits, CultureInfo.InvariantCulture)}-{lines.Last.ToString(digits, CultureInfo.InvariantCulture)}.png";
-    }
-
-    private static PartFacts Facts(Scene scene, LineRange lines)
-    {
-        try
-        {
-            return PartFacts.Of(scene, lines);
-        }
-        catch (NotSupportedException e)
-        {
-            throw new ProblemException($"raycaster: the scene cannot be drawn in parts: {e.Message}");
-        }
     }
 
     /// <summary>One line: picture, size, models, time, rays per second.</summary>

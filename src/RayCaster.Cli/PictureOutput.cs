@@ -34,4 +34,37 @@ internal static class PictureOutput
             throw new ProblemException($"raycaster: cannot write to standard output: {problem.Message}");
         }
     }
+
+    /// <summary>Draws some lines of a scene's picture.</summary>
+    /// <param name="output">The file, or "-".</param>
+    /// <param name="format">Its kind.</param>
+    /// <param name="scene">The scene.</param>
+    /// <param name="lines">Which lines.</param>
+    /// <param name="part">What the file is to say of itself, if anything.</param>
+    /// <param name="threads">How many threads cast rays; null for one per core.</param>
+    /// <param name="showProgress">Whether to tell on the terminal how far it is.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public static void Draw(string output, PictureFormat format, Scene scene, LineRange lines, PartFacts? part, int? threads,
+        bool showProgress, CancellationToken cancellation) => Write(output, stream =>
+    {
+        var (width, height) = (scene.Camera.Width, lines.Count);
+        using var progress = showProgress ? ProgressLine.OnTerminal(width, height) : null;
+        using var writer = PictureWriter.Create(format, stream, width, height, part);
+        new Renderer(scene, threads).Draw(lines, writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
+        writer.Finish();
+    });
+
+    /// <summary>What a part says of itself.</summary>
+    /// <exception cref="ProblemException">A model does not say what it is made of.</exception>
+    public static PartFacts Facts(Scene scene, LineRange lines)
+    {
+        try
+        {
+            return PartFacts.Of(scene, lines);
+        }
+        catch (NotSupportedException e)
+        {
+            throw new ProblemException($"raycaster: the scene cannot be drawn in parts: {e.Message}");
+        }
+    }
 }

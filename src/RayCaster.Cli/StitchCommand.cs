@@ -67,7 +67,7 @@ internal sealed class StitchCommand : Command
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
 
-        var files = FilesOf(line.Operands, out var chosen);
+        var files = InputFiles.Of(line.Operands, out var chosen);
         var start = Stopwatch.GetTimestamp();
         var parts = new PartSet(files, chosen.Contains);
         if (parts.Count == 0 && parts.Problems.Count == 0)
@@ -104,36 +104,5 @@ internal sealed class StitchCommand : Command
         var shown = string.Concat(reasons.Take(Printed).Select(reason => $"  {reason}\n"));
         StandardFile.WriteError($"raycaster: {answer}:\n{shown}{(reasons.Count > Printed ? $"  and {reasons.Count - Printed} more\n" : "")}");
         return ExitCode.No;
-    }
-
-    /// <summary>The files that operands name, each once.</summary>
-    /// <param name="operands">Files, folders and patterns.</param>
-    /// <param name="chosen">Those that somebody has named by more than their folder.</param>
-    /// <exception cref="ProblemException">An operand names nothing.</exception>
-    private static List<string> FilesOf(IReadOnlyList<string> operands, out HashSet<string> chosen)
-    {
-        var (files, seen) = (new List<string>(), new HashSet<string>());
-        chosen = [];
-        foreach (var operand in operands)
-        {
-            var isFolder = Directory.Exists(operand);
-            foreach (var file in isFolder ? Directory.GetFiles(operand, "*.png") : Matches(operand))
-            {
-                if (!isFolder) chosen.Add(file);
-                if (seen.Add(Path.GetFullPath(file))) files.Add(file);
-            }
-        }
-        return files;
-    }
-
-    /// <summary>The file of a name, or those of a pattern: not every shell resolves it.</summary>
-    private static string[] Matches(string operand)
-    {
-        var name = Path.GetFileName(operand);
-        if (File.Exists(operand) || !name.AsSpan().ContainsAny('*', '?')) return [operand];
-        var folder = Path.GetDirectoryName(operand) is { Length: > 0 } path ? path : ".";
-        if (Directory.Exists(folder) && Directory.GetFiles(folder, name) is { Length: > 0 } files)
-            return folder == "." ? Array.ConvertAll(files, file => Path.GetFileName(file)) : files;
-        throw new ProblemException($"raycaster: no file matches {operand}");
     }
 }

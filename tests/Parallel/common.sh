@@ -54,7 +54,7 @@ make_program() {
     fi
     export PATH=$work/bin:$PATH
     echo "raycaster $(raycaster --version), $size in $parts parts"
-    raycaster -q "$scene" -s "$size" -o whole.ppm
+    [ -n "${skip_whole:-}" ] || raycaster -q "$scene" -s "$size" -o whole.ppm
 }
 
 kill_part() { # kill_part K: has the Kth part killed, -9, as soon as it writes

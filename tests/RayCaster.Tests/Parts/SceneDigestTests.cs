@@ -99,6 +99,15 @@ public class SceneDigestTests
             Assert.Throws<NotSupportedException>(() => SceneDigest.Of(scene)).Message);
     }
 
+    [Fact]
+    public void AClassThatTellsThemCounts()
+    {
+        Assert.Equal(DigestOf(new(1)), DigestOf(new(1)));
+        Assert.NotEqual(DigestOf(new(1)), DigestOf(new(2)));
+
+        static string DigestOf(Talkative model) => SceneDigest.Of(new(new(new(5, 0, 0), Vector3.Zero), [model]));
+    }
+
     /// <summary>Written down once from this code: a digest that changes with a new version would part what belongs together.</summary>
     [Fact]
     public void ItIsTheSameEverywhereAndForEver()
@@ -114,5 +123,12 @@ public class SceneDigestTests
     private sealed class Silent : Model
     {
         public override double? Intersect(Ray ray) => null;
+    }
+
+    private sealed class Talkative(double radius) : Model
+    {
+        public override double? Intersect(Ray ray) => null;
+
+        public override void AddTo(SceneDigest digest) => digest.Add("talkative").Add(radius);
     }
 }
