@@ -18,8 +18,7 @@ internal static class HelpText
 
         Usage:
           raycaster <scene> [options]
-          raycaster stitch <part>... -o <file>
-          raycaster help [command]
+          raycaster <command> ... [options]
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.
@@ -44,6 +43,9 @@ internal static class HelpText
 
         Commands:
           stitch <part>...       Joins parts into one picture; says which are missing.
+          orbit <scene>          Draws the frames of a camera that moves.
+          animate <frame>...     Joins frames into an animated PNG.
+          sheet <picture>...     Shows many pictures, made small, on one.
           help [command]         Shows this, or a command's own page.
 
         Examples:

@@ -14,7 +14,9 @@ internal static class InputFiles
         foreach (var operand in operands)
         {
             var isFolder = Directory.Exists(operand);
-            foreach (var file in isFolder ? Directory.GetFiles(operand, "*.png") : Matches(operand))
+            var found = isFolder ? Directory.GetFiles(operand, "*.png") : Matches(operand);
+            Array.Sort(found, string.CompareOrdinal);
+            foreach (var file in found)
             {
                 if (!isFolder) chosen.Add(file);
                 if (seen.Add(Path.GetFullPath(file))) files.Add(file);

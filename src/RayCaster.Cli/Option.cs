@@ -12,6 +12,11 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option Rows = new("--rows");
     public static readonly Option Resume = new("--resume", TakesValue: false);
     public static readonly Option Missing = new("--missing", TakesValue: false);
+    public static readonly Option Frames = new("--frames");
+    public static readonly Option Keys = new("--keys");
+    public static readonly Option Only = new("--only");
+    public static readonly Option Fps = new("--fps");
+    public static readonly Option Columns = new("--columns");
     public static readonly Option Threads = new("--threads", "-t");
     public static readonly Option Quiet = new("--quiet", "-q", TakesValue: false);
     public static readonly Option NoProgress = new("--no-progress", TakesValue: false);
@@ -19,7 +24,7 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option Help = new("--help", "-h", TakesValue: false);
 
     /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
-    public static readonly Option[] All = [Output, Format, Size, Rows, Resume, Missing, Threads, Quiet, NoProgress, Version, Help];
+    public static readonly Option[] All = [Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns, Threads, Quiet, NoProgress, Version, Help];
 
     /// <summary>The option that a word names, or null.</summary>
     public static Option? Named(string word)

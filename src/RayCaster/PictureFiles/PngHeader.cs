@@ -54,6 +54,16 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     /// <summary>The bytes of a line, without the number of its filter; its last byte may be filled up.</summary>
     public long LineBytes(int columns) => ((long)columns * BitsPerPixel + 7) / 8;
 
+    /// <summary>The chunk's data.</summary>
+    public byte[] ToBytes()
+    {
+        var data = new byte[Bytes]; // the only compression and filter method there are are 0
+        BinaryPrimitives.WriteInt32BigEndian(data, Width);
+        BinaryPrimitives.WriteInt32BigEndian(data.AsSpan(4), Height);
+        (data[8], data[9], data[12]) = ((byte)BitDepth, (byte)ColorType, (byte)(Interlaced ? 1 : 0));
+        return data;
+    }
+
     /// <summary>Reads the chunk's data.</summary>
     /// <param name="data">Its bytes.</param>
     /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel.</param>

@@ -109,6 +109,13 @@ internal sealed class PngReader : IDisposable
         if (++reader.linesRead == reader.Header.Height) reader.CheckEnd();
     });
 
+    /// <summary>The pixels as they are compressed, a zlib stream; checksums are checked.</summary>
+    public Stream OpenCompressed()
+    {
+        chunks.Return(firstData);
+        return new PngData(chunks);
+    }
+
     public void Dispose() => data?.Dispose();
 
     private Picture ReadPicture()

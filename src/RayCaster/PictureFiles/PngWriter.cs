@@ -32,14 +32,8 @@ internal sealed class PngWriter : PictureWriter
         bandCount = (height - 1) / linesOfBand + 1;
         band = NextBand([]);
 
-        Span<byte> header = stackalloc byte[13];
-        BinaryPrimitives.WriteInt32BigEndian(header, width);
-        BinaryPrimitives.WriteInt32BigEndian(header[4..], height);
-        header[8] = 8; // bits of a sample
-        header[9] = 2; // red, green, blue
-        header[10..].Clear(); // the only compression and filter method there are; not interlaced
         output.Write(PngChunk.Signature);
-        PngChunk.Write(output, "IHDR"u8, header);
+        PngChunk.Write(output, "IHDR"u8, new PngHeader(width, height, 8, PngHeader.Rgb, Interlaced: false).ToBytes());
         if (part is not null) PngChunk.Write(output, "tEXt"u8, Encoding.Latin1.GetBytes($"{PartFacts.Keyword}\0{part}"));
     }
 

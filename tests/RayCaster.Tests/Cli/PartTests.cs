@@ -106,7 +106,7 @@ public sealed class PartTests : IDisposable
     }
 
     [Theory]
-    [InlineData("the lines 5..10 are not all in the picture: it has 10, which are 0..9\n", "5..10")]
+    [InlineData("the lines 5..10 are not all there: a picture of 10 lines has 0..9\n", "5..10")]
     [InlineData("a picture of 10 lines has no 11 parts\n", "1/11")]
     public void LinesThatThePictureDoesNotHaveAreRefused(string message, string rows)
     {
