@@ -4,11 +4,15 @@ namespace RayCaster.Cli;
 internal abstract class Command
 {
     /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
-    public static readonly string[] Names = ["stitch", "orbit", "animate", "sheet", "help"];
+    public static readonly string[] Names = ["check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "help"];
 
     /// <summary>The command of a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
     {
+        "check" => new CheckCommand(),
+        "compare" => new CompareCommand(),
+        "diagnose" => new DiagnoseCommand(),
+        "explain" => new ExplainCommand(),
         "stitch" => new StitchCommand(),
         "orbit" => new OrbitCommand(),
         "animate" => new AnimateCommand(),

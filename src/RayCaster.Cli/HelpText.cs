@@ -18,7 +18,18 @@ internal static class HelpText
 
         Usage:
           raycaster <scene> [options]
-          raycaster <command> ... [options]
+          raycaster <command> ...
+
+        Commands:
+          check <scene>...                 Finds errors of scenes, and what their pictures cannot show.
+          compare <mine> <reference>       Says whether two pictures are the same, and where not.
+          diagnose <scene> <mine>          Says which mistake makes a wrong picture.
+          explain <scene> <column> <line>  Shows how one pixel gets its colour.
+          stitch <part>...                 Joins parts into one picture; says which are missing.
+          orbit <scene>                    Draws the frames of a camera that moves.
+          animate <frame>...               Joins frames into an animated PNG.
+          sheet <picture>...               Shows many pictures, made small, on one.
+          help [command]                   Shows this help, or a command's.
 
         Arguments:
           <scene>  The scene file (JSON); "-" reads it from standard input.
@@ -41,20 +52,13 @@ internal static class HelpText
               --version          Shows the version.
           -?, -h, --help         Shows this help. Under "dotnet run" write it after "--".
 
-        Commands:
-          stitch <part>...       Joins parts into one picture; says which are missing.
-          orbit <scene>          Draws the frames of a camera that moves.
-          animate <frame>...     Joins frames into an animated PNG.
-          sheet <picture>...     Shows many pictures, made small, on one.
-          help [command]         Shows this, or a command's own page.
-
         Examples:
           dotnet run --project src/RayCaster.Cli -- scenes/room.json
           dotnet run --project src/RayCaster.Cli -- scenes/room.json -o room.ppm --size 1920x1080
 
         Exit codes:
-          0 done, 1 the answer is no (parts are missing), 2 could not do it, 70
-          internal error, 129 hung up, 130 interrupted, 143 terminated.
+          0 done, 1 the answer is no (pictures differ, parts are missing), 2 could not do it,
+          70 internal error, 129 hung up, 130 interrupted, 143 terminated.
 
         """;
 }

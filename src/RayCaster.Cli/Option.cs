@@ -18,13 +18,22 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option Fps = new("--fps");
     public static readonly Option Columns = new("--columns");
     public static readonly Option Threads = new("--threads", "-t");
+    public static readonly Option Hint = new("--hint");
+    public static readonly Option Json = new("--json", TakesValue: false);
     public static readonly Option Quiet = new("--quiet", "-q", TakesValue: false);
     public static readonly Option NoProgress = new("--no-progress", TakesValue: false);
+    public static readonly Option Scene = new("--scene");
+    public static readonly Option Measures = new("--measures", TakesValue: false);
     public static readonly Option Version = new("--version", TakesValue: false);
+    public static readonly Option Reference = new("--reference");
     public static readonly Option Help = new("--help", "-h", TakesValue: false);
 
     /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
-    public static readonly Option[] All = [Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns, Threads, Quiet, NoProgress, Version, Help];
+    public static readonly Option[] All =
+    [
+        Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns, Threads, Scene, Hint, Reference,
+        Json, Measures, Quiet, NoProgress, Version, Help,
+    ];
 
     /// <summary>The option that a word names, or null.</summary>
     public static Option? Named(string word)

@@ -154,8 +154,8 @@ public sealed class Camera
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
-        var d = across + upwards - W;
-        return d / N.Sqrt(d * d);
+        var pixel = (across + upwards - W).As("pixel", "uc * U + ur * V - W"); // on the picture plane, seen from P
+        return (pixel / N.Sqrt(pixel * pixel)).As("d");
     }
 
     /// <summary>uc U, where uc = w c / width − w / 2.</summary>
@@ -163,7 +163,7 @@ public sealed class Camera
     internal Vector3<N> Across<N>(N c) where N : struct, IReal<N>
     {
         if (Sample == Sample.Center) c += 0.5;
-        var uc = PlaneWidth * c / Width - PlaneWidth / 2;
+        var uc = (PlaneWidth * c / Width - PlaneWidth / 2).As("uc");
         return uc * (Vector3<N>)U;
     }
 
@@ -172,7 +172,7 @@ public sealed class Camera
     internal Vector3<N> Upwards<N>(N r) where N : struct, IReal<N>
     {
         if (Sample == Sample.Center) r += 0.5;
-        var ur = PlaneHeight * r / Height - PlaneHeight / 2;
+        var ur = (PlaneHeight * r / Height - PlaneHeight / 2).As("ur");
         return ur * (Vector3<N>)V;
     }
 

@@ -44,6 +44,15 @@ public readonly struct ClipRange
             : Refusal.BeyondFar;
     }
 
+    /// <summary>The part of <see cref="Counts"/> that asks whether a crossing is beyond the bias.</summary>
+    internal bool IsAhead(double t) => t >= least;
+
+    /// <summary>The part that asks whether it is not nearer than zNear.</summary>
+    internal bool IsBeyondNear(double z) => z >= zNear;
+
+    /// <summary>The part that asks whether it is not beyond zFar.</summary>
+    internal bool IsWithinFar(double z) => z <= zFar;
+
     /// <summary>The first of two crossings that counts, or NaN: the far side of a body shows where its near side is clipped away.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N First<N>(Crossings<N> crossings, N zPerT) where N : struct, IReal<N> =>

@@ -17,6 +17,6 @@ public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radi
     {
         var t = new Plane(Center, Normal).Cross(ray).Near;
         var CX = (ray.At(t) - Center).As("CX"); // infinite or NaN for a parallel ray, so that no comparison holds
-        return new(N.If(CX * CX <= Radius * Radius, t));
+        return new(N.If((CX * CX <= Radius * Radius).As("inside"), t));
     }
 }

@@ -30,5 +30,11 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
         digest.Add("Mesh").Add(vertices.Length).Add(indices.Length).AddBits<Vector3>(vertices).AddBits<int>(indices);
 
     /// <inheritdoc/>
+    internal override int PartCount => TriangleCount;
+
+    /// <inheritdoc/>
+    internal override Crossings<N>? Cross<N>(in Ray<N> ray, int part) => this[part].Cross(ray);
+
+    /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new MeshView(vertices, indices, new(camera), threads);
 }

@@ -22,6 +22,18 @@ public abstract class Model
     /// <exception cref="NotSupportedException">A class derived from this one does not override it.</exception>
     public virtual void AddTo(SceneDigest digest) => throw SceneDigest.Unknown(GetType());
 
+    /// <summary>What kind of shape it is, as a scene file calls it.</summary>
+    internal virtual string Kind => GetType().Name.ToLowerInvariant();
+
+    /// <summary>How many shapes with a formula it is made of: one, the triangles of a mesh, none for a model in plain doubles and ifs.</summary>
+    internal virtual int PartCount => 0;
+
+    /// <summary>Where any kind of ray crosses one of its shapes, by the shape's own formula; null where it has none.</summary>
+    /// <param name="ray">The ray; its direction has length 1.</param>
+    /// <param name="part">Which of the <see cref="PartCount"/> shapes, from 0.</param>
+    /// <typeparam name="N">The kind of number.</typeparam>
+    internal virtual Crossings<N>? Cross<N>(in Ray<N> ray, int part) where N : struct, IReal<N> => null;
+
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
     internal virtual ModelView See(Camera camera, int threads) => new SingleRayView(this);
 
@@ -47,6 +59,15 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 
     /// <summary>Adds the name of the shape's type and the bits of its numbers.</summary>
     public override void AddTo(SceneDigest digest) => digest.Add(typeof(P).Name).AddBits([Primitive]);
+
+    /// <inheritdoc/>
+    internal override string Kind => typeof(P).Name.ToLowerInvariant();
+
+    /// <inheritdoc/>
+    internal override int PartCount => 1;
+
+    /// <inheritdoc/>
+    internal override Crossings<N>? Cross<N>(in Ray<N> ray, int part) => Primitive.Cross(ray);
 
     /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new PrimitiveView<P>(Primitive, camera);

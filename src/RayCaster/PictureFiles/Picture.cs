@@ -23,6 +23,9 @@ public sealed class Picture
     /// <summary>Width · Height · 3 bytes: red, green, blue; from left to right, then from top to bottom.</summary>
     public byte[] Rgb { get; }
 
+    /// <summary>Whether all pixels are equal.</summary>
+    internal bool IsOneColor => Rgb.AsSpan(3).SequenceEqual(Rgb.AsSpan(0, Rgb.Length - 3));
+
     /// <summary>A pixel's three bytes.</summary>
     /// <param name="x">The column, from the left.</param>
     /// <param name="y">The line, from the top.</param>

@@ -97,15 +97,15 @@ public static class PictureFile
     /// <summary>Refuses a size that a header promises before anything is allocated for it.</summary>
     /// <param name="width">Pixels in a line.</param>
     /// <param name="height">Lines.</param>
-    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel.</param>
+    /// <param name="mostBytes">What the picture may have, three bytes a pixel; what an array may have if left out.</param>
     /// <exception cref="PictureFileException">A side is 0, or the picture is too large.</exception>
-    internal static void CheckSize(long width, long height, long mostBytes)
+    internal static void CheckSize(long width, long height, long? mostBytes = null)
     {
         if (width < 1 || height < 1)
             throw new PictureFileException($"its size is {width} × {height} pixels, but each side must be at least 1");
-        var bytes = (Int128)width * height * 3;
-        if (bytes <= mostBytes) return;
-        throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {mostBytes:N0}");
+        var (bytes, limit) = ((Int128)width * height * 3, mostBytes ?? MostBytes);
+        if (bytes <= limit) return;
+        throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {limit:N0}");
     }
 
     /// <summary>A piece of a damaged file, fit for a message.</summary>

@@ -30,7 +30,7 @@ internal ref struct PnmReader
         height = ReadNumber("the height");
         maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval");
         if (maxval is < 1 or > 65535) throw new PictureFileException($"maxval is {maxval}, but must be from 1 to 65535");
-        PictureFile.CheckSize(width, height, PictureFile.MostBytes);
+        PictureFile.CheckSize(width, height);
         if (kind >= 4) SkipSeparator();
     }
 

@@ -17,5 +17,5 @@ public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Bac
     /// <param name="t">The parameter of the hit; any kind of number.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N Attenuation<N>(N t) where N : struct, IReal<N> => N.Max(0, 1 - t / Camera.Reach);
+    public N Attenuation<N>(N t) where N : struct, IReal<N> => N.Max(0, 1 - t / Camera.Reach).As("attenuation");
 }

@@ -34,6 +34,13 @@ public class DocsTests
         Assert.Contains($"-- scenes/first.json\n{raycaster.Error}```", Read("README.md"));
     }
 
+    [Fact]
+    public void TheExplanationOfTheDocumentIsTheOneThatIsPrinted()
+    {
+        var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/first.json")).Scene!;
+        Assert.Contains($"-- explain scenes/first.json 250 250\n{PixelExplanation.Of(scene, 250, 250).ToText()}```", Read("docs/explain.md"));
+    }
+
     [Theory]
     [InlineData("room", 500, 500)]
     [InlineData("first", 300, 200)]

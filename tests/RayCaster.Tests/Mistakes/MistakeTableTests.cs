@@ -28,7 +28,7 @@ public class MistakeTableTests
         string Share(int scene, Mistake mistake)
         {
             var camera = read[scene].Camera;
-            var count = PictureDifference.Count(right[scene], SlideCaster.Render(read[scene], mistake), MistakeTests.VisibleLevels);
+            var count = ChangedPixels.Count(right[scene], SlideCaster.Render(read[scene], mistake), MistakeTests.VisibleLevels);
             return count == 0 ? "–" : (100.0 * count / (camera.Width * camera.Height)).ToString("0.0", CultureInfo.InvariantCulture);
         }
         return

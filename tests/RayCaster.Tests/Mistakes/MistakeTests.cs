@@ -51,7 +51,7 @@ public class MistakeTests
     /// <summary>In how many pixels of each scene the mistake changes a channel by more than so many levels.</summary>
     private static Dictionary<string, int> Changed(string mistake, int levels) => scenes.ToDictionary(
         pair => pair.Key,
-        pair => PictureDifference.Count(right[pair.Key], SlideCaster.Render(pair.Value, Mistake.Named(mistake)), levels));
+        pair => ChangedPixels.Count(right[pair.Key], SlideCaster.Render(pair.Value, Mistake.Named(mistake)), levels));
 
     private static string Table(string mistake, int levels) =>
         $"no scene shows {mistake} ({Mistake.Named(mistake).What}); pixels that change by more than {levels} levels: " +

@@ -4,7 +4,7 @@ namespace RayCaster.Tests.Pictures;
 internal static class PictureAssert
 {
     /// <summary>
-    /// Fails unless a picture is equal to a reference as <see cref="PictureComparison"/> has it. A failure leaves the picture and one of the
+    /// Fails unless a picture is equal to a reference as <see cref="ReferenceComparison"/> has it. A failure leaves the picture and one of the
     /// differences beside the reference, as NAME.received.png and NAME.diff.png. Nothing is ever accepted here: references are remade
     /// by tests/References/remake.sh.
     /// </summary>
@@ -18,7 +18,7 @@ internal static class PictureAssert
         File.Delete(received);
         File.Delete(diff);
 
-        var comparison = new PictureComparison(Reference.Read(folder, name), actual);
+        var comparison = new ReferenceComparison(Reference.Read(folder, name), actual);
         if (comparison.IsEqual) return;
 
         PictureFile.Write(received, actual);

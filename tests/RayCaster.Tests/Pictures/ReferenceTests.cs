@@ -30,7 +30,7 @@ public class ReferenceTests
         var other = c.Sample == Sample.Corner ? Sample.Center : Sample.Corner;
         var camera = new Camera(c.Position, c.Target, c.Up, c.FovY, c.Width, c.Height, c.ZNear, c.ZFar, c.Bias, c.Clip, other);
         var picture = Renderer.Render(scene with { Camera = camera });
-        Assert.False(new PictureComparison(Reference.Read(Reference.Folder, name), picture).IsEqual);
+        Assert.False(new ReferenceComparison(Reference.Read(Reference.Folder, name), picture).IsEqual);
     }
 
     [Fact]

@@ -4,14 +4,14 @@ namespace RayCaster.Tests.Pictures;
 /// Compares a picture with a reference: equal within 1 of 255, and off by 1 in at most 1 % of the pixels, so that truncating instead
 /// of rounding shows. On an outline a pixel may show either neighbour, and nothing else.
 /// </summary>
-internal sealed class PictureComparison
+internal sealed class ReferenceComparison
 {
     private readonly Reference reference;
     private readonly Picture expected, actual;
     private readonly int largest;
     private readonly (int X, int Y)? first;
 
-    public PictureComparison(Reference reference, Picture actual)
+    public ReferenceComparison(Reference reference, Picture actual)
     {
         (this.reference, expected, this.actual) = (reference, reference.Picture, actual);
         if (!SameSize) return;

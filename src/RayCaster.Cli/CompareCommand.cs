@@ -1,0 +1,81 @@
+namespace RayCaster.Cli;
+
+/// <summary>Says whether a picture is the one that it should be.</summary>
+internal sealed class CompareCommand : Command
+{
+    public override IReadOnlyList<Option> Options { get; } =
+        [Option.Scene, Option.Output, Option.Measures, Option.Json, Option.Threads];
+
+    public override string Help => """
+        Description:
+          Says whether a picture is the one that it should be, where it is not, and, where that
+          can be seen, what was done to it: flipped, moved, red and blue swapped, gamma, ...
+
+        Usage:
+          raycaster compare <mine> <reference> [options]
+
+        Arguments:
+          <mine>       The picture in question: PNG, PPM, PGM or PBM.
+          <reference>  The picture that it should be.
+
+        Options:
+              --scene <file>     The scene that the reference shows: the answer speaks of its
+                                 models, and outlines are told by casting rays.
+          -o, --output <file>    Writes mine, the reference and a heat map of the difference
+                                 beside each other, .png or .ppm. Without it nothing is written.
+              --measures         Adds maximum, MAE, RMSE, PSNR and SSIM.
+              --json             Writes the answer as JSON to standard output.
+          -t, --threads <n>      How many threads cast rays. [default: one per core]
+
+        Same are pictures that are identical, or differ by 1 of 255 levels in at most 1 % of
+        the pixels; besides, a pixel on an outline may show the other side of it.
+
+        Examples:
+          dotnet run --project src/RayCaster.Cli -- compare mine.png tests/References/room.png
+          dotnet run --project src/RayCaster.Cli -- compare mine.ppm tests/References/room.png
+              --scene scenes/room.json -o difference.png
+
+        Exit codes:
+          0 same, 1 different, 2 could not compare.
+
+        """;
+
+    /// <exception cref="ProblemException">Files are missing on the command line, or nobody takes the answer.</exception>
+    /// <exception cref="PictureFileException">A picture cannot be read or written.</exception>
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var files = line.Exactly("<mine>", "<reference>");
+        var (mineFile, referenceFile, output, threads) = (files[0], files[1], line[Option.Output], line.ThreadCount());
+        var format = output is null ? PictureFormat.Png : PictureFormats.ByExtension(output);
+        var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
+        Scene? scene = null;
+        if (line[Option.Scene] is { } path)
+        {
+            scene = SceneInput.Read(path, null, quiet: true, cancellation);
+            if (scene is null) return ExitCode.CouldNot;
+        }
+
+        var comparison = new PictureComparison(mine, reference, scene, threads);
+        if (output is not null) PictureFile.Write(output, SideBySide.Draw(comparison), format);
+        if (line.Has(Option.Json))
+        {
+            using var json = new MemoryStream();
+            ComparisonJson.Write(json, comparison, mineFile, referenceFile);
+            StandardFile.WriteOutput(System.Text.Encoding.UTF8.GetString(json.ToArray()));
+        }
+        else StandardFile.WriteOutput(Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
+        return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
+    }
+
+    private static string Text(PictureComparison comparison, string mine, string reference, string? output, bool measures)
+    {
+        var text = ComparisonText.Of(comparison, mine, reference);
+        if (measures)
+            text += comparison.Difference is { } difference
+                ? ComparisonText.Of(new Measures(difference))
+                : "There are no measures for pictures of different sizes.\n";
+        var heat = comparison.Difference is null ? "" : ", the difference as a heat map";
+        if (output is not null) return text + $"{output}: mine, the reference{heat}\n";
+        return comparison.Likeness.IsSame() ? text : text + "To see the differences: -o difference.png\n";
+    }
+}

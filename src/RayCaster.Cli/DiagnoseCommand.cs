@@ -1,0 +1,64 @@
+namespace RayCaster.Cli;
+
+/// <summary>Says which mistake makes a wrong picture.</summary>
+internal sealed class DiagnoseCommand : Command
+{
+    public override IReadOnlyList<Option> Options { get; } = [Option.Hint, Option.Json, Option.Threads];
+
+    public override string Help => """
+        Description:
+          Finds out which mistake makes a wrong picture. It draws the scene with each mistake of
+          a catalogue, and with pairs of them, and names the one that comes nearest.
+
+        Usage:
+          raycaster diagnose <scene> <mine> [options]
+
+        Arguments:
+          <scene>  The scene file.
+          <mine>   The picture that your program drew of it: PNG, PBM, PGM or PPM.
+
+        Options:
+              --hint <level>   How much is told: symptom (what is to be seen), question (what to ask
+                               yourself) or answer (what is wrong, and the slide). [default: question]
+              --json           Everything as JSON, the answers too.
+          -t, --threads <n>    How many threads draw. [default: one per core]
+
+        Examples:
+          dotnet run --project src/RayCaster.Cli -- diagnose scenes/room.json mine.png
+          dotnet run --project src/RayCaster.Cli -- diagnose scenes/room.json mine.png --hint answer
+
+        Exit codes:
+          0 the picture is right, 1 it is wrong, 2 could not tell. All known mistakes, with
+          pictures: docs/mistakes.md
+
+        """;
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var operands = line.Exactly("<scene>", "<mine>");
+        var (scenePath, picturePath) = (operands[0], operands[1]);
+        var level = Level(line[Option.Hint]);
+        var threads = line.ThreadCount();
+        if (SceneInput.Read(scenePath, null, quiet: true, cancellation) is not { } scene) return ExitCode.CouldNot;
+
+        var picture = PictureFile.Read(picturePath);
+        var (width, height) = (scene.Camera.Width, scene.Camera.Height);
+        if ((picture.Width, picture.Height) != (width, height) && (picture.Width, picture.Height) != (height, width))
+            scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
+        var diagnosis = Task.Run(() => Diagnosis.Of(scene, picture, threads)).WaitAsync(cancellation).GetAwaiter().GetResult();
+        if ((picture.Width, picture.Height) != (width, height) && !line.Has(Option.Json))
+            StandardFile.WriteError($"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {width} x {height} pixels" + Environment.NewLine);
+        StandardFile.WriteOutput(line.Has(Option.Json)
+            ? DiagnosisReport.Json(diagnosis)
+            : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level));
+        return diagnosis.Finding == Finding.Matches ? ExitCode.Done : ExitCode.No;
+    }
+
+    private static HintLevel Level(string? text) => text switch
+    {
+        null or "question" => HintLevel.Question,
+        "symptom" => HintLevel.Symptom,
+        "answer" => HintLevel.Answer,
+        _ => throw ProblemException.Usage($"'{text}' is not a level of hints: choose symptom, question or answer"),
+    };
+}

@@ -1,0 +1,70 @@
+using System.Globalization;
+
+namespace RayCaster.Cli;
+
+/// <summary>Explains how one pixel gets its colour.</summary>
+internal sealed class ExplainCommand : Command
+{
+    public override IReadOnlyList<Option> Options { get; } = [Option.Size, Option.Reference, Option.Json, Option.Quiet];
+
+    public override string Help => """
+        Description:
+          Shows how one pixel gets its colour: the ray, each model's formula with this pixel's
+          numbers, which crossings count and why the others do not, and the colour.
+
+        Usage:
+          raycaster explain <scene> <column> <line> [options]
+
+        Arguments:
+          <scene>   The scene file (JSON); "-" reads it from standard input.
+          <column>  The pixel's column, from the left, from 0.
+          <line>    The pixel's line, from the top, from 0, as picture viewers count.
+                    The formulas count rows from the bottom: r = height - 1 - line.
+
+        Options:
+          -s, --size <W>x<H>       Overrides the scene's picture size, in pixels.
+              --reference <file>   Another picture of the scene: adds what it has there and,
+                                   if that is wrong, which model would have given it.
+              --json               Writes JSON with all digits; docs/explain.md lists its
+                                   fields.
+          -q, --quiet              Prints errors only, no warnings of the scene.
+
+        Example:
+          dotnet run --project src/RayCaster.Cli -- explain scenes/room.json 250 250
+
+        Exit codes:
+          0 done, 1 the reference differs by more than rounding, 2 could not do it.
+
+        """;
+
+    /// <exception cref="ProblemException">The picture has no such pixel, or the reference does not do.</exception>
+    /// <exception cref="PictureFileException">The reference cannot be read.</exception>
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var operands = line.Exactly("<scene>", "<column>", "<line>");
+        if (SceneInput.Read(operands[0], line.PictureSize(), line.Has(Option.Quiet), cancellation) is not { } scene) return ExitCode.CouldNot;
+
+        var camera = scene.Camera;
+        var explanation = PixelExplanation.Of(scene,
+            Coordinate("column", operands[1], camera.Width, "left to right"), Coordinate("line", operands[2], camera.Height, "top to bottom"));
+        var reference = line[Option.Reference] is { } path ? ReferenceExplanation.Of(explanation, ReadReference(path, camera)) : null;
+        StandardFile.WriteOutput(line.Has(Option.Json) ? explanation.ToJson(reference) : explanation.ToText(reference));
+        return reference is { Agrees: false } ? ExitCode.No : ExitCode.Done;
+    }
+
+    private static int Coordinate(string what, string text, int count, string order)
+    {
+        if (!long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var value))
+            throw ProblemException.Usage($"'{text}' is not a {what}: it is a whole number from 0 to {count - 1}");
+        return value >= 0 && value < count ? (int)value : throw new ProblemException(
+            $"raycaster: there is no {what} {value}: the picture has {what}s 0 to {count - 1}, {order}");
+    }
+
+    private static Picture ReadReference(string path, Camera camera)
+    {
+        var picture = PictureFile.Read(path);
+        return (picture.Width, picture.Height) == (camera.Width, camera.Height) ? picture : throw new ProblemException(
+            $"raycaster: {path} has {picture.Width} x {picture.Height} pixels, but the scene's picture {camera.Width} x {camera.Height}\n" +
+            $"  Its size as an option: --size {picture.Width}x{picture.Height}");
+    }
+}

@@ -1,0 +1,139 @@
+namespace RayCaster;
+
+/// <summary>
+/// What speaks for and against a mistake: some pixels of the picture to be diagnosed. Half of them are where it differs from the right
+/// picture and half where it does not, spread evenly, so that a small fault counts although most of the picture is right.
+/// </summary>
+internal sealed class Evidence
+{
+    /// <summary>What a channel may be off by without being wrong: a level for truncating, and one for the last bits of a float.</summary>
+    public const int Tolerance = 2;
+
+    /// <summary>As many triangles as are tried in all where a ray must try every triangle of a mesh.</summary>
+    public const int MostTests = 10_000_000;
+
+    private readonly Picture picture;
+    private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
+    private readonly int wrongCount;
+
+    /// <param name="right">The scene's own picture; may have another size, then everything is wrong.</param>
+    /// <param name="picture">The picture to be diagnosed.</param>
+    /// <param name="most">How many pixels are looked at, at most.</param>
+    public Evidence(Picture right, Picture picture, int most)
+    {
+        this.picture = picture;
+        var sameSize = (right.Width, right.Height) == (picture.Width, picture.Height);
+        List<int> wrong = [], other = [];
+        var darker = 0;
+        for (var i = 0; i < PixelCount; i++)
+        {
+            (!sameSize || Difference(picture.Rgb, right.Rgb, i) > Tolerance ? wrong : other).Add(i);
+            if (sameSize && IsDarkerByOne(picture.Rgb, right.Rgb, i)) darker++;
+        }
+        DarkerShare = (double)darker / PixelCount;
+        wrongCount = wrong.Count;
+        IsOnlyOutlines = sameSize && wrongCount <= 0.01 * PixelCount && wrong.Count(i => !ShowsNeighbour(right, i)) <= 2 + 1e-4 * PixelCount;
+        wrongPixels = Spread(wrong, most / 2);
+        otherPixels = Spread(other, most / 2);
+    }
+
+    /// <summary>How many pixels the picture has.</summary>
+    public int PixelCount => picture.Width * picture.Height;
+
+    /// <summary>In how many pixels the picture is wrong.</summary>
+    public int WrongCount => wrongCount;
+
+    /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
+    public double DarkerShare { get; }
+
+    /// <summary>Whether the wrong pixels are few and show a neighbour's colour: what the last bits of another program do to outlines.</summary>
+    public bool IsOnlyOutlines { get; }
+
+    /// <summary>Whether two labs draw the same picture, but for one pixel in two thousand.</summary>
+    public bool AreAlike(Lab a, Lab b)
+    {
+        if ((a.Width, a.Height) != (b.Width, b.Height)) return false;
+        var left = (wrongPixels.Length + otherPixels.Length) / 2000;
+        foreach (var pixels in (ReadOnlySpan<int[]>)[wrongPixels, otherPixels])
+        {
+            foreach (var pixel in pixels)
+            {
+                var (y, x) = Math.DivRem(pixel, picture.Width);
+                if (Difference(a[x, y], b[x, y]) > Tolerance && --left < 0) return false;
+            }
+        }
+        return true;
+    }
+
+    /// <summary>The number of pixels that a mistake leaves unexplained, told from those that are looked at.</summary>
+    /// <param name="lab">Draws with the mistake.</param>
+    /// <param name="share">What share of the chosen pixels is looked at; few are enough to see that a mistake is far off.</param>
+    public Misfit Misfit(Lab lab, double share = 1)
+    {
+        if ((lab.Width, lab.Height) != (picture.Width, picture.Height)) return RayCaster.Misfit.Complete(PixelCount);
+        return Misfit(lab, wrongPixels, wrongCount, share) + Misfit(lab, otherPixels, PixelCount - wrongCount, share);
+    }
+
+    private Misfit Misfit(Lab lab, int[] pixels, int stoodFor, double share)
+    {
+        var count = (int)Math.Ceiling(pixels.Length * share);
+        if (lab.TrianglesTried > 0) count = (int)Math.Min(count, MostTests / lab.TrianglesTried);
+        if (count == 0) return default;
+        var (unexplained, error) = (0, 0.0);
+        for (var k = 0; k < count; k++)
+        {
+            var (y, x) = Math.DivRem(pixels[k], picture.Width);
+            var difference = Difference(lab[x, y], picture[x, y]);
+            if (difference > Tolerance) unexplained++;
+            error += difference / 255.0;
+        }
+        return new Misfit(unexplained, error) * ((double)stoodFor / count);
+    }
+
+    private bool ShowsNeighbour(Picture right, int pixel)
+    {
+        var (y, x) = Math.DivRem(pixel, right.Width);
+        for (var ny = Math.Max(0, y - 1); ny <= Math.Min(y + 1, right.Height - 1); ny++)
+            for (var nx = Math.Max(0, x - 1); nx <= Math.Min(x + 1, right.Width - 1); nx++)
+                if (Difference(picture[x, y], right[nx, ny]) <= Tolerance) return true;
+        return false;
+    }
+
+    /// <summary>The greatest difference of the three channels.</summary>
+    private static int Difference((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
+        Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
+
+    private static int Difference(byte[] a, byte[] b, int pixel)
+    {
+        var i = 3 * pixel;
+        return Difference((a[i], a[i + 1], a[i + 2]), (b[i], b[i + 1], b[i + 2]));
+    }
+
+    private static bool IsDarkerByOne(byte[] a, byte[] right, int pixel)
+    {
+        var darker = false;
+        for (var i = 3 * pixel; i < 3 * pixel + 3; i++)
+        {
+            if (right[i] - a[i] is not (0 or 1)) return false;
+            darker |= a[i] < right[i];
+        }
+        return darker;
+    }
+
+    /// <summary>Takes so many of a list that any beginning of what is taken is spread over the whole: steps of the golden section.</summary>
+    private static int[] Spread(List<int> all, int most)
+    {
+        var taken = new int[Math.Min(all.Count, most)];
+        if (taken.Length == 0) return taken;
+        var step = (long)(all.Count * 0.618033988749895);
+        while (step < 1 || !AreCoprime(step, all.Count)) step++;
+        for (var k = 0; k < taken.Length; k++) taken[k] = all[(int)(k * step % all.Count)];
+        return taken;
+    }
+
+    private static bool AreCoprime(long a, long b)
+    {
+        while (b != 0) (a, b) = (b, a % b);
+        return a == 1;
+    }
+}

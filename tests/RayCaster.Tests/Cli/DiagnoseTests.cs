@@ -1,0 +1,60 @@
+namespace RayCaster.Tests.Cli;
+
+public sealed class DiagnoseTests : IDisposable
+{
+    private readonly RayCasterProcess raycaster = new();
+    private static readonly string scene = Path.Combine(RayCasterProcess.Scenes, "first.json");
+
+    public void Dispose() => raycaster.Dispose();
+
+    [Fact]
+    public void ARightPictureIs0()
+    {
+        raycaster.Run(scene, "-o", "mine.png", "-s", "60x40", "-q").Run("diagnose", scene, "mine.png");
+        Assert.Equal(0, raycaster.ExitCode);
+        Assert.StartsWith("mine.png matches", raycaster.OutputText);
+    }
+
+    [Fact]
+    public void AWrongPictureIs1AndItsMistakeNamed()
+    {
+        var picture = PictureFile.Read(Draw("mine.png"));
+        var upsideDown = new Picture(picture.Width, picture.Height);
+        for (var y = 0; y < picture.Height; y++)
+            for (var x = 0; x < picture.Width; x++) upsideDown[x, y] = picture[x, picture.Height - 1 - y];
+        PictureFile.Write(raycaster.PathOf("wrong.png"), upsideDown);
+
+        raycaster.Run("diagnose", scene, "wrong.png");
+        Assert.Equal((1, ""), (raycaster.ExitCode, raycaster.Error.Replace("wrong.png is 60 x 40, not the scene's 500 x 500 pixels\n", "")));
+        Assert.Contains("Most likely: rows", raycaster.OutputText);
+
+        raycaster.Run("diagnose", scene, "wrong.png", "--json");
+        using var json = System.Text.Json.JsonDocument.Parse(raycaster.Output);
+        Assert.Equal("rows", json.RootElement.GetProperty("suspects")[0].GetProperty("mistakes")[0].GetProperty("id").GetString());
+    }
+
+    [Theory]
+    [InlineData("diagnose takes <scene> <mine>, but 'scene.json' is given", "diagnose", "scene.json")]
+    [InlineData("'all' is not a level of hints: choose symptom, question or answer", "diagnose", "a.json", "b.png", "--hint", "all")]
+    [InlineData("option '--size' is not one of diagnose's", "diagnose", "a.json", "b.png", "--size", "1x1")]
+    public void AMistakeOnTheCommandLineIs2(string message, params string[] arguments)
+    {
+        raycaster.Run(arguments);
+        Assert.Equal((2, ""), (raycaster.ExitCode, raycaster.OutputText));
+        Assert.StartsWith("raycaster: " + message, raycaster.Error);
+    }
+
+    [Fact]
+    public void APictureThatIsNotThereIs2()
+    {
+        raycaster.Run("diagnose", scene, "nothing.png");
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.StartsWith("raycaster: picture file not found: nothing.png", raycaster.Error);
+    }
+
+    private string Draw(string file)
+    {
+        raycaster.Run(scene, "-o", file, "-s", "60x40", "-q");
+        return raycaster.PathOf(file);
+    }
+}

@@ -1,0 +1,121 @@
+using RayCaster.Tests.Mistakes;
+
+namespace RayCaster.Tests.Diagnoses;
+
+/// <summary>Pictures are planted by <see cref="SlideCaster"/>, which shares no formula with the library.</summary>
+public class DiagnosisTests
+{
+    private static readonly Scene scene = Small("mistakes/generic");
+
+    /// <summary>A scene of the project with few pixels, to be quick.</summary>
+    private static Scene Small(string name)
+    {
+        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
+        return scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) };
+    }
+
+    private static Picture Planted(string id) => SlideCaster.Render(scene, Mistakes.Mistake.Named(id));
+
+    [Fact]
+    public void ARightPictureMatches()
+    {
+        var diagnosis = Diagnosis.Of(scene, SlideCaster.Render(scene, Mistakes.Mistake.None));
+        Assert.Equal((Finding.Matches, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+    }
+
+    [Fact]
+    public void ATruncatedPictureMatchesAndIsSaidToBeDarker()
+    {
+        var diagnosis = Diagnosis.Of(scene, Planted("round"));
+        Assert.Equal(Finding.Matches, diagnosis.Finding);
+        Assert.InRange(diagnosis.DarkerShare, 0.2, 1);
+        Assert.Contains("a level darker", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+    }
+
+    [Fact]
+    public void ARightPictureOfAnotherProgramMayShowANeighbourOnOutlines()
+    {
+        var picture = ScalarRenderer.Render(scene);
+        var shown = 0;
+        for (var y = 1; y < picture.Height; y++)
+            for (var x = 1; x < picture.Width && shown < 12; x += 3)
+                if (picture[x, y] != picture[x - 1, y])
+                {
+                    picture[x, y] = picture[x - 1, y];
+                    shown++;
+                }
+        Assert.Equal(Finding.Matches, Diagnosis.Of(scene, picture).Finding);
+    }
+
+    [Theory]
+    [InlineData("rows")]
+    [InlineData("u-cross")]
+    [InlineData("nohalf")]
+    [InlineData("aspect-inv")]
+    [InlineData("transpose")]
+    [InlineData("whswap")]
+    [InlineData("crlf")]
+    [InlineData("bgr")]
+    [InlineData("no-t0")]
+    [InlineData("clip-after")]
+    [InlineData("circ-nosq")]
+    [InlineData("tri-cull")]
+    [InlineData("tri-area")]
+    [InlineData("att-no2")]
+    [InlineData("noclamp")]
+    [InlineData("center")]
+    public void NamesThePlantedMistakeFirst(string id)
+    {
+        var diagnosis = Diagnosis.Of(scene, Planted(id));
+        Assert.Equal(Finding.Mistake, diagnosis.Finding);
+        Assert.Contains(id, Named(diagnosis.Suspects[0]));
+    }
+
+    [Fact]
+    public void NamesBothOfTwo()
+    {
+        var picture = Planted("rows");
+        for (var i = 0; i < picture.Rgb.Length; i += 3) (picture.Rgb[i], picture.Rgb[i + 2]) = (picture.Rgb[i + 2], picture.Rgb[i]);
+        var suspect = Diagnosis.Of(scene, picture).Suspects[0];
+        Assert.Equal(["bgr", "rows"], suspect.Mistakes.Select(mistake => mistake.Id).Order());
+    }
+
+    [Fact]
+    public void ATwinIsNamedWithIt()
+    {
+        // Nothing but a plane before black: a camera that looks backwards sees none of it, and neither does one whose best t starts at 0.
+        var plain = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, width: 60, height: 40), [Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)))]);
+        var suspect = Diagnosis.Of(plain, new Picture(60, 40)).Suspects[0];
+        Assert.Contains("w-sign", Named(suspect));
+        Assert.Contains("best0", Named(suspect));
+    }
+
+    [Fact]
+    public void AForeignPictureHasNoneOfThem()
+    {
+        var camera = scene.Camera;
+        var foreign = new Picture(camera.Width, camera.Height);
+        new Random(1).NextBytes(foreign.Rgb);
+        var diagnosis = Diagnosis.Of(scene, foreign);
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+    }
+
+    [Fact]
+    public void APictureOfAnotherSizeCannotBeDiagnosed() =>
+        Assert.Throws<ArgumentException>(() => Diagnosis.Of(scene, new Picture(scene.Camera.Width + 1, scene.Camera.Height)));
+
+    [Fact]
+    public void EachLevelOfHintsTellsMore()
+    {
+        var diagnosis = Diagnosis.Of(scene, Planted("rows"));
+        var hint = diagnosis.Suspects[0].Mistakes[0].Hint;
+        string Told(HintLevel level) => DiagnosisReport.Text(diagnosis, "mine.png", "scene.json", level).ReplaceLineEndings(" ").Replace("            ", "");
+        Assert.Equal((true, false, false), Holds(Told(HintLevel.Symptom)));
+        Assert.Equal((true, true, false), Holds(Told(HintLevel.Question)));
+        Assert.Equal((true, true, true), Holds(Told(HintLevel.Answer)));
+
+        (bool, bool, bool) Holds(string text) => (text.Contains(hint.Symptom[..20]), text.Contains(hint.Question[..20]), text.Contains("Answer:"));
+    }
+
+    private static IEnumerable<string> Named(Suspect suspect) => suspect.Mistakes.Concat(suspect.Twins).Select(mistake => mistake.Id);
+}
