@@ -21,7 +21,7 @@ internal static class HelpText
           raycaster <command> ...
 
         Commands:
-          check <scene>...                 Finds errors of scenes, and what their pictures cannot show.
+          check <scene>...                 Finds errors, and what a scene's picture cannot show.
           compare <mine> <reference>       Says whether two pictures are the same, and where not.
           diagnose <scene> <mine>          Says which mistake makes a wrong picture.
           explain <scene> <column> <line>  Shows how one pixel gets its colour.
