@@ -34,7 +34,7 @@ internal sealed class AnimateCommand : Command
             : CommandLine.ParseCount(text) is { } number and <= 1000 ? number
             : throw ProblemException.Usage($"'{text}' is not a number of frames in a second: it is a whole number from 1 to 1000");
         var frames = FramesOf(line, output);
-        PictureOutput.Write(output, stream => AnimationFile.Write(stream, frames, fps, cancellation));
+        PictureOutput.Write(output, cancellation, stream => AnimationFile.Write(stream, frames, fps, cancellation));
         if (!line.Has(Option.Quiet))
             StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
                 $"{output}: {frames.Count} frames, {(double)frames.Count / fps:0.##} s{Environment.NewLine}"));

@@ -8,7 +8,8 @@ internal sealed class DrawCommand : Command
 {
     public override IReadOnlyList<Option> Options { get; } =
     [
-        Option.Output, Option.Format, Option.Size, Option.Rows, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress, Option.Version,
+        Option.Output, Option.Format, Option.Size, Option.Rows, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress,
+        Option.Map, Option.Ledger, Option.Preview, Option.Color, Option.Version,
     ];
 
     public override string Help => HelpText.Full;
@@ -18,10 +19,13 @@ internal sealed class DrawCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = ScenePath(line);
+        if (line.Has(Option.Map) && (line.Has(Option.Rows) || line.Has(Option.Resume)))
+            throw ProblemException.Usage("a map is drawn whole: leave --rows and --resume out");
+        if (line.Has(Option.Map)) return MapOutput.Run(line, path, cancellation);
         var (size, threads, quiet, rows) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet), line[Option.Rows]);
         if (rows is not null) Rows.Check(rows);
         var isPart = rows is not null || line.Has(Option.Resume);
-        var output = line[Option.Output] ?? (rows is null ? Name(path) + ".png" : null); // a part's name needs the picture's height
+        var output = line[Option.Output] ?? (rows is null ? NameOf(path) + ".png" : null); // a part's name needs the picture's height
         var format = Format(line.PictureFormat(), output, isPart);
         if (output == SceneInput.Standard && line.Has(Option.Resume))
             throw ProblemException.Usage("--resume looks whether the picture is there already, but what was written to standard output is gone");
@@ -29,10 +33,14 @@ internal sealed class DrawCommand : Command
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
 
+        var colors = TerminalScreen.Colors(line);
+        if (line.Has(Option.Preview) && output == SceneInput.Standard)
+            throw ProblemException.Usage("--preview and -o - both want standard output: write the picture to a file");
+
         if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
         var lines = rows is null ? LineRange.Whole(scene.Camera.Height) : Rows.Of(rows, scene.Camera.Height);
-        output ??= PartName(Name(path), lines, scene.Camera.Height);
+        output ??= PartName(NameOf(path), lines, scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
         var part = isPart ? PictureOutput.Facts(scene, lines) : null;
         if (line.Has(Option.Resume) && PartFile.Holds(output, part!))
@@ -41,10 +49,22 @@ internal sealed class DrawCommand : Command
             return ExitCode.Done;
         }
 
+        var odd = new OddPicture(scene.Background);
+        var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
-        PictureOutput.Draw(output, format, scene, lines, part, threads, showProgress, cancellation);
-        if (!quiet) StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        PictureOutput.Draw(output, format, scene, lines, part, threads, showProgress, cancellation, Watch);
+        if (preview is not null) TerminalScreen.Show(preview, colors);
+        if (quiet) return ExitCode.Done;
+        StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        var isOdd = odd.IsOdd && lines.Count == scene.Camera.Height; // a part may well show one colour
+        if (line.Has(Option.Ledger) || isOdd) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
+
+        void Watch(ReadOnlySpan<byte> drawn)
+        {
+            odd.Take(drawn);
+            preview?.Take(drawn);
+        }
     }
 
     private static string ScenePath(CommandLine line) => line.Operands switch
@@ -72,7 +92,8 @@ internal sealed class DrawCommand : Command
             : throw ProblemException.Usage("what --rows and --resume draw is a PNG, which can say what it is part of; choose another name or format");
     }
 
-    private static string Name(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
+    /// <summary>What a scene's pictures are called: as its file is, without folder and extension.</summary>
+    public static string NameOf(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
     /// <summary>As room.part-0000-0249.png: the names of all parts of a picture are of one length, so that they stand in order.</summary>
     private static string PartName(string name, LineRange lines, int height)

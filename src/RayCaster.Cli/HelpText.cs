@@ -47,6 +47,13 @@ internal static class HelpText
               --resume           Does nothing if the picture or part is there already, whole
                                  and of this very scene.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
+              --map <kind>       Writes numbers in place of the picture: t, depth, model, normal
+                                 or uv, as <scene>.<kind>.pfm, and to look at as .png.
+              --ledger           Prints which models show, and why the others do not. Printed
+                                 by itself when the picture is empty or of one colour.
+              --preview          Shows the picture in the terminal, too (standard output).
+              --color <when>     Colours of the preview: auto, always or never. [default: auto,
+                                 which heeds NO_COLOR, FORCE_COLOR, COLORTERM and TERM]
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
               --version          Shows the version.

@@ -18,21 +18,26 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option Fps = new("--fps");
     public static readonly Option Columns = new("--columns");
     public static readonly Option Threads = new("--threads", "-t");
+    public static readonly Option Map = new("--map");
+    public static readonly Option Color = new("--color");
+    public static readonly Option Scene = new("--scene");
+    public static readonly Option Reference = new("--reference");
     public static readonly Option Hint = new("--hint");
+    public static readonly Option Ledger = new("--ledger", TakesValue: false);
+    public static readonly Option Preview = new("--preview", TakesValue: false);
+    public static readonly Option Measures = new("--measures", TakesValue: false);
     public static readonly Option Json = new("--json", TakesValue: false);
     public static readonly Option Quiet = new("--quiet", "-q", TakesValue: false);
     public static readonly Option NoProgress = new("--no-progress", TakesValue: false);
-    public static readonly Option Scene = new("--scene");
-    public static readonly Option Measures = new("--measures", TakesValue: false);
     public static readonly Option Version = new("--version", TakesValue: false);
-    public static readonly Option Reference = new("--reference");
     public static readonly Option Help = new("--help", "-h", TakesValue: false);
 
     /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
     public static readonly Option[] All =
     [
-        Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns, Threads, Scene, Hint, Reference,
-        Json, Measures, Quiet, NoProgress, Version, Help,
+        Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
+        Threads, Map, Color, Scene, Reference, Hint,
+        Ledger, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
     ];
 
     /// <summary>The option that a word names, or null.</summary>

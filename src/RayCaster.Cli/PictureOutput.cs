@@ -5,34 +5,21 @@ internal static class PictureOutput
 {
     /// <summary>Opens it, has it written and closes it.</summary>
     /// <param name="output">The file, or "-".</param>
+    /// <param name="cancellation">Ends the wait for a reader of standard output.</param>
     /// <param name="write">Writes the picture.</param>
     /// <exception cref="ProblemException">Nobody takes the picture.</exception>
     /// <exception cref="PictureFileException">The file does not do.</exception>
-    public static void Write(string output, Action<Stream> write)
+    public static void Write(string output, CancellationToken cancellation, Action<Stream> write)
     {
-        if (output != SceneInput.Standard)
+        if (output == SceneInput.Standard)
         {
-            using var file = new ReplacedFile(output);
-            write(file);
-            file.Commit();
+            // Who cancels does not wait until a reader that has stopped reads on; what it has not got nobody misses.
+            Task.Run(() => StandardFile.WriteOutput(write)).WaitAsync(cancellation).GetAwaiter().GetResult();
             return;
         }
-        try
-        {
-            using var stream = StandardFile.OpenOutput();
-            try
-            {
-                write(stream);
-            }
-            finally
-            {
-                StandardFile.Leave(stream);
-            }
-        }
-        catch (IOException problem)
-        {
-            throw new ProblemException($"raycaster: cannot write to standard output: {problem.Message}");
-        }
+        using var file = new ReplacedFile(output);
+        write(file);
+        file.Commit();
     }
 
     /// <summary>Draws some lines of a scene's picture.</summary>
@@ -44,14 +31,21 @@ internal static class PictureOutput
     /// <param name="threads">How many threads cast rays; null for one per core.</param>
     /// <param name="showProgress">Whether to tell on the terminal how far it is.</param>
     /// <param name="cancellation">Stops the work.</param>
+    /// <param name="watch">Sees the lines too.</param>
     public static void Draw(string output, PictureFormat format, Scene scene, LineRange lines, PartFacts? part, int? threads,
-        bool showProgress, CancellationToken cancellation) => Write(output, stream =>
+        bool showProgress, CancellationToken cancellation, Action<ReadOnlySpan<byte>>? watch = null) => Write(output, cancellation, stream =>
     {
         var (width, height) = (scene.Camera.Width, lines.Count);
         using var progress = showProgress ? ProgressLine.OnTerminal(width, height) : null;
         using var writer = PictureWriter.Create(format, stream, width, height, part);
-        new Renderer(scene, threads).Draw(lines, writer.WriteRows, progress is null ? null : progress.LinesDone, cancellation);
+        new Renderer(scene, threads).Draw(lines, Take, progress is null ? null : progress.LinesDone, cancellation);
         writer.Finish();
+
+        void Take(ReadOnlySpan<byte> drawn)
+        {
+            watch?.Invoke(drawn);
+            writer.WriteRows(drawn);
+        }
     });
 
     /// <summary>What a part says of itself.</summary>

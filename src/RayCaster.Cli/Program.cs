@@ -4,6 +4,9 @@ namespace RayCaster.Cli;
 
 internal static class Program
 {
+    /// <summary>A file has become larger than "ulimit -f" allows; the number is the same on Linux and macOS.</summary>
+    private const PosixSignal FileTooLarge = (PosixSignal)25;
+
     private static int Main(string[] arguments)
     {
         using var cancellation = new CancellationTokenSource();
@@ -22,6 +25,8 @@ internal static class Program
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
         using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Cancel); // the terminal's window was closed
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
+        // It would end the process on the spot; without it the write fails, which is told in words. Not disposed of: it may come after that.
+        var tooLarge = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
 
         try
         {
@@ -41,6 +46,11 @@ internal static class Program
             StandardFile.WriteError($"raycaster: {problem.Message}{Environment.NewLine}");
             return ExitCode.CouldNot;
         }
+        catch (Exception e) when (IsOutOfMemory(e))
+        {
+            StandardFile.WriteError("raycaster: there is not enough memory\n");
+            return ExitCode.CouldNot;
+        }
         catch (Exception unexpected)
         {
             StandardFile.WriteError($"""
@@ -52,7 +62,15 @@ internal static class Program
                 StandardFile.WriteError(unexpected.StackTrace + Environment.NewLine);
             return ExitCode.InternalError;
         }
+        finally
+        {
+            GC.KeepAlive(tooLarge);
+        }
     }
+
+    /// <summary>Whether memory ran out, on whatever thread.</summary>
+    private static bool IsOutOfMemory(Exception? e) =>
+        e is OutOfMemoryException || (e is AggregateException or TypeInitializationException && IsOutOfMemory(e.InnerException));
 
     private static int Run(string[] arguments, CancellationToken cancellation)
     {

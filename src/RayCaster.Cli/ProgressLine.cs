@@ -29,7 +29,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
 
     /// <summary>One on the terminal behind standard error.</summary>
     public static ProgressLine OnTerminal(int width, int height, string what = "rays") =>
-        new(Console.Error, width, height, TerminalWidth(), TimeProvider.System, what);
+        new(Console.Error, width, height, TerminalScreen.Width(), TimeProvider.System, what);
 
     /// <summary>Counts lines of the picture; any thread may call it.</summary>
     public void LinesDone(int lines)
@@ -54,18 +54,6 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     {
         lock (drawing)
             if (drawn > 0) Draw("");
-    }
-
-    private static int TerminalWidth()
-    {
-        try
-        {
-            return Console.WindowWidth;
-        }
-        catch (IOException)
-        {
-            return 0;
-        }
     }
 
     private string Text(int done, TimeSpan elapsed)

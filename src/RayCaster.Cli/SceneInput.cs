@@ -25,8 +25,6 @@ internal static class SceneInput
     {
         if (path != Standard) return SceneReader.Read(path);
         using var input = Console.OpenStandardInput();
-        using var bytes = new MemoryStream();
-        input.CopyTo(bytes);
-        return SceneReader.Parse(bytes.ToArray(), "<stdin>", Environment.CurrentDirectory);
+        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory);
     }
 }

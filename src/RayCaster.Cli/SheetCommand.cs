@@ -40,7 +40,7 @@ internal sealed class SheetCommand : Command
         var sheet = new ContactSheet(pictures, columns, width, height);
         if (sheet.Width > Camera.MaxSide || sheet.Height > Camera.MaxSide || 3 * sheet.Width * (height + ContactSheet.Gap) > Array.MaxLength)
             throw new ProblemException($"raycaster: a sheet of {sheet.Width} x {sheet.Height} pixels is too large: make its pictures smaller with --size");
-        PictureOutput.Write(output, stream =>
+        PictureOutput.Write(output, cancellation, stream =>
         {
             using var writer = PictureWriter.Create(PictureFormat.Png, stream, (int)sheet.Width, (int)sheet.Height);
             sheet.Write(writer, cancellation);

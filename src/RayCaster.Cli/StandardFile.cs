@@ -11,32 +11,41 @@ internal static class StandardFile
 {
     private const int Output = 1, Error = 2;
 
-    /// <summary>Opens standard output. <see cref="Leave"/> is to follow.</summary>
-    public static Stream OpenOutput() => OperatingSystem.IsWindows() ? Console.OpenStandardOutput() : Open(Output);
-
-    /// <summary>
-    /// Writes what is still buffered and moves the place where other processes write that share the file: "(raycaster … -o -; date) &gt; file".
-    /// </summary>
-    public static void Leave(Stream stream)
-    {
-        if (stream is FileStream file) _ = file.SafeFileHandle; // a FileStream keeps its own place until it shows its handle
-    }
-
     /// <summary>Writes a command's answer.</summary>
     /// <param name="text">Whole lines.</param>
     /// <exception cref="ProblemException">Nobody takes it.</exception>
-    public static void WriteOutput(string text)
+    public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(WithoutControls(text))));
+
+    /// <summary>Has something written to standard output.</summary>
+    /// <exception cref="ProblemException">Nobody takes it.</exception>
+    public static void WriteOutput(Action<Stream> write)
     {
         try
         {
             using var stream = OpenOutput();
-            stream.Write(Encoding.UTF8.GetBytes(text));
-            Leave(stream);
+            try
+            {
+                write(stream);
+            }
+            finally
+            {
+                Leave(stream);
+            }
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        catch (Exception e) when (IsRefusal(e))
         {
-            throw new ProblemException($"raycaster: cannot write to standard output: {e.Message}");
+            throw new ProblemException($"raycaster: cannot write to standard output: {Reason(e)}");
         }
+    }
+
+    private static Stream OpenOutput() => OperatingSystem.IsWindows() ? Console.OpenStandardOutput() : Open(Output);
+
+    /// <summary>
+    /// Writes what is still buffered and moves the place where other processes write that share the file: "(raycaster … -o -; date) &gt; file".
+    /// </summary>
+    private static void Leave(Stream stream)
+    {
+        if (stream is FileStream file) _ = file.SafeFileHandle; // a FileStream keeps its own place until it shows its handle
     }
 
     /// <summary>Tells the user something; where nobody can read it, nobody misses it.</summary>
@@ -44,6 +53,7 @@ internal static class StandardFile
     public static void WriteError(string text)
     {
         if (text.Length == 0) return;
+        text = WithoutControls(text);
         if (OperatingSystem.IsWindows())
         {
             Console.Error.Write(text);
@@ -55,10 +65,36 @@ internal static class StandardFile
             error.Write(Encoding.UTF8.GetBytes(text));
             Leave(error);
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
+        catch (Exception e) when (IsRefusal(e))
         {
         }
     }
 
-    private static FileStream Open(int descriptor) => new(new SafeFileHandle(descriptor, ownsHandle: false), FileAccess.Write);
+    /// <summary>A file's name may hold what moves a terminal's cursor, and stands in messages.</summary>
+    private static string WithoutControls(string text) => string.Create(text.Length, text, (span, from) =>
+    {
+        for (var i = 0; i < span.Length; i++) span[i] = char.IsControl(from[i]) && from[i] is not ('\n' or '\r' or '\t') ? '\uFFFD' : from[i];
+    });
+
+    /// <summary>A closed file is refused in the second way, one that grows larger than the system allows in the third.</summary>
+    private static bool IsRefusal(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException;
+
+    private static string Reason(Exception e) => e switch
+    {
+        UnauthorizedAccessException => "it is closed",
+        ArgumentOutOfRangeException => "the file is larger than the system allows",
+        _ => e.Message,
+    };
+
+    private static FileStream Open(int descriptor)
+    {
+        try
+        {
+            return new(new SafeFileHandle(descriptor, ownsHandle: false), FileAccess.Write);
+        }
+        catch (ArgumentException e)
+        {
+            throw new UnauthorizedAccessException(null, e);
+        }
+    }
 }

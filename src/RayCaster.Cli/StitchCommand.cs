@@ -83,7 +83,7 @@ internal sealed class StitchCommand : Command
             return No($"of {parts.Size.Height} lines these are missing", [.. parts.Missing.Select(lines => lines.ToString())]);
 
         var (quiet, (width, height)) = (line.Has(Option.Quiet), parts.Size);
-        PictureOutput.Write(output, stream =>
+        PictureOutput.Write(output, cancellation, stream =>
         {
             var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
             using var progress = showProgress ? ProgressLine.OnTerminal(width, height, "pixels") : null;

@@ -36,7 +36,7 @@ public static class MeshFile
             if (Directory.Exists(path)) throw new MeshFileException(path, "is a folder, not a mesh file");
             var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
             if (file.CanSeek && file.Length > 0) return file;
-            using (file) return Copy(file); // a pipe, or one of those files that only seem to be empty
+            using (file) return Copy(file, path); // a pipe, or one of those files that only seem to be empty
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
@@ -52,10 +52,17 @@ public static class MeshFile
         }
     }
 
-    private static MemoryStream Copy(Stream stream)
+    private static MemoryStream Copy(Stream stream, string path)
     {
         var copy = new MemoryStream();
-        stream.CopyTo(copy);
+        var buffer = new byte[1 << 16];
+        while (stream.Read(buffer) is > 0 and var count)
+        {
+            copy.Write(buffer, 0, count);
+            if (copy.Length > MeshBlock.MostBytes)
+                throw new MeshFileException(path, FormattableString.Invariant(
+                    $"a pipe or device of more than {MeshBlock.MostBytes:N0} bytes is not read, but a file of any size is"));
+        }
         return copy;
     }
 

@@ -36,5 +36,8 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
     internal override Crossings<N>? Cross<N>(in Ray<N> ray, int part) => this[part].Cross(ray);
 
     /// <inheritdoc/>
+    internal override ISurface SurfaceOf(int part) => this[part];
+
+    /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new MeshView(vertices, indices, new(camera), threads);
 }

@@ -34,6 +34,10 @@ public abstract class Model
     /// <typeparam name="N">The kind of number.</typeparam>
     internal virtual Crossings<N>? Cross<N>(in Ray<N> ray, int part) where N : struct, IReal<N> => null;
 
+    /// <summary>What is known of the surface of one of its shapes, or of the model itself if it has none; null where nothing is.</summary>
+    /// <inheritdoc cref="Cross{N}"/>
+    internal virtual ISurface? SurfaceOf(int part) => this as ISurface;
+
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
     internal virtual ModelView See(Camera camera, int threads) => new SingleRayView(this);
 
@@ -68,6 +72,9 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 
     /// <inheritdoc/>
     internal override Crossings<N>? Cross<N>(in Ray<N> ray, int part) => Primitive.Cross(ray);
+
+    /// <inheritdoc/>
+    internal override ISurface? SurfaceOf(int part) => Primitive as ISurface;
 
     /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new PrimitiveView<P>(Primitive, camera);

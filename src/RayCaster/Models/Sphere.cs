@@ -5,7 +5,7 @@ namespace RayCaster;
 /// <summary>A sphere, seen from outside or, where the camera is in it, from inside.</summary>
 /// <param name="Center">C.</param>
 /// <param name="Radius">R &gt; 0.</param>
-public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IBounded
+public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IBounded, ISurface
 {
     /// <inheritdoc/>
     public Bounds Bounds => new(Center - new Vector3(Radius, Radius, Radius), Center + new Vector3(Radius, Radius, Radius));
@@ -26,5 +26,15 @@ public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive
         var D = (L - tca * ray.Direction).As("D");      // from the ray's nearest point to C
         var thc = N.Sqrt(Radius * Radius - D * D).As("thc");       // NaN where the ray passes by
         return new(tca - thc, tca + thc);
+    }
+
+    /// <summary>X − C, made 1 long.</summary>
+    Vector3 ISurface.Normal(Vector3 X) => (X - Center).Normalized;
+
+    /// <summary>Longitude and latitude: u goes once around the z axis from −x over −y, x and y, 0 to 1; v from the lower pole, 0, to the upper, 1.</summary>
+    (double U, double V) ISurface.Parameters(Vector3 X)
+    {
+        var n = (X - Center).Normalized;
+        return (0.5 + Math.Atan2(n.Y, n.X) / (2 * Math.PI), 0.5 + Math.Asin(Math.Clamp(n.Z, -1, 1)) / Math.PI);
     }
 }

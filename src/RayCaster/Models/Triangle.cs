@@ -6,7 +6,7 @@ namespace RayCaster;
 /// <param name="A">The first corner.</param>
 /// <param name="B">The second corner.</param>
 /// <param name="C">The third corner, not on one line with the others.</param>
-public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimitive, IBounded
+public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimitive, IBounded, ISurface
 {
     /// <inheritdoc/>
     public Bounds Bounds => Bounds.Empty.With(A).With(B).With(C);
@@ -52,5 +52,16 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     {
         var longest = Math.Max((b - a).Length, Math.Max((c - b).Length, (a - c).Length));
         return ((b - a) % (c - a)).Length <= 1e-12 * longest * longest;
+    }
+
+    /// <summary>(B − A) × (C − A), made 1 long.</summary>
+    Vector3 ISurface.Normal(Vector3 X) => ((B - A) % (C - A)).Normalized;
+
+    /// <summary>Barycentric: X = (1 − u − v) A + u B + v C.</summary>
+    (double U, double V) ISurface.Parameters(Vector3 X)
+    {
+        var (e1, e2) = (B - A, C - A);
+        var n = e1 % e2;
+        return ((X - A) % e2 * n / (n * n), e1 % (X - A) * n / (n * n));
     }
 }

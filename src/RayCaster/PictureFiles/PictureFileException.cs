@@ -8,8 +8,8 @@ public sealed class PictureFileException(string message, Exception? cause = null
     private const int NoSpaceOnUnix = 28, QuotaOnLinux = 122, QuotaOnMac = 69;
     private const int DiskFullOnWindows = unchecked((int)0x80070070);
 
-    /// <summary>Whether an exception is the system's way to say that a file cannot be used.</summary>
-    internal static bool IsCausedByFile(Exception e) => e is IOException or UnauthorizedAccessException;
+    /// <summary>Whether an exception is the system's way to say that a file cannot be used; the last is what a file comes to that grows too large.</summary>
+    internal static bool IsCausedByFile(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException;
 
     /// <summary>The system's reason in words; its own message would name the temporary file and end in a full stop.</summary>
     internal static string Reason(Exception e)
@@ -18,6 +18,7 @@ public sealed class PictureFileException(string message, Exception? cause = null
         if (e is FileNotFoundException or DirectoryNotFoundException) return "the file or its folder is gone";
         if (e is PathTooLongException) return "the name is too long";
         if (e.HResult is NoSpaceOnUnix or DiskFullOnWindows) return "the disk is full";
+        if (e is ArgumentOutOfRangeException) return "the file is larger than the system allows";
         if (e.HResult == (OperatingSystem.IsMacOS() ? QuotaOnMac : QuotaOnLinux)) return "your disk quota is used up";
         var end = e.Message.IndexOf(" : '", StringComparison.Ordinal);
         var reason = (end < 0 ? e.Message : e.Message[..end]).TrimEnd('.');

@@ -3,7 +3,7 @@ namespace RayCaster;
 /// <summary>
 /// A file that is there whole or not at all: what is written goes to a temporary file beside it, and only <see cref="Commit"/> puts that in
 /// the place of the old one. The temporary file is named NAME.XXXXXXXX.tmp with eight random hexadecimal digits and is locked while it
-/// is written. A symbolic link is replaced, not followed.
+/// is written; what is not locked was left by a writer that was killed, and goes when NAME is written again. A symbolic link is replaced, not followed.
 /// </summary>
 public sealed class ReplacedFile : Stream
 {
@@ -29,8 +29,9 @@ public sealed class ReplacedFile : Stream
             if (!Directory.Exists(folder)) throw Failure("its folder does not exist", $"\n  make the folder {folder} first");
             if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly))
                 throw Failure("the old file is read-only");
-            temporary = $"{target}.{Random.Shared.Next():x8}.tmp";
-            file = new FileStream(temporary, FileMode.CreateNew, FileAccess.Write, FileShare.None, bufferSize: 1 << 16);
+            file = TemporaryFile.Create(target);
+            temporary = file.Name;
+            TemporaryFile.DeleteOrphans(target, temporary);
         }
         catch (Exception e) when (e is UnauthorizedAccessException or FileNotFoundException) // the latter in a folder like /proc
         {
@@ -70,9 +71,9 @@ public sealed class ReplacedFile : Stream
         {
             // To the disk: a network drive tells only now that the quota is used up, and by then the old picture must still be there.
             file.Flush(flushToDisk: true);
-            file.Dispose();
-            File.Move(temporary, target, overwrite: true);
+            File.Move(temporary, target, overwrite: true); // while it is locked, lest somebody take it for an orphan
             closed = true;
+            file.Dispose();
         }
         catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
@@ -88,7 +89,7 @@ public sealed class ReplacedFile : Stream
         {
             file.Write(buffer);
         }
-        catch (IOException e)
+        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
             throw Failure(e);
         }
@@ -105,7 +106,7 @@ public sealed class ReplacedFile : Stream
         {
             file.Flush();
         }
-        catch (IOException e)
+        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
             throw Failure(e);
         }

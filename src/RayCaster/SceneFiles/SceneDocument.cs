@@ -5,11 +5,18 @@ namespace RayCaster;
 /// <param name="folder">Where the paths of mesh files start.</param>
 internal sealed class SceneDocument(SourceText text, string folder)
 {
+    /// <summary>After so many errors the rest is not read, and after so many problems no warning is kept: a file of nothing but mistakes would take hours.</summary>
+    public const int MostProblems = 1000;
+
+    private const int LongestMessage = 2000; // a mesh file's path may stand in it, as long as somebody likes
     private readonly List<Finding> findings = [];
-    private readonly Dictionary<string, MeshData> meshes = [];
+    private readonly Dictionary<string, (MeshData? Mesh, MeshFileException? Refusal)> meshes = [];
 
     /// <summary>How many errors were found so far.</summary>
     public int ErrorCount { get; private set; }
+
+    /// <summary>Whether enough errors were found.</summary>
+    public bool IsHopeless => ErrorCount >= MostProblems;
 
     /// <summary>The text.</summary>
     public SourceText Text => text;
@@ -18,7 +25,9 @@ internal sealed class SceneDocument(SourceText text, string folder)
     public void Add(bool isError, int start, int end, string path, string message)
     {
         if (isError) ErrorCount++;
-        findings.Add(new(isError, start, end, path, message));
+        else if (findings.Count >= MostProblems) return;
+        if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
+        findings.Add(new(isError, start, end, path, SourceText.Printable(message)));
     }
 
     /// <summary>The problems in the order of the text.</summary>
@@ -38,14 +47,26 @@ internal sealed class SceneDocument(SourceText text, string folder)
         return problems;
     }
 
-    /// <summary>The content of a mesh file that the scene names; one that several models show is read once.</summary>
+    /// <summary>The content of a mesh file that the scene names; one that several models show is read once, and refused once.</summary>
     /// <param name="file">The path as the scene writes it; both / and \ separate folders.</param>
     /// <exception cref="MeshFileException">The file cannot be read.</exception>
     public MeshData Mesh(string file)
     {
         var path = Path.Combine(folder, file.Replace('\\', '/'));
-        if (!meshes.TryGetValue(path, out var mesh)) meshes.Add(path, mesh = MeshFile.Read(path));
-        return mesh;
+        if (!meshes.TryGetValue(path, out var known)) meshes.Add(path, known = Read(path));
+        return known.Mesh ?? throw known.Refusal!;
+    }
+
+    private static (MeshData?, MeshFileException?) Read(string path)
+    {
+        try
+        {
+            return (MeshFile.Read(path), null);
+        }
+        catch (MeshFileException refusal)
+        {
+            return (null, refusal);
+        }
     }
 
     private readonly record struct Finding(bool IsError, int Start, int End, string Path, string Message);

@@ -32,12 +32,12 @@ internal sealed class SceneObject
         (this.document, this.json, this.path) = (document, json, path);
         errorsBefore = document.ErrorCount;
         var content = json.Content;
-        for (var i = 0; i < content.Count; i += 2)
+        for (var i = 0; i < content.Count && !document.IsHopeless; i += 2)
         {
             var key = content[i].Text;
             if (written.TryAdd(key, (content[i], content[i + 1]))) continue;
             var line = document.Text.LineOf(written[key].Key.Start);
-            Report(true, content[i], PathOf(key), $" is given twice; the first is in line {line}");
+            Report(true, content[i], PathOf(Shown(key)), $" is given twice; the first is in line {line}");
         }
     }
 
@@ -172,21 +172,19 @@ internal sealed class SceneObject
         return AsObject(document!, value, PathOf(key), PathOf(key));
     }
 
-    /// <summary>An array of objects; without those elements that are none.</summary>
-    public List<SceneObject> Objects(string key, string meaning)
+    /// <summary>An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none.</summary>
+    public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
-        var objects = new List<SceneObject>();
-        if (Take(new(key, KeyKind.Objects, meaning, true)) is not { } value) return objects;
+        if (Take(new(key, KeyKind.Objects, meaning, true)) is not { } value) yield break;
         if (value.Kind != JsonTokenType.StartArray)
         {
             Report(true, value, PathOf(key), $" must be an array of objects in brackets [ ], but is {value.InWords}");
-            return objects;
+            yield break;
         }
         var elements = value.Content;
-        for (var i = 0; i < elements.Count; i++)
+        for (var i = 0; i < elements.Count && !document!.IsHopeless; i++)
             if (AsObject(document!, elements[i], PathOf(key, i), PathOf(key, i)) is { } element)
-                objects.Add(element);
-        return objects;
+                yield return element;
     }
 
     /// <summary>An object, or null and a problem.</summary>
@@ -216,11 +214,14 @@ internal sealed class SceneObject
         asked.AddRange(allowed);
         foreach (var (key, member) in written)
         {
+            if (document!.IsHopeless) return;
             if (asked.Contains(key)) continue;
-            var name = SourceText.Printable(key.Length > 60 ? key[..60] + "…" : key);
-            Report(true, member.Key, PathOf(name), " is an unknown key" + RightKey(key));
+            Report(true, member.Key, PathOf(Shown(key)), " is an unknown key" + RightKey(key));
         }
     }
+
+    /// <summary>A key that may be anything, fit for a message.</summary>
+    private static string Shown(string key) => SourceText.Printable(key.Length > 60 ? key[..60] + "…" : key);
 
     /// <summary>Which key somebody may have meant: first of those that are missing, then of those that are there already.</summary>
     private string RightKey(string wrong)

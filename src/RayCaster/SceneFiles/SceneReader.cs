@@ -3,6 +3,9 @@ namespace RayCaster;
 /// <summary>Makes a scene of a scene file (docs/scene-file.md), or says all that is wrong with it.</summary>
 public static class SceneReader
 {
+    /// <summary>The longest scene file, in bytes: some 400,000 models. Triangles without number belong into a mesh file.</summary>
+    public const int MostBytes = 1 << 26;
+
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     public static SceneReading Read(string path)
@@ -11,11 +14,32 @@ public static class SceneReader
         {
             if (!File.Exists(path)) return Unreadable(path, NotFound(path));
             if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-            return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(path) ?? "");
+            using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+            return Read(file, path, Path.GetDirectoryName(path) ?? "");
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or OutOfMemoryException)
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             return Unreadable(path, $"the scene file cannot be read: {e.Message}");
+        }
+    }
+
+    /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
+    /// <param name="stream">The text, with or without a byte order mark.</param>
+    /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
+    /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <exception cref="IOException">The stream fails.</exception>
+    public static SceneReading Read(Stream stream, string displayName, string folder)
+    {
+        var known = stream.CanSeek ? stream.Length - stream.Position : 0;
+        if (known > MostBytes) return TooLong(displayName);
+        var bytes = new byte[known > 0 ? known + 1 : 1 << 16]; // one more than there should be, so that the end is met without growing
+        for (var length = 0; ;)
+        {
+            var count = stream.Read(bytes.AsSpan(length));
+            if (count == 0) return Parse(bytes.AsMemory(0, length), displayName, folder);
+            length += count;
+            if (length > MostBytes) return TooLong(displayName);
+            if (length == bytes.Length) Array.Resize(ref bytes, Math.Min(2 * length, MostBytes + 1));
         }
     }
 
@@ -23,7 +47,7 @@ public static class SceneReader
     /// <param name="utf8">The text, with or without a byte order mark.</param>
     /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
     /// <param name="folder">Where the paths of mesh files start.</param>
-    public static SceneReading Parse(byte[] utf8, string displayName, string folder)
+    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder)
     {
         var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var problems);
         return new(scene, problems);
@@ -37,11 +61,11 @@ public static class SceneReader
     /// <param name="read">Reads that object.</param>
     /// <param name="problems">All errors and warnings.</param>
     /// <returns>What was read, or null if there is an error.</returns>
-    internal static T? Parse<T>(byte[] utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems)
+    internal static T? Parse<T>(ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems)
         where T : class
     {
-        var hasMark = utf8.AsSpan().StartsWith(Encodings.Utf8Mark);
-        var document = new SceneDocument(new SourceText(displayName, utf8.AsMemory(hasMark ? 3 : 0)), folder);
+        var hasMark = utf8.Span.StartsWith(Encodings.Utf8Mark);
+        var document = new SceneDocument(new SourceText(displayName, utf8[(hasMark ? 3 : 0)..]), folder);
         var root = ReadRoot(document, name);
         var result = root is null ? null : read(root);
         problems = document.Problems();
@@ -146,6 +170,9 @@ public static class SceneReader
         if (Directory.Exists(path)) return "this is a folder, not a scene file";
         return $"file not found{FileNames.Hint(path, ".json")}";
     }
+
+    private static SceneReading TooLong(string path) => Unreadable(path, FormattableString.Invariant(
+        $"the scene file has more than {MostBytes:N0} bytes, which is the limit; let mesh files hold what is large"));
 
     private static SceneReading Unreadable(string path, string message) =>
         new(null, [new Problem(true, path, 0, 0, "", message, "")]);

@@ -4,7 +4,7 @@ namespace RayCaster;
 
 /// <summary>What came of reading a scene file.</summary>
 /// <param name="Scene">The scene, or null if there is an error.</param>
-/// <param name="Problems">All errors and warnings, in the order of the file.</param>
+/// <param name="Problems">The errors and warnings, in the order of the file; a file with a thousand errors is not read to its end.</param>
 public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
 {
     /// <summary>How many problems <see cref="Report"/> writes out.</summary>
@@ -19,7 +19,7 @@ public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
             foreach (var problem in Problems)
                 if (problem.IsError == errors && left-- > 0)
                     text.Append(problem).Append('\n');
-        if (left < 0) text.Append($"and {-left} more\n");
+        if (left < 0) text.Append($"and {(Problems.Count < SceneDocument.MostProblems ? "" : "at least ")}{-left} more\n");
         return text.ToString();
     }
 }

@@ -5,7 +5,8 @@ namespace RayCaster.Tests.Cli;
 /// <summary>The console app, run as a real process in a folder of its own, which goes away with this.</summary>
 internal sealed class RayCasterProcess : IDisposable
 {
-    private static readonly string App = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raycaster.exe" : "raycaster");
+    /// <summary>The console app itself.</summary>
+    public static readonly string App = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raycaster.exe" : "raycaster");
 
     private readonly TemporaryFolder folder = new();
 

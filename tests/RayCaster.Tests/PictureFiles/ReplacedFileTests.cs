@@ -77,6 +77,21 @@ public sealed class ReplacedFileTests : IDisposable
     }
 
     [Fact]
+    public void ALinkIsReplacedAndNotFollowed()
+    {
+        if (OperatingSystem.IsWindows()) return; // asks for rights there
+        folder.Write("precious", "precious"u8);
+        File.CreateSymbolicLink(folder["room.png"], folder["precious"]);
+        using (var file = new ReplacedFile(folder["room.png"]))
+        {
+            file.Write("new"u8);
+            file.Commit();
+        }
+        Assert.Equal(("precious", "new"), (File.ReadAllText(folder["precious"]), File.ReadAllText(folder["room.png"])));
+        Assert.Null(new FileInfo(folder["room.png"]).LinkTarget);
+    }
+
+    [Fact]
     public void ADeviceIsNotReplaced()
     {
         if (OperatingSystem.IsWindows()) return; // has no folder of devices

@@ -1,0 +1,55 @@
+using System.Globalization;
+
+namespace RayCaster.Cli;
+
+/// <summary>Drawing with --map: what each pixel's ray finds as numbers, and a picture of them.</summary>
+internal static class MapOutput
+{
+    /// <summary>Reads the scene, casts its rays, writes both files.</summary>
+    /// <param name="line">The command line.</param>
+    /// <param name="path">The scene.</param>
+    /// <param name="cancellation">Ends the work.</param>
+    /// <exception cref="ProblemException">The command line does not do.</exception>
+    /// <exception cref="PictureFileException">A file does not do, or the map is too large.</exception>
+    public static int Run(CommandLine line, string path, CancellationToken cancellation)
+    {
+        if (MapKinds.Named(line[Option.Map]!) is not { } kind)
+            throw ProblemException.Usage($"'{line[Option.Map]}' is not a map: choose {string.Join(", ", MapKinds.Names[..^1])} or {MapKinds.Names[^1]}");
+        if (line.Has(Option.Format)) throw ProblemException.Usage("a map is a PFM and a PNG; --format is for the picture");
+        var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
+        var numbers = line[Option.Output] ?? DrawCommand.NameOf(path) + $".{kind.Name()}.pfm";
+        if (!numbers.EndsWith(".pfm", StringComparison.OrdinalIgnoreCase))
+            throw ProblemException.Usage($"a map's numbers go to a file that ends in .pfm, but '{numbers}' is given; its picture gets the same name with .png");
+        var colors = TerminalScreen.Colors(line);
+        var picture = numbers[..^4] + ".png";
+
+        if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
+        var map = Task.Run(() => MapMaker.Make(scene, kind, threads), cancellation).WaitAsync(cancellation).GetAwaiter().GetResult();
+
+        using (var file = new ReplacedFile(numbers))
+        {
+            PfmFile.Write(file, map);
+            file.Commit();
+        }
+        var drawn = MapPicture.Draw(map, kind);
+        PictureFile.Write(picture, drawn);
+        if (line.Has(Option.Preview))
+        {
+            var preview = TerminalScreen.Preview(drawn.Width, drawn.Height);
+            preview.Take(drawn.Rgb);
+            TerminalScreen.Show(preview, colors);
+        }
+        if (quiet) return ExitCode.Done;
+        StandardFile.WriteError(Summary(map, kind, numbers, picture) + Environment.NewLine);
+        if (line.Has(Option.Ledger)) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
+        return ExitCode.Done;
+    }
+
+    private static string Summary(NumberMap map, MapKind kind, string numbers, string picture)
+    {
+        var range = kind is MapKind.T or MapKind.Depth && map.Range is var (least, greatest)
+            ? string.Create(CultureInfo.InvariantCulture, $", {kind.Name()} from {least:G7} to {greatest:G7}")
+            : "";
+        return $"{numbers}, {picture}: {map.Width} x {map.Height} pixels{range}";
+    }
+}

@@ -1,0 +1,128 @@
+using System.Globalization;
+using System.Text;
+
+namespace RayCaster.Cli;
+
+/// <summary>
+/// A picture in a terminal's characters, collected while its lines go by. A character is one cell wide and two cells high: the block "▀" shows
+/// the upper one in its own colour and the lower one in the background's. A cell has the mean of the bytes of its pixels.
+/// </summary>
+internal sealed class TerminalPreview
+{
+    /// <summary>What paper shows as less and more ink, a terminal as more and less light: from black to white.</summary>
+    private const string Ramp = " .:-=+*#%@";
+
+    private readonly int width, height, across, down;
+    private readonly int[] cellOfColumn;
+    private readonly long[] sums; // red, green, blue and the number of pixels, cell by cell
+    private int linesTaken;
+
+    /// <param name="width">Pixels in a line of the picture.</param>
+    /// <param name="height">Lines of the picture.</param>
+    /// <param name="columns">How many characters a line of the terminal has.</param>
+    /// <param name="lines">How many lines may be used.</param>
+    public TerminalPreview(int width, int height, int columns, int lines)
+    {
+        var scale = Math.Min(1, Math.Min((double)columns / width, 2.0 * lines / height)); // a small picture is not blown up
+        (this.width, this.height) = (width, height);
+        (across, down) = (Math.Max(1, (int)Math.Round(width * scale)), Math.Max(1, (int)Math.Round(height * scale)));
+        cellOfColumn = new int[width];
+        for (var x = 0; x < width; x++) cellOfColumn[x] = (int)((long)x * across / width);
+        sums = new long[4 * across * down];
+    }
+
+    /// <summary>Takes the next lines of the picture.</summary>
+    /// <param name="rgb">Whole lines of red, green and blue.</param>
+    public void Take(ReadOnlySpan<byte> rgb)
+    {
+        for (; rgb.Length > 0; rgb = rgb[(3 * width)..])
+        {
+            var line = sums.AsSpan(4 * across * (int)((long)linesTaken++ * down / height));
+            for (var x = 0; x < width; x++)
+            {
+                var cell = line[(4 * cellOfColumn[x])..];
+                cell[0] += rgb[3 * x];
+                cell[1] += rgb[3 * x + 1];
+                cell[2] += rgb[3 * x + 2];
+                cell[3]++;
+            }
+        }
+    }
+
+    /// <summary>The characters, whole lines of them.</summary>
+    /// <param name="depth">Which colours the terminal has.</param>
+    public string Text(ColorDepth depth)
+    {
+        var text = new StringBuilder();
+        for (var y = 0; y < down; y += 2)
+        {
+            if (depth == ColorDepth.None) AddPlain(text, y);
+            else AddColored(text, y, depth);
+            text.Append('\n');
+        }
+        return text.ToString();
+    }
+
+    private void AddPlain(StringBuilder text, int y)
+    {
+        var start = text.Length;
+        for (var x = 0; x < across; x++)
+        {
+            var light = y + 1 < down ? (Light(Cell(x, y)) + Light(Cell(x, y + 1))) / 2 : Light(Cell(x, y));
+            text.Append(Ramp[Math.Min((int)(light / 256 * Ramp.Length), Ramp.Length - 1)]);
+        }
+        while (text.Length > start && text[^1] == ' ') text.Length--;
+    }
+
+    private void AddColored(StringBuilder text, int y, ColorDepth depth)
+    {
+        (byte, byte, byte)? upperBefore = null, lowerBefore = null;
+        for (var x = 0; x < across; x++)
+        {
+            var upper = Cell(x, y);
+            if (upper != upperBefore) AddColor(text, 38, upper, depth);
+            upperBefore = upper;
+            if (y + 1 < down)
+            {
+                var lower = Cell(x, y + 1);
+                if (lower != lowerBefore) AddColor(text, 48, lower, depth);
+                lowerBefore = lower;
+            }
+            text.Append('\u2580');
+        }
+        text.Append("\e[0m");
+    }
+
+    private (byte R, byte G, byte B) Cell(int x, int y)
+    {
+        var cell = sums.AsSpan(4 * (y * across + x), 4);
+        return (Mean(cell[0], cell[3]), Mean(cell[1], cell[3]), Mean(cell[2], cell[3]));
+
+        static byte Mean(long sum, long count) => (byte)((sum + count / 2) / Math.Max(1, count));
+    }
+
+    private static void AddColor(StringBuilder text, int ground, (byte R, byte G, byte B) color, ColorDepth depth)
+    {
+        text.Append("\e[").Append(ground);
+        if (depth == ColorDepth.Palette) text.Append(";5;").Append(PlaceInPalette(color));
+        else text.Append(CultureInfo.InvariantCulture, $";2;{color.R};{color.G};{color.B}");
+        text.Append('m');
+    }
+
+    /// <summary>The nearest of xterm's 256 colours: a cube of 6 × 6 × 6 from 16 on, and 24 greys from 232 on. The first 16 are each user's own.</summary>
+    private static int PlaceInPalette((byte R, byte G, byte B) color)
+    {
+        var (r, g, b) = (Step(color.R), Step(color.G), Step(color.B));
+        var grey = Math.Clamp(((color.R + color.G + color.B) / 3 - 3) / 10, 0, 23);
+        var level = 8 + 10 * grey;
+        return Distance(level, level, level) < Distance(Level(r), Level(g), Level(b)) ? 232 + grey : 16 + 36 * r + 6 * g + b;
+
+        static int Step(int value) => value < 48 ? 0 : value < 115 ? 1 : (value - 35) / 40; // halfway between the levels 0, 95, 135, 175, 215, 255
+        static int Level(int step) => step == 0 ? 0 : 55 + 40 * step;
+        int Distance(int x, int y, int z) => Square(color.R - x) + Square(color.G - y) + Square(color.B - z);
+        static int Square(int x) => x * x;
+    }
+
+    /// <summary>How bright a colour looks, 0 to 255 (the weights of Rec. 709).</summary>
+    private static double Light((byte R, byte G, byte B) color) => 0.2126 * color.R + 0.7152 * color.G + 0.0722 * color.B;
+}
