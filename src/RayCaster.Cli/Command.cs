@@ -4,7 +4,7 @@ namespace RayCaster.Cli;
 internal abstract class Command
 {
     /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
-    public static readonly string[] Names = ["check", "compare", "diagnose", "explain", "help"];
+    public static readonly string[] Names = ["check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "help"];
 
     /// <summary>The command of a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
@@ -13,6 +13,10 @@ internal abstract class Command
         "compare" => new CompareCommand(),
         "diagnose" => new DiagnoseCommand(),
         "explain" => new ExplainCommand(),
+        "stitch" => new StitchCommand(),
+        "orbit" => new OrbitCommand(),
+        "animate" => new AnimateCommand(),
+        "sheet" => new SheetCommand(),
         "help" => new HelpCommand(),
         _ => null,
     };

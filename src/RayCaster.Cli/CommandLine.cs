@@ -79,6 +79,16 @@ internal sealed class CommandLine
         return (width, height);
     }
 
+    /// <summary>The kind of picture file, null for what the file's extension says.</summary>
+    public PictureFormat? PictureFormat() => this[Option.Format] switch
+    {
+        null => null,
+        "png" => RayCaster.PictureFormat.Png,
+        "ppm" => RayCaster.PictureFormat.Ppm,
+        "ppm-text" => RayCaster.PictureFormat.PpmText,
+        var text => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
+    };
+
     /// <summary>A whole number greater than 0, or null.</summary>
     public static int? ParseCount(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count > 0 ? count : null;

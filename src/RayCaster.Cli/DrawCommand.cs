@@ -3,11 +3,14 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Reads a scene, draws it, writes the picture.</summary>
+/// <summary>Reads a scene, draws it or a part of it, writes the picture.</summary>
 internal sealed class DrawCommand : Command
 {
     public override IReadOnlyList<Option> Options { get; } =
-        [Option.Output, Option.Format, Option.Size, Option.Threads, Option.Quiet, Option.NoProgress, Option.Map, Option.Ledger, Option.Preview, Option.Color, Option.Version];
+    [
+        Option.Output, Option.Format, Option.Size, Option.Rows, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress,
+        Option.Map, Option.Ledger, Option.Preview, Option.Color, Option.Version,
+    ];
 
     public override string Help => HelpText.Full;
 
@@ -16,10 +19,16 @@ internal sealed class DrawCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = ScenePath(line);
+        if (line.Has(Option.Map) && (line.Has(Option.Rows) || line.Has(Option.Resume)))
+            throw ProblemException.Usage("a map is drawn whole: leave --rows and --resume out");
         if (line.Has(Option.Map)) return MapOutput.Run(line, path, cancellation);
-        var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
-        var output = line[Option.Output] ?? NameOf(path) + ".png";
-        var format = Format(line[Option.Format]) ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+        var (size, threads, quiet, rows) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet), line[Option.Rows]);
+        if (rows is not null) Rows.Check(rows);
+        var isPart = rows is not null || line.Has(Option.Resume);
+        var output = line[Option.Output] ?? (rows is null ? NameOf(path) + ".png" : null); // a part's name needs the picture's height
+        var format = Format(line.PictureFormat(), output, isPart);
+        if (output == SceneInput.Standard && line.Has(Option.Resume))
+            throw ProblemException.Usage("--resume looks whether the picture is there already, but what was written to standard output is gone");
         if (output == SceneInput.Standard && !Console.IsOutputRedirected)
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
@@ -30,33 +39,31 @@ internal sealed class DrawCommand : Command
 
         if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
-        var odd = new OddPicture(scene.Background);
-        var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, scene.Camera.Height) : null;
+        var lines = rows is null ? LineRange.Whole(scene.Camera.Height) : Rows.Of(rows, scene.Camera.Height);
+        output ??= PartName(NameOf(path), lines, scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
-        var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
-        if (output == SceneInput.Standard)
+        var part = isPart ? PictureOutput.Facts(scene, lines) : null;
+        if (line.Has(Option.Resume) && PartFile.Holds(output, part!))
         {
-            // Who cancels does not wait until a reader that has stopped reads on; what it has not got nobody misses.
-            Task.Run(() => StandardFile.WriteOutput(stream => Draw(scene, threads, stream, format, Watch, showProgress, cancellation)))
-                .WaitAsync(cancellation).GetAwaiter().GetResult();
-        }
-        else
-        {
-            using var file = new ReplacedFile(output);
-            Draw(scene, threads, file, format, Watch, showProgress, cancellation);
-            file.Commit();
+            if (!quiet) StandardFile.WriteError($"{output}: there already{Environment.NewLine}");
+            return ExitCode.Done;
         }
 
+        var odd = new OddPicture(scene.Background);
+        var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
+        var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
+        PictureOutput.Draw(output, format, scene, lines, part, threads, showProgress, cancellation, Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
-        StandardFile.WriteError(Summary(output, scene, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
-        if (line.Has(Option.Ledger) || odd.IsOdd) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
+        StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        var isOdd = odd.IsOdd && lines.Count == scene.Camera.Height; // a part may well show one colour
+        if (line.Has(Option.Ledger) || isOdd) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
 
-        void Watch(ReadOnlySpan<byte> lines)
+        void Watch(ReadOnlySpan<byte> drawn)
         {
-            odd.Take(lines);
-            preview?.Take(lines);
+            odd.Take(drawn);
+            preview?.Take(drawn);
         }
     }
 
@@ -75,41 +82,33 @@ internal sealed class DrawCommand : Command
             ? $"; did you mean -o {second}?"
             : "";
 
-    private static PictureFormat? Format(string? text) => text switch
+    /// <summary>The kind of file; what can be stitched or resumed must be able to say what it is.</summary>
+    private static PictureFormat Format(PictureFormat? wanted, string? output, bool isPart)
     {
-        null => null,
-        "png" => PictureFormat.Png,
-        "ppm" => PictureFormat.Ppm,
-        "ppm-text" => PictureFormat.PpmText,
-        _ => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
-    };
+        var format = wanted ?? (output is null ? PictureFormat.Png
+            : output != SceneInput.Standard ? PictureFormats.ByExtension(output)
+            : isPart ? PictureFormat.Png : PictureFormat.Ppm);
+        return !isPart || format == PictureFormat.Png ? format
+            : throw ProblemException.Usage("what --rows and --resume draw is a PNG, which can say what it is part of; choose another name or format");
+    }
 
     /// <summary>What a scene's pictures are called: as its file is, without folder and extension.</summary>
     public static string NameOf(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
-    private static void Draw(
-        Scene scene, int? threads, Stream output, PictureFormat format, Action<ReadOnlySpan<byte>> watch, bool showProgress, CancellationToken cancellation)
+    /// <summary>As room.part-0000-0249.png: the names of all parts of a picture are of one length, so that they stand in order.</summary>
+    private static string PartName(string name, LineRange lines, int height)
     {
-        var (width, height) = (scene.Camera.Width, scene.Camera.Height);
-        using var progress = showProgress ? new ProgressLine(Console.Error, width, height, TerminalScreen.Width(), TimeProvider.System) : null;
-        using var writer = PictureWriter.Create(format, output, width, height);
-        new Renderer(scene, threads).Draw(Take, progress is null ? null : progress.LinesDone, cancellation);
-        writer.Finish();
-
-        void Take(ReadOnlySpan<byte> lines)
-        {
-            watch(lines);
-            writer.WriteRows(lines);
-        }
+        var digits = $"D{Math.Max(4, (height - 1).ToString(CultureInfo.InvariantCulture).Length)}";
+        return $"{name}.part-{lines.First.ToString(digits, CultureInfo.InvariantCulture)}-{lines.Last.ToString(digits, CultureInfo.InvariantCulture)}.png";
     }
 
     /// <summary>One line: picture, size, models, time, rays per second.</summary>
-    private static string Summary(string output, Scene scene, TimeSpan elapsed)
+    private static string Summary(string output, Scene scene, LineRange lines, TimeSpan elapsed)
     {
         var (width, height, models) = (scene.Camera.Width, scene.Camera.Height, scene.Models.Count);
-        var rays = (double)width * height / elapsed.TotalSeconds;
+        var rays = (double)width * lines.Count / elapsed.TotalSeconds;
         return string.Create(CultureInfo.InvariantCulture,
-            $"{(output == SceneInput.Standard ? "standard output" : output)}: {width} x {height} pixels, " +
+            $"{(output == SceneInput.Standard ? "standard output" : output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
             $"{models} {(models == 1 ? "model" : "models")}, " +
             $"{elapsed.TotalSeconds:0.00} s, {rays / 1e6:0.0} million rays per second");
     }

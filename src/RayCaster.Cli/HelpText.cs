@@ -21,10 +21,14 @@ internal static class HelpText
           raycaster <command> ...
 
         Commands:
-          check <scene>...                 Finds errors of scenes, and what they cannot show.
+          check <scene>...                 Finds errors, and what a scene's picture cannot show.
           compare <mine> <reference>       Says whether two pictures are the same, and where not.
           diagnose <scene> <mine>          Says which mistake makes a wrong picture.
           explain <scene> <column> <line>  Shows how one pixel gets its colour.
+          stitch <part>...                 Joins parts into one picture; says which are missing.
+          orbit <scene>                    Draws the frames of a camera that moves.
+          animate <frame>...               Joins frames into an animated PNG.
+          sheet <picture>...               Shows many pictures, made small, on one.
           help [command]                   Shows this help, or a command's.
 
         Arguments:
@@ -37,6 +41,11 @@ internal static class HelpText
               --format <format>  png, ppm or ppm-text (PPM in readable numbers).
                                  [default: what the file's extension says]
           -s, --size <W>x<H>     Overrides the scene's picture size, in pixels.
+              --rows <lines>     Draws only these lines of the picture, a part for "stitch": as
+                                 0..249 (from the top, 0 first, both included), or as 3/8 (the
+                                 third of eight parts). [default output: room.part-0000-0249.png]
+              --resume           Does nothing if the picture or part is there already, whole
+                                 and of this very scene.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
               --map <kind>       Writes numbers in place of the picture: t, depth, model, normal
                                  or uv, as <scene>.<kind>.pfm, and to look at as .png.
@@ -55,8 +64,8 @@ internal static class HelpText
           dotnet run --project src/RayCaster.Cli -- scenes/room.json -o room.ppm --size 1920x1080
 
         Exit codes:
-          0 done, 2 could not do it, 70 internal error, 129 hung up, 130 interrupted,
-          143 terminated.
+          0 done, 1 the answer is no (pictures differ, parts are missing), 2 could not do it,
+          70 internal error, 129 hung up, 130 interrupted, 143 terminated.
 
         """;
 }

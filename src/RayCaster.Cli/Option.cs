@@ -9,6 +9,14 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option Output = new("--output", "-o");
     public static readonly Option Format = new("--format");
     public static readonly Option Size = new("--size", "-s");
+    public static readonly Option Rows = new("--rows");
+    public static readonly Option Resume = new("--resume", TakesValue: false);
+    public static readonly Option Missing = new("--missing", TakesValue: false);
+    public static readonly Option Frames = new("--frames");
+    public static readonly Option Keys = new("--keys");
+    public static readonly Option Only = new("--only");
+    public static readonly Option Fps = new("--fps");
+    public static readonly Option Columns = new("--columns");
     public static readonly Option Threads = new("--threads", "-t");
     public static readonly Option Map = new("--map");
     public static readonly Option Color = new("--color");
@@ -27,7 +35,8 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
     public static readonly Option[] All =
     [
-        Output, Format, Size, Threads, Map, Color, Scene, Reference, Hint,
+        Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
+        Threads, Map, Color, Scene, Reference, Hint,
         Ledger, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
     ];
 

@@ -10,7 +10,8 @@ namespace RayCaster.Cli;
 /// <param name="height">Lines of the picture.</param>
 /// <param name="columns">How wide the terminal is; less than 20 means that it does not know.</param>
 /// <param name="clock">What tells the time.</param>
-internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock) : IDisposable
+/// <param name="what">What a pixel costs: rays, unless none are cast.</param>
+internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock, string what = "rays") : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);
     private static readonly TimeSpan Pause = TimeSpan.FromSeconds(0.1);
@@ -25,6 +26,10 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         !Console.IsErrorRedirected
         && Environment.GetEnvironmentVariable("TERM") != "dumb"
         && string.IsNullOrEmpty(Environment.GetEnvironmentVariable("CI"));
+
+    /// <summary>One on the terminal behind standard error.</summary>
+    public static ProgressLine OnTerminal(int width, int height, string what = "rays") =>
+        new(Console.Error, width, height, TerminalScreen.Width(), TimeProvider.System, what);
 
     /// <summary>Counts lines of the picture; any thread may call it.</summary>
     public void LinesDone(int lines)
@@ -57,7 +62,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         var rays = (double)done * width / elapsed.TotalSeconds;
         var left = TimeSpan.FromSeconds(elapsed.TotalSeconds / share * (1 - share));
         return string.Create(CultureInfo.InvariantCulture,
-            $"{share * 100,3:0} %  {done} of {height} lines  {rays / 1e6:0.0} million rays per second  " +
+            $"{share * 100,3:0} %  {done} of {height} lines  {rays / 1e6:0.0} million {what} per second  " +
             $"{(long)left.TotalHours:00}:{left:mm\\:ss} left");
     }
 

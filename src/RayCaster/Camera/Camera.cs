@@ -112,9 +112,27 @@ public sealed class Camera
     /// <summary>Bias, zNear and zFar as one question.</summary>
     public ClipRange ClipRange { get; }
 
+    /// <summary>Why no picture can be taken from here, in words; null where one can.</summary>
+    public string? Flaw
+    {
+        get
+        {
+            var view = Target - Position;
+            return view.Length == 0 ? $"the camera is at its target, {Target}"
+                : !double.IsFinite(view.Length) ? $"the camera is at {Position}, too far from its target {Target}"
+                : (Up % view.Normalized).Length <= 1e-12 * Up.Length ? $"the camera at {Position} looks along up, which is {Up}"
+                : !(FovY > 0 && FovY < 180) ? FormattableString.Invariant($"fovY is {FovY}, but must be between 0 and 180")
+                : null;
+        }
+    }
+
     /// <summary>The same camera with another number of pixels.</summary>
     public Camera WithSize(int width, int height) =>
         new(Position, Target, Up, FovY, width, height, ZNear, ZFar, Bias, Clip, Sample);
+
+    /// <summary>The same camera at another place.</summary>
+    public Camera WithView(Vector3 position, Vector3 target, double fovY) =>
+        new(position, target, Up, fovY, Width, Height, ZNear, ZFar, Bias, Clip, Sample);
 
     /// <summary>The ray of a pixel.</summary>
     /// <param name="column">c, from the left, from 0.</param>

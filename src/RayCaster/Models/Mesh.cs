@@ -25,6 +25,10 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
         return nearest;
     }
 
+    /// <summary>Adds the corners and the places in them.</summary>
+    public override void AddTo(SceneDigest digest) =>
+        digest.Add("Mesh").Add(vertices.Length).Add(indices.Length).AddBits<Vector3>(vertices).AddBits<int>(indices);
+
     /// <inheritdoc/>
     internal override int PartCount => TriangleCount;
 

@@ -15,6 +15,13 @@ public abstract class Model
     /// <summary>The parameter t of the first crossing with the ray that counts (<see cref="Ray.Counts"/>), or null.</summary>
     public abstract double? Intersect(Ray ray);
 
+    /// <summary>
+    /// Adds to a digest the kind of shape and everything that <see cref="Intersect"/> depends on, so that parts of a picture that were drawn apart
+    /// are joined only if they show the same; the colour is in it already.
+    /// </summary>
+    /// <exception cref="NotSupportedException">A class derived from this one does not override it.</exception>
+    public virtual void AddTo(SceneDigest digest) => throw SceneDigest.Unknown(GetType());
+
     /// <summary>What kind of shape it is, as a scene file calls it.</summary>
     internal virtual string Kind => GetType().Name.ToLowerInvariant();
 
@@ -53,6 +60,9 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
         double t = ray.Clip.First<Scalar>(crossings, ray.ZPerT);
         return double.IsNaN(t) ? null : t;
     }
+
+    /// <summary>Adds the name of the shape's type and the bits of its numbers.</summary>
+    public override void AddTo(SceneDigest digest) => digest.Add(typeof(P).Name).AddBits([Primitive]);
 
     /// <inheritdoc/>
     internal override string Kind => typeof(P).Name.ToLowerInvariant();

@@ -27,9 +27,11 @@ public abstract class PictureWriter : IDisposable
     /// <param name="output">Takes the file's bytes in order; it need not seek and is left open.</param>
     /// <param name="width">Pixels in a line, at least 1.</param>
     /// <param name="height">Lines, at least 1.</param>
-    public static PictureWriter Create(PictureFormat format, Stream output, int width, int height) => format switch
+    /// <param name="part">What the picture is part of, if it is: only a PNG can tell.</param>
+    public static PictureWriter Create(PictureFormat format, Stream output, int width, int height, PartFacts? part = null) => format switch
     {
-        PictureFormat.Png => new PngWriter(output, width, height),
+        PictureFormat.Png => new PngWriter(output, width, height, part),
+        _ when part is not null => throw new ArgumentException("a part of a picture is a PNG", nameof(format)),
         PictureFormat.Ppm => new PpmWriter(output, width, height),
         PictureFormat.PpmText => new PpmTextWriter(output, width, height),
         _ => throw new ArgumentOutOfRangeException(nameof(format), format, null),

@@ -5,6 +5,9 @@ namespace RayCaster;
 /// <summary>What a PNG's first chunk, IHDR, says about its pixels.</summary>
 internal readonly record struct PngHeader(int Width, int Height, int BitDepth, int ColorType, bool Interlaced)
 {
+    /// <summary>The chunk's length.</summary>
+    public const int Bytes = 13;
+
     /// <summary>The colour type of samples red, green, blue.</summary>
     public const int Rgb = 2;
 
@@ -23,7 +26,7 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     /// The reduced pictures that the file holds one after another, each line preceded by the number of its filter: one picture of all
     /// pixels, or the seven of Adam7, that take pixels from ever finer grids.
     /// </summary>
-    public IEnumerable<PngPass> Passes
+    public IReadOnlyList<PngPass> Passes
     {
         get
         {
@@ -51,13 +54,24 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     /// <summary>The bytes of a line, without the number of its filter; its last byte may be filled up.</summary>
     public long LineBytes(int columns) => ((long)columns * BitsPerPixel + 7) / 8;
 
-    /// <summary>Reads the chunk's data.</summary>
-    /// <exception cref="PictureFileException">A value is not allowed, or the picture is too large.</exception>
-    public static PngHeader Read(ReadOnlySpan<byte> data)
+    /// <summary>The chunk's data.</summary>
+    public byte[] ToBytes()
     {
-        if (data.Length != 13) throw new PictureFileException($"its chunk IHDR has {data.Length} bytes instead of 13");
+        var data = new byte[Bytes]; // the only compression and filter method there are are 0
+        BinaryPrimitives.WriteInt32BigEndian(data, Width);
+        BinaryPrimitives.WriteInt32BigEndian(data.AsSpan(4), Height);
+        (data[8], data[9], data[12]) = ((byte)BitDepth, (byte)ColorType, (byte)(Interlaced ? 1 : 0));
+        return data;
+    }
+
+    /// <summary>Reads the chunk's data.</summary>
+    /// <param name="data">Its bytes.</param>
+    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel.</param>
+    /// <exception cref="PictureFileException">A value is not allowed, or the picture is too large.</exception>
+    public static PngHeader Read(ReadOnlySpan<byte> data, long mostBytes)
+    {
         long width = BinaryPrimitives.ReadUInt32BigEndian(data), height = BinaryPrimitives.ReadUInt32BigEndian(data[4..]);
-        PictureFile.CheckSize(width, height);
+        PictureFile.CheckSize(width, height, mostBytes);
         if (width > MostColumns) throw new PictureFileException($"its lines have {width:N0} pixels, the limit is {MostColumns:N0}");
         var header = new PngHeader((int)width, (int)height, data[8], data[9], data[12] == 1);
         var allowed = header.ColorType switch

@@ -1,158 +1,185 @@
-using System.Buffers.Binary;
 using System.IO.Compression;
+using System.Text;
 
 namespace RayCaster;
 
 /// <summary>
-/// PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checksums are checked; alpha and transparency are dropped.
+/// PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checksums are checked; alpha and transparency are dropped. What is
+/// not interlaced is also read line by line, in memory that does not grow with the number of lines.
 /// </summary>
-internal static class PngReader
+internal sealed class PngReader : IDisposable
 {
     /// <summary>Deflate describes 258 bytes with two bits at best.</summary>
     private const int MostBytesFromOne = 1032;
 
+    /// <summary>A longer text is none of ours.</summary>
+    private const int MostText = 4096;
+
+    private readonly PngChunkReader chunks;
+    private readonly byte[] palette = [];
+    private readonly long firstData;
+    private ZLibStream? data;
+    private PngLines? lines;
+    private int linesRead;
+
+    /// <summary>Reads all chunks but the pixels.</summary>
+    /// <param name="file">The file, which can seek; it is left open.</param>
+    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel.</param>
     /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
-    public static Picture Read(ReadOnlySpan<byte> file)
+    public PngReader(Stream file, long mostBytes)
     {
-        if (!file.StartsWith(PngChunk.Signature))
-            throw new PictureFileException("it begins like a PNG, but its first eight bytes are damaged, as by a transfer as text");
+        chunks = new(file);
         PngHeader? header = null;
-        ReadOnlySpan<byte> palette = default;
-        using var compressed = new MemoryStream();
-        for (var at = PngChunk.Signature.Length; ;)
+        var (dataBytes, paletteBytes) = (0L, 0L);
+        for (chunks.Next(); ; chunks.Next())
         {
-            var data = ReadChunk(file, ref at, out var type);
-            if (header is null && type != "IHDR") throw new PictureFileException($"its first chunk is {type} instead of IHDR");
-            switch (type)
+            if (header is null && chunks.Type != "IHDR") throw new PictureFileException($"its first chunk is {chunks.Type} instead of IHDR");
+            switch (chunks.Type)
             {
+                case "IHDR" when header is null && chunks.Left != PngHeader.Bytes:
+                    throw new PictureFileException($"its chunk IHDR has {chunks.Left} bytes instead of {PngHeader.Bytes}");
                 case "IHDR" when header is null:
-                    header = PngHeader.Read(data);
-                    break;
+                    header = PngHeader.Read(chunks.ReadUpTo(PngHeader.Bytes), mostBytes);
+                    continue;
                 case "PLTE":
-                    palette = data;
+                    paletteBytes = chunks.Left;
+                    palette = chunks.ReadUpTo(3 * 256);
                     break;
                 case "IDAT":
-                    compressed.Write(data);
+                    if (firstData == 0) firstData = chunks.Place;
+                    dataBytes += chunks.Left;
+                    chunks.Skip();
+                    continue;
+                case "tEXt" when chunks.Left <= MostText:
+                    if (Encoding.Latin1.GetString(chunks.ReadUpTo(MostText)).Split('\0') is [PartFacts.Keyword, var text]) PartText ??= text;
                     break;
                 case "IEND":
-                    return Decompress(header!.Value, palette, compressed);
+                    break;
                 default:
                     // A small first letter says that the picture can be shown without this chunk.
-                    if (char.IsAsciiLetterUpper(type[0]))
-                        throw new PictureFileException($"its chunk {type} is not known here or out of place");
+                    if (char.IsAsciiLetterUpper(chunks.Type[0]))
+                        throw new PictureFileException($"its chunk {chunks.Type} is not known here or out of place");
                     break;
             }
+            chunks.Check();
+            if (chunks.Type == "IEND") break;
         }
-    }
 
-    /// <summary>The data of the chunk at a place; the place moves on to the next one.</summary>
-    private static ReadOnlySpan<byte> ReadChunk(ReadOnlySpan<byte> file, scoped ref int at, out string type)
-    {
-        var rest = file[at..];
-        if (rest.Length < PngChunk.Frame)
-            throw new PictureFileException($"the file is cut short: it ends at byte {file.Length:N0}, before its chunk IEND");
-        var length = BinaryPrimitives.ReadUInt32BigEndian(rest);
-        var follow = rest.Length - PngChunk.Frame;
-        type = PictureFile.Printable(rest.Slice(4, 4));
-        if (length > follow)
-            throw new PictureFileException(
-                $"the file is cut short: its chunk {type} at byte {at:N0} needs {length:N0} bytes, but {follow:N0} follow");
-        var data = rest.Slice(8, (int)length);
-        var crc = BinaryPrimitives.ReadUInt32BigEndian(rest[(8 + data.Length)..]);
-        if (crc != PngChunk.Crc(0, rest.Slice(4, 4 + data.Length)))
-            throw new PictureFileException($"its chunk {type} at byte {at:N0} is damaged: the checksum is wrong");
-        at += PngChunk.Frame + data.Length;
-        return data;
-    }
-
-    private static Picture Decompress(PngHeader header, ReadOnlySpan<byte> palette, MemoryStream compressed)
-    {
-        if (header.ColorType == PngHeader.Palette && (palette.Length % 3 != 0 || palette.Length / 3 is < 1 or > 256))
-            throw new PictureFileException($"its palette has {palette.Length} bytes, but must be 1 to 256 colours of 3 bytes");
-        if (header.DataBytes > (Int128)compressed.Length * MostBytesFromOne)
+        Header = header!.Value;
+        if (Header.ColorType == PngHeader.Palette && (paletteBytes % 3 != 0 || paletteBytes / 3 is < 1 or > 256))
+            throw new PictureFileException($"its palette has {paletteBytes} bytes, but must be 1 to 256 colours of 3 bytes");
+        if (Header.DataBytes > (Int128)dataBytes * MostBytesFromOne)
             throw new PictureFileException("the file is cut short: "
-                + $"{header.Width:N0} × {header.Height:N0} pixels are {header.DataBytes:N0} bytes, "
-                + $"which no compression brings down to the {compressed.Length:N0} that it holds");
+                + $"{Header.Width:N0} × {Header.Height:N0} pixels are {Header.DataBytes:N0} bytes, "
+                + $"which no compression brings down to the {dataBytes:N0} that it holds");
+    }
 
-        compressed.Position = 0;
-        using var data = new ZLibStream(compressed, CompressionMode.Decompress, leaveOpen: true);
-        var picture = new Picture(header.Width, header.Height);
-        try
+    /// <summary>What the file says about its pixels.</summary>
+    public PngHeader Header { get; }
+
+    /// <summary>What the file says of the picture that it is part of (<see cref="PartFacts"/>), or null.</summary>
+    public string? PartText { get; }
+
+    /// <summary>Reads a whole picture.</summary>
+    /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
+    public static Picture Read(Stream file)
+    {
+        using var reader = new PngReader(file, PictureFile.MostBytes);
+        return reader.ReadPicture();
+    }
+
+    /// <summary>Checks the checksums of the compressed pixels, without reading the pixels.</summary>
+    /// <exception cref="PictureFileException">One is wrong.</exception>
+    public void CheckData()
+    {
+        for (chunks.Return(firstData); chunks.Type != "IEND"; chunks.Next()) chunks.Check();
+    }
+
+    /// <summary>Reads the next line of a picture that is not interlaced; the last one brings the end of the data, which is checked.</summary>
+    /// <param name="rgb">Takes three bytes a pixel.</param>
+    /// <exception cref="PictureFileException">The data are damaged.</exception>
+    public void ReadLine(Span<byte> rgb) => FromData(rgb, static (reader, rgb) =>
+    {
+        reader.lines ??= new(reader.OpenData(), reader.Header, reader.Header.Passes[0]);
+        var samples = reader.lines.Next(reader.linesRead);
+        if (reader.Header.ColorType == PngHeader.Rgb) samples.CopyTo(rgb);
+        else
+            for (; !rgb.IsEmpty; rgb = rgb[3..], samples = samples[reader.Header.Channels..])
+                (rgb[0], rgb[1], rgb[2]) = reader.ColorOf(samples);
+        if (++reader.linesRead == reader.Header.Height) reader.CheckEnd();
+    });
+
+    /// <summary>The pixels as they are compressed, a zlib stream; checksums are checked.</summary>
+    public Stream OpenCompressed()
+    {
+        chunks.Return(firstData);
+        return new PngData(chunks);
+    }
+
+    public void Dispose() => data?.Dispose();
+
+    private Picture ReadPicture()
+    {
+        OpenData();
+        var picture = new Picture(Header.Width, Header.Height);
+        FromData(picture, static (reader, picture) =>
         {
-            foreach (var pass in header.Passes) ReadPass(data, header, pass, palette, picture);
-            // The end of the data brings their own checksum.
-            if (data.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
-        }
-        catch (Exception e) when (e is InvalidDataException or IOException)
-        {
-            throw new PictureFileException("its compressed data are damaged", e);
-        }
+            foreach (var pass in reader.Header.Passes)
+            {
+                var lines = new PngLines(reader.data!, reader.Header, pass);
+                for (var y = pass.Y; y < picture.Height; y += pass.StepY) reader.Place(lines.Next(y), y, pass, picture);
+            }
+            reader.CheckEnd();
+        });
         return picture;
     }
 
-    private static void ReadPass(Stream data, PngHeader header, PngPass pass, ReadOnlySpan<byte> palette, Picture picture)
+    private ZLibStream OpenData()
     {
-        var columns = pass.Columns(header.Width);
-        // Filters look a whole pixel to the left, beyond the edge at zeros: these stand before each line. The byte before the line is
-        // the number of its filter first, and a zero again when that is known.
-        var margin = Math.Max(1, header.BitsPerPixel / 8);
-        var (line, above) = (new byte[margin + header.LineBytes(columns)], new byte[margin + header.LineBytes(columns)]);
-        var samples = new byte[(long)columns * header.Channels];
-        for (var y = pass.Y; y < header.Height; y += pass.StepY)
-        {
-            var filtered = line.AsSpan(margin - 1);
-            if (data.ReadAtLeast(filtered, filtered.Length, throwOnEndOfStream: false) < filtered.Length)
-                throw new PictureFileException($"the file is cut short: its data end in line {y} of {header.Height}");
-            var filter = filtered[0];
-            filtered[0] = 0;
-            PngFilter.Undo(filter, line, above, margin);
-            Unpack(line.AsSpan(margin), header, samples);
-            Place(samples, y, header, pass, palette, picture);
-            (line, above) = (above, line);
-        }
+        chunks.Return(firstData);
+        return data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
     }
 
-    /// <summary>Brings the samples of a line to a byte each: places in the palette as they are, all others scaled and rounded.</summary>
-    private static void Unpack(ReadOnlySpan<byte> line, PngHeader header, Span<byte> samples)
+    /// <summary>The end of the data brings their own checksum, and what may follow in the file that of its chunk.</summary>
+    private void CheckEnd()
     {
-        switch (header.BitDepth)
+        if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
+        data.BaseStream.CopyTo(Stream.Null);
+    }
+
+    /// <summary>Reads something from the data; what is wrong with them is the checksum's fault first.</summary>
+    private void FromData<T>(T into, Action<PngReader, T> read) where T : allows ref struct
+    {
+        try
         {
-            case 8:
-                line.CopyTo(samples);
-                break;
-            case 16:
-                // v · 255 / 65535 is v / 257, which is never half a step.
-                for (var i = 0; i < samples.Length; i++)
-                    samples[i] = (byte)((BinaryPrimitives.ReadUInt16BigEndian(line[(2 * i)..]) + 128) / 257);
-                break;
-            case var bits:
-                var greatest = (1 << bits) - 1;
-                var scale = header.ColorType == PngHeader.Palette ? 1 : 255 / greatest; // 255 is a multiple of 1, 3 and 15
-                for (var i = 0; i < samples.Length; i++)
-                {
-                    var bit = (long)i * bits;
-                    samples[i] = (byte)((line[(int)(bit / 8)] >> (8 - bits - (int)(bit % 8)) & greatest) * scale);
-                }
-                break;
+            read(this, into);
+        }
+        catch (Exception e) when (e is InvalidDataException or IOException)
+        {
+            chunks.Check();
+            throw new PictureFileException("its compressed data are damaged", e);
+        }
+        catch (PictureFileException)
+        {
+            chunks.Check();
+            throw;
         }
     }
 
     /// <summary>Puts a line of a pass where it belongs in the picture.</summary>
-    private static void Place(
-        ReadOnlySpan<byte> samples, int y, PngHeader header, PngPass pass, ReadOnlySpan<byte> palette, Picture picture)
+    private void Place(ReadOnlySpan<byte> samples, int y, PngPass pass, Picture picture)
     {
-        if (header.ColorType == PngHeader.Rgb && pass.StepX == 1)
+        if (Header.ColorType == PngHeader.Rgb && pass.StepX == 1)
         {
             samples.CopyTo(picture.Rgb.AsSpan(y * samples.Length)); // a whole line, as it is
             return;
         }
-        for (var x = pass.X; x < picture.Width; x += pass.StepX, samples = samples[header.Channels..])
-            picture[x, y] = ColorOf(samples, header, palette);
+        for (var x = pass.X; x < picture.Width; x += pass.StepX, samples = samples[Header.Channels..]) picture[x, y] = ColorOf(samples);
     }
 
-    private static (byte R, byte G, byte B) ColorOf(ReadOnlySpan<byte> samples, PngHeader header, ReadOnlySpan<byte> palette)
+    private (byte R, byte G, byte B) ColorOf(ReadOnlySpan<byte> samples)
     {
-        switch (header.ColorType)
+        switch (Header.ColorType)
         {
             case 0 or 4:
                 return (samples[0], samples[0], samples[0]);

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Text;
 
 namespace RayCaster;
 
@@ -25,20 +26,15 @@ internal sealed class PngWriter : PictureWriter
     private int bandsBegun;
     private uint adler = Adler32.OfNothing;
 
-    public PngWriter(Stream output, int width, int height) : base(output, width, height)
+    public PngWriter(Stream output, int width, int height, PartFacts? part = null) : base(output, width, height)
     {
         linesOfBand = (long)LineBytes * height <= BytesOfLarge ? height : Math.Max(1, BytesOfBand / LineBytes);
         bandCount = (height - 1) / linesOfBand + 1;
         band = NextBand([]);
 
-        Span<byte> header = stackalloc byte[13];
-        BinaryPrimitives.WriteInt32BigEndian(header, width);
-        BinaryPrimitives.WriteInt32BigEndian(header[4..], height);
-        header[8] = 8; // bits of a sample
-        header[9] = 2; // red, green, blue
-        header[10..].Clear(); // the only compression and filter method there are; not interlaced
         output.Write(PngChunk.Signature);
-        PngChunk.Write(output, "IHDR"u8, header);
+        PngChunk.Write(output, "IHDR"u8, new PngHeader(width, height, 8, PngHeader.Rgb, Interlaced: false).ToBytes());
+        if (part is not null) PngChunk.Write(output, "tEXt"u8, Encoding.Latin1.GetBytes($"{PartFacts.Keyword}\0{part}"));
     }
 
     /// <summary>Waits, for a band's time at most, until no other thread works for this writer any more.</summary>

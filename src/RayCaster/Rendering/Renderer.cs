@@ -45,7 +45,16 @@ public sealed class Renderer(Scene scene, int? threads = null)
     /// <param name="linesDone">Told how many more lines have been cast, from any thread.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     public void Draw(Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default) =>
-        new BandQueue(scene, threadCount, linesDone, cancellation).WriteAll(write);
+        Draw(LineRange.Whole(camera.Height), write, linesDone, cancellation);
+
+    /// <summary>Draws some lines of the picture, in the same way.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The picture has no such lines.</exception>
+    public void Draw(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default)
+    {
+        if (lines.First < 0 || lines.Last >= camera.Height || lines.Count < 1)
+            throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
+        new BandQueue(scene, lines, threadCount, linesDone, cancellation).WriteAll(write);
+    }
 
     /// <summary>Casts all rays; this thread is one of those that do.</summary>
     private void Cast(ISpanSink sink)

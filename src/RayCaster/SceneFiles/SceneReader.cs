@@ -49,25 +49,39 @@ public static class SceneReader
     /// <param name="folder">Where the paths of mesh files start.</param>
     public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder)
     {
-        var hasMark = utf8.Span.StartsWith(Encodings.Utf8Mark);
-        var document = new SceneDocument(new SourceText(displayName, utf8[(hasMark ? 3 : 0)..]), folder);
-        var scene = Read(document);
-        return new(document.ErrorCount == 0 ? scene : null, document.Problems());
+        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var problems);
+        return new(scene, problems);
     }
 
-    private static Scene? Read(SceneDocument document)
+    /// <summary>Reads a text that is something else than a scene, in the same form.</summary>
+    /// <param name="utf8">The text.</param>
+    /// <param name="displayName">What messages call it.</param>
+    /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <param name="name">What the outermost object is called in a message.</param>
+    /// <param name="read">Reads that object.</param>
+    /// <param name="problems">All errors and warnings.</param>
+    /// <returns>What was read, or null if there is an error.</returns>
+    internal static T? Parse<T>(ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems)
+        where T : class
+    {
+        var hasMark = utf8.Span.StartsWith(Encodings.Utf8Mark);
+        var document = new SceneDocument(new SourceText(displayName, utf8[(hasMark ? 3 : 0)..]), folder);
+        var root = ReadRoot(document, name);
+        var result = root is null ? null : read(root);
+        problems = document.Problems();
+        return document.ErrorCount == 0 ? result : null;
+    }
+
+    private static SceneObject? ReadRoot(SceneDocument document, string name)
     {
         if (Encodings.MistakeIn(document.Text.Utf8) is { } encoding)
         {
             document.Add(true, encoding.Start, encoding.End, "", encoding.Message);
             return null;
         }
-        if (JsonTree.Parse(document.Text, out var mistake) is not { } tree)
-        {
-            document.Add(true, mistake.Start, mistake.End, "", mistake.Message);
-            return null;
-        }
-        return SceneObject.AsObject(document, tree.Root, "", "the scene") is { } o ? ReadScene(o) : null;
+        if (JsonTree.Parse(document.Text, out var mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name);
+        document.Add(true, mistake.Start, mistake.End, "", mistake.Message);
+        return null;
     }
 
     /// <summary>Reads the outermost object; null if there is an error in it.</summary>

@@ -44,6 +44,57 @@ public class RendererTests
         Assert.Equal(height, lines);
     }
 
+    /// <summary>So wide that a row of tiles is drawn in halves, and with triangles that are smaller than a pixel.</summary>
+    [Fact]
+    public void AVeryWidePictureOfAMeshIsRightInAllItsBands()
+    {
+        var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/mesh.json")).Scene!;
+        scene = scene with { Camera = scene.Camera.WithSize(90_000, 70) };
+        var middle = (90_000 - 24) / 2; // where the mesh is
+        var bytes = new List<byte>();
+        new Renderer(scene).Draw(part => bytes.AddRange(part));
+        var differing = 0;
+        for (var y = 0; y < 70; y++)
+            for (var x = middle; x < middle + 24; x++)
+            {
+                var ray = ScalarRenderer.Cast(scene, x, 69 - y);
+                var (r, g, b) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
+                var at = 3 * (y * 90_000 + x);
+                if ((r, g, b) != (bytes[at], bytes[at + 1], bytes[at + 2])) differing++;
+            }
+        Assert.Equal(0, differing);
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void SomeLinesAreThoseOfTheWholePicture(int seed)
+    {
+        var random = new Random(seed);
+        for (var i = 0; i < 40; i++)
+        {
+            var scene = RandomScene.Make(random);
+            scene = scene with { Camera = scene.Camera.WithSize(random.Next(1, 150), random.Next(1, 300)) };
+            var (width, height, whole) = (scene.Camera.Width, scene.Camera.Height, Renderer.Render(scene).Rgb);
+            var first = random.Next(height);
+            var lines = new LineRange(first, random.Next(first, height));
+            var bytes = new List<byte>();
+            new Renderer(scene).Draw(lines, part => bytes.AddRange(part));
+            Assert.Equal(whole[(3 * width * first)..(3 * width * (lines.Last + 1))], bytes);
+        }
+    }
+
+    [Theory]
+    [InlineData(-1, 3)]
+    [InlineData(3, 2)]
+    [InlineData(0, 10)]
+    public void LinesBeyondThePictureAreRefused(int first, int last)
+    {
+        var scene = RandomScene.Make(new Random(1));
+        var renderer = new Renderer(scene with { Camera = scene.Camera.WithSize(5, 10) });
+        Assert.Throws<ArgumentOutOfRangeException>(() => renderer.Draw(new LineRange(first, last), _ => { }));
+    }
+
     [Theory]
     [InlineData(1)]
     [InlineData(2)]

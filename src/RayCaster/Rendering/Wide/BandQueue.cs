@@ -1,7 +1,7 @@
 namespace RayCaster;
 
 /// <summary>
-/// Draws a picture in bands of lines, from top to bottom: several threads cast the tiles of the next bands while the finished ones are written in order.
+/// Draws some lines of a picture in bands, from top to bottom: several threads cast the tiles of the next bands while the finished ones are written in order.
 /// Only a few bands are in memory at a time.
 /// </summary>
 /// <remarks>
@@ -18,7 +18,8 @@ internal sealed class BandQueue
     private readonly Action<int>? linesDone;
     private readonly CancellationToken cancellation;
     private readonly int rowsOfBand, tilesAcross, threadCount;
-    private readonly long bandCount;
+    private readonly int lowestRow, endRow;  // of the lines to draw
+    private readonly long bandCount, lowestBand;
 
     private readonly byte[][] buffers;
     private readonly int[] tilesMissing;     // of the band in each buffer
@@ -27,10 +28,11 @@ internal sealed class BandQueue
     private Exception? failure;
 
     /// <param name="scene">What to draw.</param>
+    /// <param name="lines">Which lines.</param>
     /// <param name="threads">How many threads cast.</param>
     /// <param name="linesDone">Told how many lines have been cast, from any thread.</param>
     /// <param name="cancellation">Stops the work.</param>
-    public BandQueue(Scene scene, int threads, Action<int>? linesDone, CancellationToken cancellation)
+    public BandQueue(Scene scene, LineRange lines, int threads, Action<int>? linesDone, CancellationToken cancellation)
     {
         (frame, camera, shader) = (new(scene, threads), scene.Camera, new(scene));
         (this.linesDone, this.cancellation) = (linesDone, cancellation);
@@ -38,7 +40,9 @@ internal sealed class BandQueue
         // A band is a row of tiles, or of very wide pictures a half, a quarter … of one, so that no tile lies in two bands.
         for (rowsOfBand = Tile.MaxSide; rowsOfBand > 1 && 3L * camera.Width * rowsOfBand > BytesOfBand;) rowsOfBand /= 2;
         tilesAcross = Frame.TilesOf(camera.Width);
-        bandCount = (camera.Height + rowsOfBand - 1) / rowsOfBand;
+        (lowestRow, endRow) = (camera.Height - 1 - lines.Last, camera.Height - lines.First);
+        lowestBand = lowestRow / rowsOfBand;
+        bandCount = (endRow - 1) / rowsOfBand - lowestBand + 1;
         buffers = new byte[Math.Min(bandCount, threads + 2)][];
         tilesMissing = new int[buffers.Length];
         for (var i = 0; i < buffers.Length; i++) (buffers[i], tilesMissing[i]) = (new byte[3 * camera.Width * rowsOfBand], tilesAcross);
@@ -75,11 +79,12 @@ internal sealed class BandQueue
         }
     }
 
-    /// <summary>The rows of a band; band 0 is the top of the picture.</summary>
+    /// <summary>The rows of a band; band 0 holds the first of the lines. The first and the last band may be cut.</summary>
     private (int Row, int Height) RowsOf(long band)
     {
-        var row = (int)(bandCount - 1 - band) * rowsOfBand;
-        return (row, Math.Min(rowsOfBand, camera.Height - row));
+        var row = (int)(lowestBand + bandCount - 1 - band) * rowsOfBand;
+        var (first, end) = (Math.Max(row, lowestRow), Math.Min(row + rowsOfBand, endRow));
+        return (first, end - first);
     }
 
     private void Work()

@@ -124,10 +124,11 @@ internal sealed class TileFilter
     {
         if (spots.Length == 0) return;
         if (isEmpty) Clear();
+        var (first, end) = (tile.Row % Tile.MaxSide * Stride, tile.Height * Stride); // of a whole tile this one may have only some rows
         foreach (ref readonly var spot in spots)
         {
-            var pixel = spot.Pixel;
-            if (spot.MostW < covered[pixel]) continue;
+            var pixel = spot.Pixel - first;
+            if ((uint)pixel >= (uint)end || spot.MostW < covered[pixel]) continue;
             greatestW = Math.Max(greatestW, spot.MostW);
             if (spot.LeastW > front[pixel])
             {

@@ -1,0 +1,60 @@
+using System.Globalization;
+
+namespace RayCaster.Cli;
+
+/// <summary>Joins frames into an animated PNG.</summary>
+internal sealed class AnimateCommand : Command
+{
+    public override IReadOnlyList<Option> Options { get; } = [Option.Output, Option.Fps, Option.Quiet];
+
+    public override string Help => """
+        Description:
+          Joins frames into an animated PNG (APNG), which browsers play. No pixel changes.
+
+        Usage:
+          raycaster animate <frame>... -o <file> [options]
+
+        Arguments:
+          <frame>...  PNGs as they are drawn here, all of one size, in order; or patterns or
+                      folders, whose files come in the order of their names.
+
+        Options:
+          -o, --output <file>  The animation, a .png.
+              --fps <n>        Frames in a second, 1 to 1000. [default: 25]
+          -q, --quiet          Prints errors only.
+
+        """;
+
+    /// <exception cref="ProblemException">The command line does not do.</exception>
+    /// <exception cref="PictureFileException">A frame cannot be read, or the animation not be written.</exception>
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var output = OutputOf(line, "animate");
+        var fps = line[Option.Fps] is not { } text ? 25
+            : CommandLine.ParseCount(text) is { } number and <= 1000 ? number
+            : throw ProblemException.Usage($"'{text}' is not a number of frames in a second: it is a whole number from 1 to 1000");
+        var frames = FramesOf(line, output);
+        PictureOutput.Write(output, cancellation, stream => AnimationFile.Write(stream, frames, fps, cancellation));
+        if (!line.Has(Option.Quiet))
+            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
+                $"{output}: {frames.Count} frames, {(double)frames.Count / fps:0.##} s{Environment.NewLine}"));
+        return ExitCode.Done;
+    }
+
+    /// <summary>The PNG that a command writes.</summary>
+    public static string OutputOf(CommandLine line, string command)
+    {
+        if (line[Option.Output] is not { } output) throw ProblemException.Usage($"{command} needs a name for the picture, as in -o {command}.png");
+        if (output == SceneInput.Standard || PictureFormats.ByExtension(output) != PictureFormat.Png)
+            throw ProblemException.Usage($"{command} writes a PNG, to a file: choose a name with .png");
+        return output;
+    }
+
+    /// <summary>The frames, without the output that an earlier run may have left among them.</summary>
+    public static List<string> FramesOf(CommandLine line, string output)
+    {
+        var frames = InputFiles.Of(line.Operands, out var chosen);
+        frames.RemoveAll(file => !chosen.Contains(file) && Path.GetFullPath(file) == Path.GetFullPath(output));
+        return frames.Count > 0 ? frames : throw ProblemException.Usage("which pictures? Name PNG files, a pattern or a folder with some");
+    }
+}

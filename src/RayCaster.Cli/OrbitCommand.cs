@@ -1,0 +1,101 @@
+using System.Diagnostics;
+using System.Globalization;
+
+namespace RayCaster.Cli;
+
+/// <summary>Draws the frames of a camera that moves.</summary>
+internal sealed class OrbitCommand : Command
+{
+    private const int MostFrames = 1_000_000;
+
+    public override IReadOnlyList<Option> Options { get; } =
+        [Option.Frames, Option.Keys, Option.Only, Option.Output, Option.Size, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress];
+
+    public override string Help => """
+        Description:
+          Draws the frames of a camera that goes once around its target, or along a way of
+          your own: room-0000.png, room-0001.png ...
+
+        Usage:
+          raycaster orbit <scene> --frames <n> [options]
+
+        Options:
+              --frames <n>       How many frames. Without --keys frame 0 is the scene's own
+                                 picture, and the camera turns counterclockwise, seen from above
+                                 (from where "up" points to).
+              --keys <file>      Where the camera is and when (JSON, docs/frames.md); the first
+                                 frame is at the first key, the last at the last.
+              --only <frames>    Draws only these: as 0..11 (both included), or as 3/8 (the third
+                                 of eight parts), for many machines.
+          -o, --output <folder>  Where the frames go; it is made. [default: the current folder]
+          -s, --size <W>x<H>     Overrides the scene's picture size, in pixels.
+              --resume           Leaves out what is there already, whole and of this very scene
+                                 and camera.
+          -t, --threads <n>      How many threads cast rays. [default: one per core]
+          -q, --quiet            Prints errors only.
+              --no-progress      Never draws a progress line.
+
+        Examples:
+          raycaster orbit scenes/room.json --frames 48 -o frames
+          raycaster animate frames -o room.png --fps 24
+
+        """;
+
+    /// <exception cref="ProblemException">The scene or the way of the camera does not do.</exception>
+    /// <exception cref="PictureFileException">A frame cannot be written.</exception>
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var path = line.Exactly("<scene>")[0];
+        var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
+        if (line[Option.Frames] is not { } text) throw ProblemException.Usage("how many frames? Say it as in --frames 48");
+        if (CommandLine.ParseCount(text) is not ({ } frames and <= MostFrames))
+            throw ProblemException.Usage($"'{text}' is not a number of frames: it is a whole number from 1 to {MostFrames}");
+        var only = line[Option.Only] is { } some ? Rows.Of(some, frames, "frames", "a film") : LineRange.Whole(frames);
+
+        if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
+        CameraPath? way = null;
+        if (line[Option.Keys] is { } keys)
+        {
+            way = CameraPathReader.Read(keys, scene.Camera, out var report);
+            StandardFile.WriteError(report);
+            if (way is null) return ExitCode.CouldNot;
+        }
+
+        var folder = line[Option.Output] ?? "";
+        MakeFolder(folder);
+        var name = path == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(path);
+        var digits = $"D{Math.Max(4, (frames - 1).ToString(CultureInfo.InvariantCulture).Length)}";
+        var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
+        var (start, drawn) = (Stopwatch.GetTimestamp(), 0);
+        for (var frame = only.First; frame <= only.Last; frame++)
+        {
+            cancellation.ThrowIfCancellationRequested();
+            var camera = way?.Frame(scene.Camera, frame, frames) ?? Orbit.Frame(scene.Camera, frame, frames);
+            if (camera.Flaw is { } flaw) throw new ProblemException($"raycaster: frame {frame} cannot be drawn: {flaw}");
+            var view = scene with { Camera = camera };
+            var whole = LineRange.Whole(camera.Height);
+            var output = Path.Combine(folder, $"{name}-{frame.ToString(digits, CultureInfo.InvariantCulture)}.png");
+            var part = PictureOutput.Facts(view, whole); // says what it is, so that it can be left out later
+            if (line.Has(Option.Resume) && PartFile.Holds(output, part)) continue;
+            PictureOutput.Draw(output, PictureFormat.Png, view, whole, part, threads, showProgress, cancellation);
+            drawn++;
+        }
+        if (!quiet)
+            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
+                $"{(folder == "" ? "." : folder)}: {drawn} {(drawn == 1 ? "frame" : "frames")} of {scene.Camera.Width} x {scene.Camera.Height} pixels drawn, " +
+                $"{only.Count - drawn} there already, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
+        return ExitCode.Done;
+    }
+
+    private static void MakeFolder(string folder)
+    {
+        try
+        {
+            if (folder != "") Directory.CreateDirectory(folder);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new ProblemException($"raycaster: the folder {folder} cannot be made: {e.Message}");
+        }
+    }
+}

@@ -1,0 +1,64 @@
+namespace RayCaster.Cli;
+
+/// <summary>Where a picture goes: a file that is there whole or not at all, or standard output.</summary>
+internal static class PictureOutput
+{
+    /// <summary>Opens it, has it written and closes it.</summary>
+    /// <param name="output">The file, or "-".</param>
+    /// <param name="cancellation">Ends the wait for a reader of standard output.</param>
+    /// <param name="write">Writes the picture.</param>
+    /// <exception cref="ProblemException">Nobody takes the picture.</exception>
+    /// <exception cref="PictureFileException">The file does not do.</exception>
+    public static void Write(string output, CancellationToken cancellation, Action<Stream> write)
+    {
+        if (output == SceneInput.Standard)
+        {
+            // Who cancels does not wait until a reader that has stopped reads on; what it has not got nobody misses.
+            Task.Run(() => StandardFile.WriteOutput(write)).WaitAsync(cancellation).GetAwaiter().GetResult();
+            return;
+        }
+        using var file = new ReplacedFile(output);
+        write(file);
+        file.Commit();
+    }
+
+    /// <summary>Draws some lines of a scene's picture.</summary>
+    /// <param name="output">The file, or "-".</param>
+    /// <param name="format">Its kind.</param>
+    /// <param name="scene">The scene.</param>
+    /// <param name="lines">Which lines.</param>
+    /// <param name="part">What the file is to say of itself, if anything.</param>
+    /// <param name="threads">How many threads cast rays; null for one per core.</param>
+    /// <param name="showProgress">Whether to tell on the terminal how far it is.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    /// <param name="watch">Sees the lines too.</param>
+    public static void Draw(string output, PictureFormat format, Scene scene, LineRange lines, PartFacts? part, int? threads,
+        bool showProgress, CancellationToken cancellation, Action<ReadOnlySpan<byte>>? watch = null) => Write(output, cancellation, stream =>
+    {
+        var (width, height) = (scene.Camera.Width, lines.Count);
+        using var progress = showProgress ? ProgressLine.OnTerminal(width, height) : null;
+        using var writer = PictureWriter.Create(format, stream, width, height, part);
+        new Renderer(scene, threads).Draw(lines, Take, progress is null ? null : progress.LinesDone, cancellation);
+        writer.Finish();
+
+        void Take(ReadOnlySpan<byte> drawn)
+        {
+            watch?.Invoke(drawn);
+            writer.WriteRows(drawn);
+        }
+    });
+
+    /// <summary>What a part says of itself.</summary>
+    /// <exception cref="ProblemException">A model does not say what it is made of.</exception>
+    public static PartFacts Facts(Scene scene, LineRange lines)
+    {
+        try
+        {
+            return PartFacts.Of(scene, lines);
+        }
+        catch (NotSupportedException e)
+        {
+            throw new ProblemException($"raycaster: the scene cannot be drawn in parts: {e.Message}");
+        }
+    }
+}

@@ -1,0 +1,54 @@
+using System.Globalization;
+
+namespace RayCaster.Cli;
+
+/// <summary>Shows many pictures, made small, on one.</summary>
+internal sealed class SheetCommand : Command
+{
+    public override IReadOnlyList<Option> Options { get; } = [Option.Output, Option.Columns, Option.Size, Option.Quiet];
+
+    public override string Help => """
+        Description:
+          Makes a contact sheet: many pictures, made small, side by side on one.
+
+        Usage:
+          raycaster sheet <picture>... -o <file> [options]
+
+        Arguments:
+          <picture>...  PNGs in order; or patterns or folders, whose files come in the order of
+                        their names.
+
+        Options:
+          -o, --output <file>  The sheet, a .png.
+              --columns <n>    How many in a row. [default: as many as make a square]
+          -s, --size <W>x<H>   Size of each small picture, in pixels.
+                               [default: no wider than 160, in the shape of the first]
+          -q, --quiet          Prints errors only.
+
+        """;
+
+    /// <exception cref="ProblemException">The command line does not do.</exception>
+    /// <exception cref="PictureFileException">A picture cannot be read, or the sheet not be written.</exception>
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var output = AnimateCommand.OutputOf(line, "sheet");
+        var pictures = AnimateCommand.FramesOf(line, output);
+        var columns = line[Option.Columns] is not { } text ? (int)Math.Ceiling(Math.Sqrt(pictures.Count))
+            : CommandLine.ParseCount(text) ?? throw ProblemException.Usage($"'{text}' is not a number of columns");
+        columns = Math.Min(columns, pictures.Count);
+        var (width, height) = line.PictureSize() ?? ContactSheet.SizeFor(pictures[0]);
+        var sheet = new ContactSheet(pictures, columns, width, height);
+        if (sheet.Width > Camera.MaxSide || sheet.Height > Camera.MaxSide || 3 * sheet.Width * (height + ContactSheet.Gap) > Array.MaxLength)
+            throw new ProblemException($"raycaster: a sheet of {sheet.Width} x {sheet.Height} pixels is too large: make its pictures smaller with --size");
+        PictureOutput.Write(output, cancellation, stream =>
+        {
+            using var writer = PictureWriter.Create(PictureFormat.Png, stream, (int)sheet.Width, (int)sheet.Height);
+            sheet.Write(writer, cancellation);
+            writer.Finish();
+        });
+        if (!line.Has(Option.Quiet))
+            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
+                $"{output}: {pictures.Count} pictures, {sheet.Width} x {sheet.Height} pixels{Environment.NewLine}"));
+        return ExitCode.Done;
+    }
+}

@@ -1,0 +1,108 @@
+using System.Diagnostics;
+using System.Globalization;
+
+namespace RayCaster.Cli;
+
+/// <summary>Joins the parts that --rows has drawn into one picture, or says what is missing.</summary>
+internal sealed class StitchCommand : Command
+{
+    /// <summary>How many problems are written out.</summary>
+    private const int Printed = 20;
+
+    public override IReadOnlyList<Option> Options { get; } = [Option.Output, Option.Format, Option.Missing, Option.Quiet, Option.NoProgress];
+
+    public override string Help => """
+        Description:
+          Joins the parts of a picture that "raycaster <scene> --rows ..." has drawn, here or on
+          many machines. The picture is pixel for pixel the one that is drawn in one go.
+
+        Usage:
+          raycaster stitch <part>... -o <file> [options]
+          raycaster stitch <part>... --missing
+
+        Arguments:
+          <part>...  Files, patterns like "parts/room.part-*.png", or folders, of which all PNG
+                     files are taken that say that they are parts. The order does not matter.
+
+        Options:
+          -o, --output <file>    Where to write the picture: .png or .ppm; "-" writes it to a
+                                 redirected standard output, as PPM.
+              --format <format>  png, ppm or ppm-text (PPM in readable numbers).
+                                 [default: what the file's extension says]
+              --missing          Writes no picture, but the lines that no part holds, one range
+                                 a line in the form that --rows takes; nothing if all are there.
+          -q, --quiet            Prints errors only.
+              --no-progress      Never draws a progress line.
+
+        Refused, with a message that names the files and lines: parts of different scenes, sizes
+        or program versions, lines that are missing, and lines that are there twice (even if
+        they are the same: remove one of the files). A picture that was there stays then.
+
+        Examples:
+          raycaster stitch room.part-*.png -o room.png
+          for lines in $(raycaster stitch parts --missing); do
+            raycaster scenes/room.json --rows $lines -o parts/$lines.png
+          done
+
+        Exit codes:
+          0 done, or with --missing: nothing is missing, 1 parts are missing or do not belong
+          together, 2 could not do it, as a part is damaged or the disk full.
+
+        """;
+
+    /// <exception cref="ProblemException">The command line does not do, or nobody takes the picture.</exception>
+    /// <exception cref="PictureFileException">A part cannot be read, or the picture cannot be written.</exception>
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        if (line.Operands.Count == 0) throw ProblemException.Usage("which parts? Name files, a pattern or a folder");
+        var onlyMissing = line.Has(Option.Missing);
+        if (line[Option.Output] is not null == onlyMissing)
+            throw ProblemException.Usage(onlyMissing
+                ? "--missing writes no picture: leave -o out"
+                : "stitch needs a name for the picture, as in -o room.png, or --missing to ask what is missing");
+        var output = line[Option.Output] ?? "";
+        var format = onlyMissing ? PictureFormat.Png
+            : line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+        if (output == SceneInput.Standard && !Console.IsOutputRedirected)
+            throw new ProblemException(
+                "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
+
+        var files = InputFiles.Of(line.Operands, out var chosen);
+        var start = Stopwatch.GetTimestamp();
+        var parts = new PartSet(files, chosen.Contains);
+        if (parts.Count == 0 && parts.Problems.Count == 0)
+            throw new ProblemException($"raycaster: there are no parts of a picture in {string.Join(", ", line.Operands)}");
+
+        if (parts.Problems.Count > 0) return No("these are not the parts of one picture", parts.Problems);
+        if (onlyMissing)
+        {
+            StandardFile.WriteOutput(string.Concat(parts.Missing.Select(lines => $"{lines}\n")));
+            return parts.Missing.Count == 0 ? ExitCode.Done : ExitCode.No;
+        }
+        if (parts.Missing.Count > 0)
+            return No($"of {parts.Size.Height} lines these are missing", [.. parts.Missing.Select(lines => lines.ToString())]);
+
+        var (quiet, (width, height)) = (line.Has(Option.Quiet), parts.Size);
+        PictureOutput.Write(output, cancellation, stream =>
+        {
+            var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
+            using var progress = showProgress ? ProgressLine.OnTerminal(width, height, "pixels") : null;
+            using var writer = PictureWriter.Create(format, stream, width, height);
+            parts.Write(writer, progress is null ? null : progress.LinesDone, cancellation);
+            writer.Finish();
+        });
+        if (!quiet)
+            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
+                $"{(output == SceneInput.Standard ? "standard output" : output)}: {width} x {height} pixels, " +
+                $"{parts.Count} {(parts.Count == 1 ? "part" : "parts")}, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
+        return ExitCode.Done;
+    }
+
+    /// <summary>Says why not, a line for each reason.</summary>
+    private static int No(string answer, IReadOnlyList<string> reasons)
+    {
+        var shown = string.Concat(reasons.Take(Printed).Select(reason => $"  {reason}\n"));
+        StandardFile.WriteError($"raycaster: {answer}:\n{shown}{(reasons.Count > Printed ? $"  and {reasons.Count - Printed} more\n" : "")}");
+        return ExitCode.No;
+    }
+}

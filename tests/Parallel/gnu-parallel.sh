@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# Parts of a picture drawn by GNU parallel, two at a time on this machine; one is killed, and running the same again finishes only what is missing.
+. "$(dirname "$0")/common.sh"
+need parallel pgrep
+make_program
+mkdir parts
+
+draw() {
+    parallel --will-cite --jobs 2 raycaster "$scene" -t 1 -s "$size" --rows "{}/$parts" -o "$work/parts/{}.png" --resume ::: $(seq "$parts") 2>"$1"
+}
+
+kill_part 2 &
+killer=$!
+code=0
+draw first.log || code=$?
+wait $killer
+check "parallel tells that one part failed" [ "$code" -eq 1 ]
+check "all other parts are there" [ "$(there)" -eq $((parts - 1)) ]
+code=0
+missing=$(raycaster stitch parts --missing) || code=$?
+check "stitch says which lines are missing: $missing" [ "$code" -eq 1 ]
+code=0
+raycaster -q stitch parts -o no.png 2>no.log || code=$?
+check "and joins nothing" [ "$code" -eq 1 -a ! -e no.png ]
+
+draw second.log
+check "run again, parallel draws that part only" [ "$(grep -c 'there already' second.log)" -eq $((parts - 1)) -a "$(grep -c 'lines ' second.log)" -eq 1 ]
+compare
+
+rm parts/3.png parts/5.png
+raycaster stitch parts --missing >missing || true
+parallel --will-cite --jobs 2 raycaster "$scene" -q -t 1 -s "$size" --rows {} -o "$work/parts/{}.png" :::: missing
+check "the ranges that are missing are what --rows takes" raycaster stitch parts --missing
+compare
+finish
