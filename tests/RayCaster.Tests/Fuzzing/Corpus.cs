@@ -25,7 +25,8 @@ internal static class Corpus
     public static SeedFile[] Pictures { get; } =
     [
         .. FilesIn("tests/RayCaster.Tests/PictureFiles/Data", ".png", ".pbm", ".pgm", ".ppm").Where(file => file.Bytes.Length < 20_000),
-        .. FilesIn("tests/RayCaster.Tests/Fuzzing/Kept", ".png", ".pbm", ".pgm", ".ppm"),
+        .. FilesIn("tests/RayCaster.Tests/Maps/Data", ".pfm"),
+        .. FilesIn("tests/RayCaster.Tests/Fuzzing/Kept", ".png", ".pbm", ".pgm", ".ppm", ".pfm"),
     ];
 
     public static string SceneFolder { get; } = ProjectFolder.PathOf("tests/RayCaster.Tests/Good");
