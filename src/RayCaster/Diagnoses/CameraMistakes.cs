@@ -64,15 +64,15 @@ internal static class CameraMistakes
         new("aspect-inv", Concerns.Camera, Slides.Camera, "w = h · height / width",
             lab => lab.PlaneWidth.Becomes(w => h => h * h / w(h)))
         {
-            Hint = new("Spheres are ellipses.",
-                "The picture is wider than high, or higher than wide: is w to h as it is?",
+            Hint = new("Spheres are ellipses, far too long along the picture's longer side.",
+                "Wide pictures need a wide plane. Which is larger in yours, w or h?",
                 "w = h · width / height."),
         },
         new("aspect-none", Concerns.Camera, Slides.Camera, "w = h, whatever the picture's shape",
             lab => lab.PlaneWidth.Becomes(_ => h => h))
         {
             Rewrites = true,
-            Hint = new("Spheres are ellipses.",
+            Hint = new("Spheres are ellipses, too long along the picture's longer side.",
                 "Is a pixel of the plane a square?",
                 "w = h · width / height."),
         },
@@ -80,7 +80,7 @@ internal static class CameraMistakes
             lab => lab.PlaneWidth.Becomes(_ => h => h * (lab.Camera.Width / lab.Camera.Height)))
         {
             Rewrites = true,
-            Hint = new("Spheres are ellipses, or the picture has stripes.",
+            Hint = new("Spheres are ellipses; a picture that is higher than wide has only stripes.",
                 "What is 320 / 200 in C#, where both are int?",
                 "w = h · width / height, from left to right: h is a double, so no integers are divided."),
         }
@@ -123,7 +123,7 @@ internal static class CameraMistakes
                 return (c, r) => sample(c + half, r + half);
             }))
         {
-            Hint = new("Everything is right but for half a pixel.",
+            Hint = new("Only outlines differ: everything is half a pixel off.",
                 "Where in its pixel does the scene's \"sample\" want the ray?",
                 "For corners uc = w c / width − w / 2; for centres c + 0.5 and r + 0.5 take the places of c and r."),
         },
@@ -134,7 +134,7 @@ internal static class CameraMistakes
                 lab.Ur.Becomes(ur => r => ur(r * lab.Camera.Height / (lab.Camera.Height - 1)));
             })
         {
-            Hint = new("The picture is larger by a pixel towards the right and the top.",
+            Hint = new("Only outlines differ: not at the lower left, and ever more towards the right and the top, up to a pixel.",
                 "By what does the slide divide c?",
                 "uc = w c / width − w / 2, ur = h r / height − h / 2."),
         },

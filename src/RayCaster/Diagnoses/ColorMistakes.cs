@@ -59,7 +59,7 @@ internal static class ColorMistakes
         {
             Rewrites = true,
             Hint = new("The brightest or the farthest places have wild colours.",
-                "What is (byte)306 in C#, and what is (byte)−25?",
+                "What does a cast to byte make of 306, and what of −25?",
                 "Clamp each channel to 0 … 1 before you multiply by 255."),
         }
         .Or("the same, and truncated",
