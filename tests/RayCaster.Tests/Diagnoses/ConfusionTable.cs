@@ -101,7 +101,7 @@ internal sealed class ConfusionTable
     private static string Percent(int count, int all) => string.Create(CultureInfo.InvariantCulture, $"{100 * Share(count, all):0.0} %");
 
     private static bool AreAlike(Picture a, Picture b) =>
-        (a.Width, a.Height) == (b.Width, b.Height) && PictureDifference.Count(a, b, levels: 2) < SceneFitness.LeastPixels;
+        (a.Width, a.Height) == (b.Width, b.Height) && ChangedPixels.Count(a, b, levels: 2) < SceneFitness.LeastPixels;
 
     private static bool Has(Suspect suspect, Planted mistake) => suspect.Mistakes.Concat(suspect.Twins).Any(named => named.Id == mistake.Id);
 
