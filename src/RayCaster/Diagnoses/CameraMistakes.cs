@@ -29,15 +29,15 @@ internal static class CameraMistakes
         new("v-cross", Concerns.Camera, Slides.Camera, "V = U × W, so that V points down",
             lab => lab.AxisV.Becomes(V => (w, u) => -V(w, u)))
         {
-            Hint = new("The picture is upside down, and one row off.",
+            Hint = new("The picture is upside down, and a row off.",
                 "Does V point up? Try W and U of a level camera by hand.",
                 "V = W × U."),
         },
         new("u-only", Concerns.Camera, Slides.Camera, "U points to the left while V is right",
             lab => lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur)))
         {
-            Hint = new("The picture is mirrored left to right, and one column off.",
-                "Does U point to the right of who looks along −W?",
+            Hint = new("The picture is mirrored left to right, and a column off.",
+                "Look along −W, with V upwards: on which side is U?",
                 "U = (up × W) normalised, V = W × U, and uc is multiplied by U as it is."),
         },
         new("rad", Concerns.Camera, Slides.Camera, "degrees into Math.Tan, which takes radians",
@@ -148,7 +148,7 @@ internal static class CameraMistakes
         new("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",
             lab => lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t)))
         {
-            Hint = new("Everything is stretched or zoomed by the target's distance.",
+            Hint = new("Everything is drawn out sideways, the more the farther the target is, or zFar has cut all of it away.",
                 "The plane lies at distance |W| before the camera. How long is your W?",
                 "W = −(T − P) normalised."),
         },
@@ -159,7 +159,7 @@ internal static class CameraMistakes
                 AllowAnyLength(lab);
             })
         {
-            Hint = new("Nearly nothing is where it should be, and it is far too dark or too bright.",
+            Hint = new("Nearly all is gone; what is left has a wrong size and a wrong light.",
                 "How long is (3, 4, 0)? What does your Length say?",
                 "|a| = √(x² + y² + z²)."),
         }
@@ -239,7 +239,7 @@ internal static class CameraMistakes
                 AllowAnyLength(lab);
             })
         {
-            Hint = new("Everything is zoomed and far too bright.",
+            Hint = new("Everything is far too large and far too bright: a piece of it fills the picture.",
                 "Print |W|, |U| and |d|. What should they be?",
                 "A vector's method returns a new vector: d = d.Normalized."),
         },

@@ -123,7 +123,8 @@ internal static class Gallery
 
     private static string Anchor(string title) => title.ToLowerInvariant().Replace(' ', '-');
 
-    private static string Sentence(string cause) => char.ToUpperInvariant(cause[0]) + cause[1..] + (cause.EndsWith('.') ? "" : ".");
+    /// <summary>A capital letter where the cause begins with a word, not with a formula.</summary>
+    private static string Sentence(string cause) => (char.IsLetter(cause[1]) || cause.StartsWith("a ", StringComparison.Ordinal) ? char.ToUpperInvariant(cause[0]) + cause[1..] : cause) + ".";
 
     private static string Markdown(string text) => text.Replace("|", "\\|").Replace("<", "&lt;").Replace("*", "\\*");
 

@@ -51,6 +51,6 @@ public class GalleryTests
         Assert.True(File.Exists(file), $"{file} is not there; {Remedy}");
         var written = PictureFile.Read(file);
         Assert.True((picture.Width, picture.Height) == (written.Width, written.Height)
-            && PictureDifference.Count(picture, written, levels: 2) <= most * picture.Width * picture.Height, $"{file} is out of date; {Remedy}");
+            && ChangedPixels.Count(picture, written, levels: 2) <= most * picture.Width * picture.Height, $"{file} is out of date; {Remedy}");
     }
 }

@@ -22,9 +22,12 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
         ["wm1"] = new("generic", 64, 32, 0, Zoom: 4),
         ["row-off"] = new("generic", 64, 12, 6, Zoom: 4),
         ["aspect-int"] = new("portrait", 80),
+        ["w-unnorm"] = new("inside", TileWidth),
+        ["len-nosqrt"] = new("axis", TileWidth),
         ["dir-unnorm"] = new("inside", TileWidth),
         ["att-depth"] = new("inside", TileWidth),
-        ["last-hit"] = new("inside", TileWidth),
+        ["last-hit"] = new("generic", 192, 0, 30),
+        ["zfar-t"] = new("portrait", 160, 32, 0),
         ["znear-t"] = new("generic", 256, 128, 0),
         ["zboth-t"] = new("generic", 192, 64, 0),
         ["bias-big"] = new("generic", 240, 112, 0),
@@ -33,7 +36,7 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
         ["near-root-only"] = new("inside", TileWidth),
         ["slab-noswap"] = new("axis", TileWidth),
         ["slab-tmax"] = new("axis", TileWidth),
-        ["slab-inv-nan"] = new("axis", 64, Zoom: 2),
+        ["slab-inv-nan"] = new("axis", 64, 16, 10, Zoom: 4),
         ["circ-nosq"] = new("generic", 320, 192, 73),
         ["tri-cull"] = new("generic", 320, 33, 16),
         ["tri-area"] = new("portrait", 250, 122, 170),
@@ -86,7 +89,7 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
     }
 
     /// <summary>Whether pictures differ nowhere by more than a level.</summary>
-    public static bool IsWithinRounding(Picture right, Picture wrong) => PictureDifference.Count(right, wrong, levels: 1) == 0;
+    public static bool IsWithinRounding(Picture right, Picture wrong) => ChangedPixels.Count(right, wrong, levels: 1) == 0;
 
     /// <summary>A picture in white.</summary>
     public static Picture Blank(int width, int height)
@@ -114,6 +117,6 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
     {
         var (right, wrong) = (Tile(), Tile(mistake));
         return (right.Width, right.Height) != (wrong.Width, wrong.Height)
-            || PictureDifference.Count(right, wrong, MistakeTests.VisibleLevels) >= 0.01 * right.Width * right.Height;
+            || ChangedPixels.Count(right, wrong, MistakeTests.VisibleLevels) >= 0.01 * right.Width * right.Height;
     }
 }
