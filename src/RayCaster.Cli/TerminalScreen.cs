@@ -27,7 +27,7 @@ internal static class TerminalScreen
     public static void Show(TerminalPreview preview, ColorDepth colors)
     {
         if (OperatingSystem.IsWindows() && !Console.IsOutputRedirected) Console.OutputEncoding = Encoding.UTF8; // for the blocks
-        StandardFile.WriteOutput(preview.Text(colors));
+        StandardFile.WriteOutput(output => output.Write(Encoding.UTF8.GetBytes(preview.Text(colors)))); // its escape codes are our own
     }
 
     /// <summary>How many columns; 0 where that is not known.</summary>

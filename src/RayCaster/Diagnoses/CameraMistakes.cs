@@ -29,15 +29,15 @@ internal static class CameraMistakes
         new("v-cross", Concerns.Camera, Slides.Camera, "V = U × W, so that V points down",
             lab => lab.AxisV.Becomes(V => (w, u) => -V(w, u)))
         {
-            Hint = new("The picture is upside down, and one row off.",
+            Hint = new("The picture is upside down, and a row off.",
                 "Does V point up? Try W and U of a level camera by hand.",
                 "V = W × U."),
         },
         new("u-only", Concerns.Camera, Slides.Camera, "U points to the left while V is right",
             lab => lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur)))
         {
-            Hint = new("The picture is mirrored left to right, and one column off.",
-                "Does U point to the right of who looks along −W?",
+            Hint = new("The picture is mirrored left to right, and a column off.",
+                "Look along −W, with V upwards: on which side is U?",
                 "U = (up × W) normalised, V = W × U, and uc is multiplied by U as it is."),
         },
         new("rad", Concerns.Camera, Slides.Camera, "degrees into Math.Tan, which takes radians",
@@ -64,15 +64,15 @@ internal static class CameraMistakes
         new("aspect-inv", Concerns.Camera, Slides.Camera, "w = h · height / width",
             lab => lab.PlaneWidth.Becomes(w => h => h * h / w(h)))
         {
-            Hint = new("Spheres are ellipses.",
-                "The picture is wider than high, or higher than wide: is w to h as it is?",
+            Hint = new("Spheres are ellipses, far too long along the picture's longer side.",
+                "Wide pictures need a wide plane. Which is larger in yours, w or h?",
                 "w = h · width / height."),
         },
         new("aspect-none", Concerns.Camera, Slides.Camera, "w = h, whatever the picture's shape",
             lab => lab.PlaneWidth.Becomes(_ => h => h))
         {
             Rewrites = true,
-            Hint = new("Spheres are ellipses.",
+            Hint = new("Spheres are ellipses, too long along the picture's longer side.",
                 "Is a pixel of the plane a square?",
                 "w = h · width / height."),
         },
@@ -80,7 +80,7 @@ internal static class CameraMistakes
             lab => lab.PlaneWidth.Becomes(_ => h => h * (lab.Camera.Width / lab.Camera.Height)))
         {
             Rewrites = true,
-            Hint = new("Spheres are ellipses, or the picture has stripes.",
+            Hint = new("Spheres are ellipses; a picture that is higher than wide has only stripes.",
                 "What is 320 / 200 in C#, where both are int?",
                 "w = h · width / height, from left to right: h is a double, so no integers are divided."),
         }
@@ -123,7 +123,7 @@ internal static class CameraMistakes
                 return (c, r) => sample(c + half, r + half);
             }))
         {
-            Hint = new("Everything is right but for half a pixel.",
+            Hint = new("Only outlines differ: everything is half a pixel off.",
                 "Where in its pixel does the scene's \"sample\" want the ray?",
                 "For corners uc = w c / width − w / 2; for centres c + 0.5 and r + 0.5 take the places of c and r."),
         },
@@ -134,7 +134,7 @@ internal static class CameraMistakes
                 lab.Ur.Becomes(ur => r => ur(r * lab.Camera.Height / (lab.Camera.Height - 1)));
             })
         {
-            Hint = new("The picture is larger by a pixel towards the right and the top.",
+            Hint = new("Only outlines differ: not at the lower left, and ever more towards the right and the top, up to a pixel.",
                 "By what does the slide divide c?",
                 "uc = w c / width − w / 2, ur = h r / height − h / 2."),
         },
@@ -148,7 +148,7 @@ internal static class CameraMistakes
         new("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",
             lab => lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t)))
         {
-            Hint = new("Everything is stretched or zoomed by the target's distance.",
+            Hint = new("Everything is drawn out sideways, the more the farther the target is, or zFar has cut all of it away.",
                 "The plane lies at distance |W| before the camera. How long is your W?",
                 "W = −(T − P) normalised."),
         },
@@ -159,7 +159,7 @@ internal static class CameraMistakes
                 AllowAnyLength(lab);
             })
         {
-            Hint = new("Nearly nothing is where it should be, and it is far too dark or too bright.",
+            Hint = new("Nearly all is gone; what is left has a wrong size and a wrong light.",
                 "How long is (3, 4, 0)? What does your Length say?",
                 "|a| = √(x² + y² + z²)."),
         }
@@ -239,7 +239,7 @@ internal static class CameraMistakes
                 AllowAnyLength(lab);
             })
         {
-            Hint = new("Everything is zoomed and far too bright.",
+            Hint = new("Everything is far too large and far too bright: a piece of it fills the picture.",
                 "Print |W|, |U| and |d|. What should they be?",
                 "A vector's method returns a new vector: d = d.Normalized."),
         },

@@ -59,7 +59,7 @@ internal static class ColorMistakes
         {
             Rewrites = true,
             Hint = new("The brightest or the farthest places have wild colours.",
-                "What is (byte)306 in C#, and what is (byte)−25?",
+                "What does a cast to byte make of 306, and what of −25?",
                 "Clamp each channel to 0 … 1 before you multiply by 255."),
         }
         .Or("the same, and truncated",
@@ -73,6 +73,7 @@ internal static class ColorMistakes
             lab => lab.Byte.Becomes(_ => channel => (byte)Math.Min(256 * channel, 255)))
         {
             Rewrites = true,
+            IsWithinRounding = true,
             Hint = new("Many channels differ by one level.",
                 "What is the greatest number in a byte?",
                 "(byte)(255 · channel + 0.5), the channel between 0 and 1."),
@@ -81,6 +82,7 @@ internal static class ColorMistakes
             lab => lab.Byte.Becomes(_ => channel => (byte)(255 * channel)))
         {
             Rewrites = true,
+            IsWithinRounding = true,
             Hint = new("Many channels are one level too low.",
                 "What does a cast to byte do with 127.9?",
                 "(byte)(255 · channel + 0.5)."),

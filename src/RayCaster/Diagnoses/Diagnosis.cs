@@ -53,12 +53,14 @@ public sealed class Diagnosis
     private Diagnosis(Scene scene, Picture picture, int? threads)
     {
         (this.scene, this.threads) = (scene, threads);
-        known = [.. MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles)];
-        NotTried = [.. MistakeCatalog.All.Where(mistake => mistake.Touches(scene)).Except(known)];
+        var possible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding).ToArray();
+        known = [.. possible.Where(mistake => new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles)];
+        NotTried = [.. possible.Except(known)];
         var right = Renderer.Render(scene, threads);
-        evidence = new(right, picture, Pixels);
+        evidence = new(scene, right, picture, Pixels);
         PixelCount = evidence.PixelCount;
         WrongCount = evidence.WrongCount;
+        OutlineCount = evidence.OutlineCount;
         DarkerShare = evidence.DarkerShare;
         if (WrongCount == 0)
         {
@@ -106,6 +108,9 @@ public sealed class Diagnosis
 
     /// <summary>In how many pixels it differs from the scene's picture by more than rounding.</summary>
     public int WrongCount { get; }
+
+    /// <summary>In how many pixels more it shows what the scene shows a thousandth of a pixel away, where the last bits decide.</summary>
+    public int OutlineCount { get; }
 
     /// <summary>The share of pixels that are right but for a channel that is one level darker: rounding instead of truncating.</summary>
     public double DarkerShare { get; }

@@ -19,7 +19,7 @@ public static class DiagnosisReport
         var text = new StringBuilder();
         if (diagnosis.Finding == Finding.Matches)
         {
-            text.AppendLine($"{picture} matches: it is the picture of {scene}{(diagnosis.WrongCount == 0 ? "" : $", but for {Pixels(diagnosis.WrongCount)} on outlines")}.");
+            text.AppendLine($"{picture} matches: it is the picture of {scene}{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {Pixels(outlines)} on outlines" : "")}.");
             if (diagnosis.DarkerShare > 0.05)
                 text.AppendLine($"{Percent(diagnosis.DarkerShare)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, where truncating takes 255 x.");
             return text.ToString();

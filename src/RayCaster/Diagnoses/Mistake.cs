@@ -76,6 +76,9 @@ public sealed class Mistake
     /// <summary>Whether it puts another formula in the place of a step, not around it; it is planted before such as do not.</summary>
     internal bool Rewrites { get; init; }
 
+    /// <summary>Whether it moves no channel by more than a level, as rounding does, so that no wrong pixel can be its work.</summary>
+    internal bool IsWithinRounding { get; init; }
+
     /// <summary>Whether a scene has what the mistake touches; where not, its picture is right.</summary>
     public bool Touches(Scene scene)
     {

@@ -132,7 +132,7 @@ internal static class ShapeMistakes
                 Sorted((lo - origin) * (1 / direction), (hi - origin) * (1 / direction)), Math.Max, Math.Min)))
         {
             Rewrites = true,
-            Hint = new("A line one pixel wide is missing from a box.",
+            Hint = new("A box lacks a line one pixel wide, at its edge or right through it.",
                 "What is 0 · (1 / 0) in doubles?",
                 "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0."),
         },

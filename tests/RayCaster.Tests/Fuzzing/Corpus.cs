@@ -11,7 +11,8 @@ internal static class Corpus
     /// <summary>Scene files; the meshes that they name are found from <see cref="SceneFolder"/>.</summary>
     public static SeedFile[] Scenes { get; } =
     [
-        .. FilesIn("scenes", ".json"), .. FilesIn("scenes/mistakes", ".json"), .. FilesIn("tests/RayCaster.Tests/Good", ".json"),
+        // The good ones many times over: what starts broken is rarely read to its end.
+        .. Enumerable.Repeat(FilesIn("scenes", ".json").Concat(FilesIn("tests/RayCaster.Tests/Good", ".json")).ToArray(), 10).SelectMany(files => files),
         .. FilesIn("tests/RayCaster.Tests/Broken", ".json"), .. FilesIn("tests/RayCaster.Tests/Fuzzing/Kept", ".json"),
     ];
 
@@ -24,7 +25,8 @@ internal static class Corpus
     public static SeedFile[] Pictures { get; } =
     [
         .. FilesIn("tests/RayCaster.Tests/PictureFiles/Data", ".png", ".pbm", ".pgm", ".ppm").Where(file => file.Bytes.Length < 20_000),
-        .. FilesIn("tests/RayCaster.Tests/Fuzzing/Kept", ".png", ".pbm", ".pgm", ".ppm"),
+        .. FilesIn("tests/RayCaster.Tests/Maps/Data", ".pfm"),
+        .. FilesIn("tests/RayCaster.Tests/Fuzzing/Kept", ".png", ".pbm", ".pgm", ".ppm", ".pfm"),
     ];
 
     public static string SceneFolder { get; } = ProjectFolder.PathOf("tests/RayCaster.Tests/Good");

@@ -19,6 +19,27 @@ public class FuzzingTests
     [Fact]
     public void OddCommandLinesDoNoHarm() => Campaign.Run("command-line", 5000, OddCommandLine.Next, input => Understand(OddCommandLine.Words(input)));
 
+    /// <summary>What is always refused at its first byte tries nothing.</summary>
+    [Fact]
+    public void ManySpoiltFilesAreStillRead()
+    {
+        Assert.InRange(Read(Corpus.Scenes, file => SceneReader.Parse(file.Bytes, "x", Corpus.SceneFolder).Scene is not null), 50, 950);
+        Assert.InRange(Read(Corpus.Meshes, file => MeshFile.Parse(file.Name, file.Bytes).Indices.Length > 0), 50, 950);
+        Assert.InRange(Read(Corpus.Pictures, file => PictureFile.Read(new MemoryStream(file.Bytes)).Width > 0), 50, 950); // no PFM among them
+
+        static int Read(SeedFile[] seeds, Func<SeedFile, bool> read) => Enumerable.Range(0, 1000).Count(seed =>
+        {
+            try
+            {
+                return read(new Mutation(new Random(seed), seeds).Next());
+            }
+            catch (Exception e) when (e is MeshFileException or PictureFileException)
+            {
+                return false;
+            }
+        });
+    }
+
     /// <summary>The files that once did harm, and some that are made to.</summary>
     [Theory]
     [MemberData(nameof(KeptFiles))]

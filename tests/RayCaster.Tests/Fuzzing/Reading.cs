@@ -75,6 +75,11 @@ internal static class Reading
     {
         try
         {
+            if (file.Extension == ".pfm")
+            {
+                Within(MemoryLimit.OfPicture(file.Bytes.Length, 0), () => PfmFile.Read(new MemoryStream(file.Bytes)));
+                return;
+            }
             Picture? picture = null;
             // A picture may be large in a small file; it is then what the limit is for, and is measured from its own size.
             var most = MemoryLimit.OfPicture(file.Bytes.Length, 1 << 26);

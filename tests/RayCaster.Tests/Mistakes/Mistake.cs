@@ -1,6 +1,6 @@
 namespace RayCaster.Tests.Mistakes;
 
-/// <summary>One thing that people get wrong in a ray caster. <see cref="SlideCaster"/> draws with at most one of them.</summary>
+/// <summary>One thing that people get wrong in a ray caster. <see cref="SlideCaster"/> draws with one of them, or with two.</summary>
 internal sealed class Mistake
 {
     private static readonly List<Mistake> all = [];

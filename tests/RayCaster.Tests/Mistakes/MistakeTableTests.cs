@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace RayCaster.Tests.Mistakes;
 
-/// <summary>docs/mistakes.md tells what each mistake changes; this keeps it true. RAYCASTER_ACCEPT=1 writes it anew.</summary>
+/// <summary>docs/mistakes-table.md tells what each mistake changes; this keeps it true. RAYCASTER_ACCEPT=1 writes it anew.</summary>
 public class MistakeTableTests
 {
-    private static readonly string file = ProjectFolder.PathOf("docs/mistakes.md");
+    private static readonly string file = ProjectFolder.PathOf("docs/mistakes-table.md");
     private static readonly string[] scenes = [.. SceneFolder.Files("scenes/mistakes")];
 
     [Fact]

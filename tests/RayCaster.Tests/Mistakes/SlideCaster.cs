@@ -3,21 +3,22 @@ using static RayCaster.Tests.Mistakes.Mistake;
 namespace RayCaster.Tests.Mistakes;
 
 /// <summary>
-/// A ray caster as a student writes it from the slides, in plain doubles and ifs, with at most one mistake. It takes nothing from the
+/// A ray caster as a student writes it from the slides, in plain doubles and ifs, with a mistake or two. It takes nothing from the
 /// library but the scene's numbers, so without a mistake it is also a second opinion on the library's pictures. Meshes are left out.
 /// </summary>
 internal sealed class SlideCaster
 {
     private readonly Scene scene;
-    private readonly Mistake mistake;
+    private readonly Mistake mistake, second;
+    private readonly Manner manner;
     private readonly Vector3 P, T, U, V, W;
     private readonly double w, h;
 
-    private SlideCaster(Scene scene, Mistake mistake)
+    private SlideCaster(Scene scene, Manner manner, Mistake mistake, Mistake second)
     {
-        (this.scene, this.mistake) = (scene, mistake);
+        (this.scene, this.manner, this.mistake, this.second) = (scene, manner, mistake, second);
         var camera = scene.Camera;
-        (P, T) = (camera.Position, camera.Target);
+        (P, T) = (Stored(camera.Position), Stored(camera.Target));
 
         W = Is(WSign) ? Unit(T - P) : Is(WUnnorm) ? -(T - P) : -Unit(T - P);
         U = Is(UCross) ? Cross(W, camera.Up) : Cross(camera.Up, W);
@@ -33,12 +34,22 @@ internal sealed class SlideCaster
             : Is(AspectInt) ? h * (camera.Width / camera.Height)
             : h * camera.Width / camera.Height;
         if (Is(FovHoriz)) (w, h) = (h, h * camera.Height / camera.Width);
+        (W, U, V, w, h) = (Stored(W), Stored(U), Stored(V), Stored(w), Stored(h));
     }
 
     /// <summary>The picture that a program with that mistake writes; two of them turn its size.</summary>
-    public static Picture Render(Scene scene, Mistake mistake) => new SlideCaster(scene, mistake).Render();
+    public static Picture Render(Scene scene, Mistake mistake) => Render(scene, Manner.OfTheSlides, mistake, None);
 
-    private bool Is(Mistake which) => ReferenceEquals(mistake, which);
+    /// <summary>The picture that a program with both mistakes writes, in its own manner; where both change one line, one of them has it.</summary>
+    public static Picture Render(Scene scene, Manner manner, Mistake mistake, Mistake second) =>
+        new SlideCaster(scene, manner, mistake, second).Render();
+
+    private bool Is(Mistake which) => ReferenceEquals(mistake, which) || ReferenceEquals(second, which);
+
+    /// <summary>A number as the program keeps it.</summary>
+    private double Stored(double x) => manner.Float ? (float)x : x;
+
+    private Vector3 Stored(Vector3 a) => manner.Float ? new((float)a.X, (float)a.Y, (float)a.Z) : a;
 
     private Picture Render()
     {
@@ -62,13 +73,13 @@ internal sealed class SlideCaster
     private Vector3 Direction(double c, double r)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
-        if (scene.Camera.Sample == Sample.Center != Is(Mistake.Center)) (c, r) = (c + 0.5, r + 0.5);
+        if (scene.Camera.Sample == Sample.Center != (Is(Mistake.Center) != manner.OtherSample)) (c, r) = (c + 0.5, r + 0.5);
         if (Is(Wm1)) (width, height) = (width - 1, height - 1);
         var uc = Is(PixInt) ? w * ((int)c / width) : w * c / width;
         var ur = Is(PixInt) ? h * ((int)r / height) : h * r / height;
         if (!Is(NoCenter)) (uc, ur) = (uc - w / 2, ur - h / 2);
-        var d = uc * U + ur * V + (Is(DirPlusW) ? W : -W);
-        return Is(DirUnnorm) || Is(DirUnnormA1) ? d : Unit(d);
+        var d = Stored(Stored(uc) * U + Stored(ur) * V + (Is(DirPlusW) ? W : -W));
+        return Is(DirUnnorm) || Is(DirUnnormA1) ? d : Stored(Unit(d));
     }
 
     // ---- The nearest hit ----
@@ -108,7 +119,7 @@ internal sealed class SlideCaster
         return near && far;
     }
 
-    private double Depth(double t, Vector3 d) => t * -(d * W);
+    private double Depth(double t, Vector3 d) => Stored(t * Stored(-(d * W)));
 
     // ---- The crossings of a ray with a shape, nearest first ----
 
@@ -128,20 +139,21 @@ internal sealed class SlideCaster
         return Is(PlaneSign) ? -CrossPlane(plane.Point, plane.Normal, d) : CrossPlane(plane.Point, plane.Normal, d);
     }
 
-    private double? CrossPlane(Vector3 Q, Vector3 n, Vector3 d) => d * n == 0 ? null : (Q - P) * n / (d * n);
+    private double? CrossPlane(Vector3 Q, Vector3 n, Vector3 d) =>
+        Stored(d * n) == 0 ? null : Stored(Stored(Stored(Q - P) * n) / Stored(d * n));
 
     /// <summary>Slide "Sphere – Algebraic Solution": a t² + b t + c = 0.</summary>
     private (double?, double?) Cross(Sphere sphere, Vector3 d)
     {
         var R = sphere.Radius;
-        var CP = Is(OcSign) ? sphere.Center - P : P - sphere.Center;
-        var a = Is(DirUnnormA1) ? 1 : d * d;
-        var b = 2 * (d * CP);
-        var c = CP * CP - (Is(RNoSq) ? R : R * R);
-        var discriminant = b * b - (Is(Disc2) ? 1 : 4) * a * c;
+        var CP = Stored(Is(OcSign) ? sphere.Center - P : P - sphere.Center);
+        var a = Is(DirUnnormA1) ? 1 : Stored(d * d);
+        var b = Stored(2 * (d * CP));
+        var c = Stored(Stored(CP * CP) - Stored(Is(RNoSq) ? R : R * R));
+        var discriminant = Stored(Stored(b * b) - Stored((Is(Disc2) ? 1 : 4) * a * c));
         if (discriminant < 0 && !Is(DiscNan)) return (null, null);
-        var near = (-b - Math.Sqrt(discriminant)) / (2 * a);
-        var far = (-b + Math.Sqrt(discriminant)) / (2 * a);
+        var near = Stored((-b - Math.Sqrt(discriminant)) / (2 * a));
+        var far = Stored((-b + Math.Sqrt(discriminant)) / (2 * a));
         return Is(FarRoot) ? (far, null) : Is(NearRootOnly) ? (near, null) : (near, far);
     }
 
@@ -159,9 +171,10 @@ internal sealed class SlideCaster
 
     private (double In, double Out)? Slab(double lo, double hi, double origin, double direction)
     {
-        if (Is(SlabInvNan)) return Sorted((lo - origin) * (1 / direction), (hi - origin) * (1 / direction));
+        (lo, hi) = (Stored(lo), Stored(hi));
+        if (Is(SlabInvNan)) return Sorted(Stored((lo - origin) * Stored(1 / direction)), Stored((hi - origin) * Stored(1 / direction)));
         if (direction == 0) return lo <= origin && origin <= hi ? (double.NegativeInfinity, double.PositiveInfinity) : null;
-        return Sorted((lo - origin) / direction, (hi - origin) / direction);
+        return Sorted(Stored((lo - origin) / direction), Stored((hi - origin) / direction));
     }
 
     private (double, double) Sorted(double t0, double t1) => Is(SlabNoSwap) ? (t0, t1) : (Math.Min(t0, t1), Math.Max(t0, t1));
@@ -169,22 +182,22 @@ internal sealed class SlideCaster
     private double? Cross(Circle circle, Vector3 d)
     {
         if (CrossPlane(circle.Center, circle.Normal, d) is not { } t) return null;
-        var CX = P + t * d - circle.Center;
+        var CX = Stored(Stored(P + t * d) - circle.Center);
         var limit = Is(CircNoSq) ? circle.Radius : circle.Radius * circle.Radius;
-        return CX * CX <= limit || Is(CircInf) ? t : null;
+        return Stored(CX * CX) <= Stored(limit) || Is(CircInf) ? t : null;
     }
 
     /// <summary>Slide "Triangle – Barycentric Coordinates": u and v are shares of the area.</summary>
     private double? Cross(Triangle triangle, Vector3 d)
     {
-        var (A, B, C) = (triangle.A, triangle.B, triangle.C);
-        var n = Cross(B - A, C - A);
+        var (A, B, C) = (Stored(triangle.A), Stored(triangle.B), Stored(triangle.C));
+        var n = Stored(Cross(Stored(B - A), Stored(C - A)));
         if (Is(TriCull) && d * n >= 0) return null;
         if (CrossPlane(A, n, d) is not { } t) return null;
-        var X = P + t * d;
-        var (overA, overB, overC) = (Cross(C - B, X - B), Cross(A - C, X - C), Cross(B - A, X - A));
-        if (Is(TriArea)) return Length(overA) + Length(overB) + Length(overC) == Length(n) ? t : null;
-        var (u, v) = (overB * n / (n * n), overC * n / (n * n));
+        var X = Stored(P + t * d);
+        var (overA, overB, overC) = (Stored(Cross(C - B, X - B)), Stored(Cross(A - C, X - C)), Stored(Cross(B - A, X - A)));
+        if (Is(TriArea)) return Stored(Length(overA) + Length(overB) + Length(overC)) == Stored(Length(n)) ? t : null;
+        var (u, v) = (Stored(overB * n / (n * n)), Stored(overC * n / (n * n)));
         return ((u >= 0 && v >= 0) || Is(TriNeg)) && (u + v <= 1 || Is(TriUv)) ? t : null;
     }
 
@@ -194,20 +207,21 @@ internal sealed class SlideCaster
     {
         var twice = Is(AttNo2) ? Length(T - P) : Length(2 * (T - P));
         var far = Is(AttDepth) ? Depth(t, d) : Is(AttOrigin) ? Length(P + t * d) : t;
-        var attenuation = Is(AttNone) ? 1 : Is(AttInv) ? far / twice : 1 - far / twice;
+        var attenuation = Stored(Is(AttNone) ? 1 : Is(AttInv) ? far / twice : 1 - far / twice);
         if (Is(AttInt)) attenuation = (int)attenuation;
         return Is(NoClamp) ? attenuation : Math.Max(0, attenuation);
     }
 
     private byte ToByte(double channel)
     {
-        if (Is(NoClamp)) return unchecked((byte)(int)(255 * channel + 0.5));
+        var half = manner.Truncates ? 0 : 0.5;
+        if (Is(NoClamp)) return unchecked((byte)(int)(255 * channel + half));
         channel = Math.Clamp(channel, 0, 1);
         if (Is(Gamma)) channel = Math.Sqrt(channel);
         return Is(X256) ? (byte)Math.Min(256 * channel, 255)
             : Is(Mistake.Round) ? (byte)(255 * channel)
             : Is(Ppm255) ? (byte)(255 * (int)channel)
-            : (byte)(255 * channel + 0.5); // NaN becomes 0
+            : (byte)(255 * channel + half); // NaN becomes 0
     }
 
     // ---- The file: how it reads to those who open it ----
@@ -219,20 +233,20 @@ internal sealed class SlideCaster
             var turned = new Picture(picture.Height, picture.Width);
             for (var y = 0; y < picture.Height; y++)
                 for (var x = 0; x < picture.Width; x++) turned[y, x] = picture[x, y];
-            return turned;
+            picture = turned;
         }
         if (Is(WhSwap))
         {
             var sheared = new Picture(picture.Height, picture.Width);
             picture.Rgb.CopyTo(sheared.Rgb, 0);
-            return sheared;
+            picture = sheared;
         }
         if (Is(Crlf))
         {
             var shifted = new Picture(picture.Width, picture.Height);
             shifted.Rgb[0] = (byte)'\n';
             picture.Rgb.AsSpan(0, picture.Rgb.Length - 1).CopyTo(shifted.Rgb.AsSpan(1));
-            return shifted;
+            picture = shifted;
         }
         return picture;
     }
