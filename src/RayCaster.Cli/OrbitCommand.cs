@@ -27,7 +27,7 @@ internal sealed class OrbitCommand : Command
                                  frame is at the first key, the last at the last.
               --only <frames>    Draws only these: as 0..11 (both included), or as 3/8 (the third
                                  of eight parts), for many machines.
-          -o, --output <folder>  Where the frames go; it is made. [default: the current folder]
+          -o, --output <folder>  Where the frames go; it must be there. [default: the current one]
           -s, --size <W>x<H>     Overrides the scene's picture size, in pixels.
               --resume           Leaves out what is there already, whole and of this very scene
                                  and camera.
@@ -62,7 +62,6 @@ internal sealed class OrbitCommand : Command
         }
 
         var folder = line[Option.Output] ?? "";
-        MakeFolder(folder);
         var name = path == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(path);
         var digits = $"D{Math.Max(4, (frames - 1).ToString(CultureInfo.InvariantCulture).Length)}";
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
@@ -85,17 +84,5 @@ internal sealed class OrbitCommand : Command
                 $"{(folder == "" ? "." : folder)}: {drawn} {(drawn == 1 ? "frame" : "frames")} of {scene.Camera.Width} x {scene.Camera.Height} pixels drawn, " +
                 $"{only.Count - drawn} there already, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
         return ExitCode.Done;
-    }
-
-    private static void MakeFolder(string folder)
-    {
-        try
-        {
-            if (folder != "") Directory.CreateDirectory(folder);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new ProblemException($"raycaster: the folder {folder} cannot be made: {e.Message}");
-        }
     }
 }

@@ -46,6 +46,7 @@ results = queue.Queue()
 
 with tempfile.TemporaryDirectory() as folder:
     run = functools.partial(subprocess.run, cwd=folder, check=True)
+    os.mkdir(f"{folder}/film")
     run([raycaster, "orbit", str(root / "scenes/mesh.json"), "-q", "--frames", str(frames), "-s", "160x120", "-o", "film"])
     run([raycaster, "animate", "film", "-q", "-o", "film.png", "--fps", str(fps)])
     pathlib.Path(folder, "index.html").write_text(PAGE)

@@ -5,6 +5,9 @@ namespace RayCaster;
 /// </summary>
 public static class CameraPathReader
 {
+    /// <summary>The longest file, in bytes: some ten thousand keys.</summary>
+    public const int MostBytes = 1 << 20;
+
     /// <summary>Reads a file.</summary>
     /// <param name="path">The file.</param>
     /// <param name="camera">The scene's camera: a key that leaves target or fovY out has its.</param>
@@ -15,8 +18,16 @@ public static class CameraPathReader
         report = "";
         try
         {
-            if (File.Exists(path)) return Parse(File.ReadAllBytes(path), path, camera, out report);
-            report = $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
+            if (!File.Exists(path))
+            {
+                report = $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
+                return null;
+            }
+            using var file = File.OpenRead(path);
+            var bytes = new byte[MostBytes + 1];
+            var length = file.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
+            if (length <= MostBytes) return Parse(bytes[..length], path, camera, out report);
+            report = $"{path}: error: the file is longer than {MostBytes:N0} bytes, which is the limit\n";
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

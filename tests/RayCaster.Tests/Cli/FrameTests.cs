@@ -16,6 +16,7 @@ public sealed class FrameTests : IDisposable
     [Fact]
     public void AnOrbitIsNumberedFramesThatBeginWithTheScenesOwnPicture()
     {
+        Directory.CreateDirectory(raycaster.PathOf("film"));
         raycaster.Run(Room, "-s", "20x15", "-o", "room.png").Run("orbit", Room, "--frames", "3", "-s", "20x15", "-o", "film");
         Assert.Matches(@"^film: 3 frames of 20 x 15 pixels drawn, 0 there already, \d+\.\d\d s\n$", raycaster.Error);
         Assert.Equal(["room-0000.png", "room-0001.png", "room-0002.png"], Frames("film"));
@@ -25,6 +26,7 @@ public sealed class FrameTests : IDisposable
     [Fact]
     public void FramesOfManyMachinesAreThoseOfOne()
     {
+        foreach (var folder in (string[])["one", "many"]) Directory.CreateDirectory(raycaster.PathOf(folder));
         raycaster.Run("orbit", Room, "--frames", "5", "-s", "20x15", "-o", "one");
         foreach (var only in (string[])["2/2", "0..1"]) raycaster.Run("orbit", Room, "--frames", "5", "-s", "20x15", "-o", "many", "--only", only);
         Assert.Equal(Frames("one"), Frames("many"));
@@ -76,6 +78,7 @@ public sealed class FrameTests : IDisposable
     [Fact]
     public void AnAnimationHoldsEveryFrame()
     {
+        Directory.CreateDirectory(raycaster.PathOf("film"));
         raycaster.Run("orbit", Room, "--frames", "4", "-s", "20x15", "-o", "film").Run("animate", "film", "-o", "film.png", "--fps", "300");
         Assert.Equal("film.png: 4 frames, 0.01 s\n", raycaster.Error);
         Assert.Equal(PictureFile.Read(raycaster.PathOf("film/room-0000.png")).Rgb, PictureFile.Read(raycaster.PathOf("film.png")).Rgb);

@@ -95,6 +95,15 @@ public class CameraPathTests
         Assert.Contains(message, report);
     }
 
+    [Fact]
+    public void ALongFileIsReadUpToTheLimit()
+    {
+        using var folder = new TemporaryFolder();
+        var path = folder.Write("way.json", new string(' ', CameraPathReader.MostBytes + 1));
+        Assert.Null(CameraPathReader.Read(path, Scene, out var report));
+        Assert.Equal($"{path}: error: the file is longer than 1,048,576 bytes, which is the limit\n", report);
+    }
+
     [Theory]
     [InlineData(1, 2, 3, "the camera is at its target, [1, 2, 3]")]
     [InlineData(1, 2, 9, "the camera at [1, 2, 9] looks along up, which is [0, 0, 1]")]
