@@ -68,7 +68,7 @@ public sealed class Diagnosis
             return;
         }
 
-        var singles = Best(Singles());
+        var singles = WithoutIdle(Best(Singles()));
         var single = singles[0];
         var ranked = singles;
         if (single.Misfit.Unexplained > Explained * WrongCount && Best(Pairs(singles)) is [var pair, ..]
@@ -144,6 +144,13 @@ public sealed class Diagnosis
            from otherSample in mistake == center ? (bool[])[false] : [false, true]
            select new Trial([wording], otherSample),
     ];
+
+    /// <summary>Without those that stand beside rays through the other place of each pixel and explain no more than these alone.</summary>
+    private static List<Trial> WithoutIdle(List<Trial> singles)
+    {
+        if (singles.Find(trial => trial.Id == center.Id) is not { } alone) return singles;
+        return [.. singles.Where(trial => !trial.OtherSample || trial.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
+    }
 
     /// <summary>The nearest single mistakes, each with every other.</summary>
     private List<Trial> Pairs(List<Trial> singles) =>

@@ -14,13 +14,13 @@ internal sealed class ConfusionTable
 {
     private readonly SortedDictionary<string, SortedDictionary<string, int>> confused = new(StringComparer.Ordinal);
 
-    /// <summary>Visible single mistakes that were planted, that were named first, that were among the first three.</summary>
+    /// <summary>Visible single mistakes that were planted.</summary>
     public int Singles { get; private set; }
 
-    /// <summary>…</summary>
+    /// <summary>Of these, those that the first suspect names.</summary>
     public int First { get; private set; }
 
-    /// <summary>…</summary>
+    /// <summary>Of these, those that one of the first three suspects names.</summary>
     public int FirstThree { get; private set; }
 
     /// <summary>Pairs that were planted, each changing what either alone shows.</summary>
@@ -96,6 +96,7 @@ internal sealed class ConfusionTable
         | none | {Rights} | a mistake is named in {FalseNames} |
         """).ReplaceLineEndings("\n");
 
+    /// <summary>A part of all; all of nothing.</summary>
     public static double Share(int count, int all) => all == 0 ? 1 : (double)count / all;
 
     private static string Percent(int count, int all) => string.Create(CultureInfo.InvariantCulture, $"{100 * Share(count, all):0.0} %");

@@ -11,8 +11,9 @@ namespace RayCaster.Tests.Diagnoses;
 /// </summary>
 public class ConfusionTests(ITestOutputHelper output)
 {
-    // What was measured when these were last set: singles 0, first 0, first three 0; right pictures 0, false names 0.
-    private const double LeastFirst = 0, LeastFirstThree = 0, LeastOneOfPair = 0;
+    // Measured when these were last set: of 63 single mistakes 63 first; of 5 pairs one of both in 5. One of them may be lost to another
+    // machine's last bits; a name for a right picture, none.
+    private const double LeastFirst = 62.0 / 63, LeastFirstThree = 62.0 / 63, LeastOneOfPair = 0.8;
 
     private static readonly Manner[] manners =
         [Manner.OfTheSlides, new(Truncates: true), new(OtherSample: true), new(Truncates: true, Float: true), new(true, true, true)];
