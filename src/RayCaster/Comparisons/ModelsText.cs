@@ -47,11 +47,11 @@ internal static class ModelsText
 
     private static void AppendSentences(StringBuilder text, Scene scene, SceneDifference all)
     {
-        var (pixels, unexplained, wrong) = (0, 0, 0);
+        var (pixels, unexplained, most) = (0, 0, 0);
         foreach (var model in all.Models)
         {
             pixels += model.Pixels;
-            if (model.Wrong > 0) wrong++;
+            most = Math.Max(most, model.Wrong);
             if (!model.IsMissing && model.OtherColor is null) unexplained += model.Wrong;
         }
         if (unexplained > pixels / 2) // what is behind a "missing" model may as well be a picture taken from elsewhere
@@ -59,11 +59,20 @@ internal static class ModelsText
             text.Append($"No single model explains it: {ComparisonText.Part(unexplained, pixels)} are wrong all over the picture.\n");
             return;
         }
+        // Single pixels of a model beside a wrong one are its edges, or where it ties: no word about these.
+        var (wrong, edges) = (0, 0);
+        foreach (var model in all.Models)
+        {
+            if (IsMeant(model)) wrong++;
+            else edges += model.Wrong;
+        }
+        var agree = wrong != 1 ? "" : edges == 0 ? "; all others agree" : $"; all others agree, but for {ComparisonText.Count(edges, "pixel")}";
         var left = MostSentences;
         foreach (var model in all.Models)
-            if (model.Wrong > 0 && (Sentence(scene, model) ?? (wrong == 1 ? $"{PartOf(model)} are wrong" : null)) is { } sentence
-                && left-- > 0)
-                text.Append($"{sentence}{(wrong == 1 ? "; all others agree" : "")}.\n");
+            if (IsMeant(model) && (Sentence(scene, model) ?? (wrong == 1 ? $"{PartOf(model)} are wrong" : null)) is { } sentence && left-- > 0)
+                text.Append($"{sentence}{agree}.\n");
+
+        bool IsMeant(ModelDifference model) => model.Wrong > 0 && (model.Wrong >= 0.01 * most || model.Wrong >= 0.01 * model.Pixels);
     }
 
     /// <summary>What can be said of a model beyond how much of it is wrong; null for nothing.</summary>
