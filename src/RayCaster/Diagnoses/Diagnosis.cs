@@ -58,6 +58,11 @@ public sealed class Diagnosis
         NotTried = [.. possible.Except(known)];
         var right = Renderer.Render(scene, threads);
         evidence = new(scene, right, picture, Pixels);
+        if (evidence.WrongCount < evidence.OutlineCount && evidence.OutlineCount > SceneFitness.LeastPixels)
+        {
+            var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false);
+            if (known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
+        }
         PixelCount = evidence.PixelCount;
         WrongCount = evidence.WrongCount;
         OutlineCount = evidence.OutlineCount;
@@ -144,6 +149,13 @@ public sealed class Diagnosis
            from otherSample in mistake == center ? (bool[])[false] : [false, true]
            select new Trial([wording], otherSample),
     ];
+
+    /// <summary>
+    /// Whether a mistake is all that is wrong, outlines too: a box that loses its edge to 0 · ∞ is not forgiven. A mistake of the camera may by
+    /// chance be the last bits of another program.
+    /// </summary>
+    private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Concerns & Concerns.Camera) == 0
+        && mistake.Wordings.Any(wording => strict.Misfit(new Lab(scene, wording)).Unexplained <= Explained * strict.WrongCount);
 
     /// <summary>Without those that stand beside rays through the other place of each pixel and explain no more than these alone.</summary>
     private static List<Trial> WithoutIdle(List<Trial> singles)

@@ -20,7 +20,8 @@ internal sealed class Evidence
     /// <param name="right">Its own picture; may have another size, then everything is wrong.</param>
     /// <param name="picture">The picture to be diagnosed.</param>
     /// <param name="most">How many pixels are looked at, at most.</param>
-    public Evidence(Scene scene, Picture right, Picture picture, int most)
+    /// <param name="forgiveOutlines">Whether the pixels of <see cref="OutlineCount"/> are left out.</param>
+    public Evidence(Scene scene, Picture right, Picture picture, int most, bool forgiveOutlines = true)
     {
         this.picture = picture;
         var sameSize = (right.Width, right.Height) == (picture.Width, picture.Height);
@@ -32,7 +33,7 @@ internal sealed class Evidence
             if (sameSize && IsDarkerByOne(picture.Rgb, right.Rgb, i)) darker++;
         }
         DarkerShare = (double)darker / PixelCount;
-        if (sameSize && wrong.Count <= FewPixels * PixelCount)
+        if (forgiveOutlines && sameSize && wrong.Count <= FewPixels * PixelCount)
         {
             var nudged = Nudged(scene);
             OutlineCount = wrong.RemoveAll(i => nudged.Any(lab => Difference(lab[i % picture.Width, i / picture.Width], picture[i % picture.Width, i / picture.Width]) <= Tolerance));

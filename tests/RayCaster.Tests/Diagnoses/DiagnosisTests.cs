@@ -72,6 +72,23 @@ public class DiagnosisTests
     }
 
     [Fact]
+    public void NamesAMistakeThatShowsOnOutlinesOnly()
+    {
+        var axis = SceneFolder.Read(SceneFolder.FileOf("mistakes/axis"));
+        var diagnosis = Diagnosis.Of(axis, SlideCaster.Render(axis, Mistakes.Mistake.SlabInvNan));
+        Assert.Equal("slab-inv-nan", Assert.Single(diagnosis.Suspects[0].Mistakes).Id);
+    }
+
+    [Fact]
+    public void TheLastBitsOfASquarePictureAreNoMistake()
+    {
+        var room = SceneFolder.Read(SceneFolder.FileOf("room")); // the walls meet on its diagonals
+        room = room with { Camera = room.Camera.WithSize(166, 166) };
+        var picture = SlideCaster.Render(room, new Manner(Truncates: true, Float: true), Mistakes.Mistake.None, Mistakes.Mistake.None);
+        Assert.Equal(Finding.Matches, Diagnosis.Of(room, picture).Finding);
+    }
+
+    [Fact]
     public void NamesBothOfTwo()
     {
         var picture = Planted("rows");
