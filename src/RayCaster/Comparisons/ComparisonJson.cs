@@ -146,7 +146,7 @@ public static class ComparisonJson
     {
         json.WriteNumber("model", model);
         json.WriteString("name", model < 0 ? "background" : scene.Models[model].Name);
-        if (model >= 0) json.WriteString("type", ModelName.TypeOf(scene.Models[model]));
+        if (model >= 0) json.WriteString("type", scene.Models[model].Kind);
     }
 
     private static void WriteColor(Utf8JsonWriter json, string name, Color color)

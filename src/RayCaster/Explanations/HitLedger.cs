@@ -50,7 +50,7 @@ public sealed class HitLedger
         var cost = 1L;
         for (var i = 0; i < models.Count; i++)
         {
-            (entries[i], witnesses[i]) = (new(LabelOf(models[i], i)), new(models[i], camera.Position));
+            (entries[i], witnesses[i]) = (new(ModelName.Typed(scene, i)), new(models[i], camera.Position));
             cost += witnesses[i].Cost;
         }
         var ledger = new HitLedger(scene, entries);
@@ -104,7 +104,4 @@ public sealed class HitLedger
         while ((camera.Width + step - 1L) / step * ((camera.Height + step - 1L) / step) > rays) step++;
         return step;
     }
-
-    private static string LabelOf(Model model, int place) =>
-        model.Name is { Length: > 0 } name ? name : $"models[{place}] ({model.Kind})";
 }

@@ -9,9 +9,6 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
     private readonly Ray<Derivation> ray = new(
         ((Vector3<Derivation>)cast.Origin).As("P", ""), ((Vector3<Derivation>)cast.Direction).As("d", ""));
 
-    /// <summary>A model's name, or its path in the scene file.</summary>
-    public static string NameOf(Scene scene, int index) => scene.Models[index].Name is { Length: > 0 } name ? name : $"models[{index}]";
-
     /// <summary>Explains a model.</summary>
     public ModelExplanation Explain(Trial trial)
     {
@@ -31,7 +28,7 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         }
 
         var (verdict, reason) = Sum(trial, crossings);
-        return new ModelExplanation(trial.Index, NameOf(scene, trial.Index), trial.Model.Kind, verdict, reason, steps, crossings)
+        return new ModelExplanation(trial.Index, ModelName.Plain(scene, trial.Index), trial.Model.Kind, verdict, reason, steps, crossings)
         {
             Slabs = Slabs(shape, steps),
             Weights = shape is Model<Triangle> ? Reasons.Weights(steps) : null,
@@ -50,7 +47,7 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
     private (Verdict Verdict, string Reason) Hit(Trial trial, double t)
     {
         if (trial.Index == shown) return (Verdict.Shows, "the nearest that counts: the pixel shows it");
-        var name = NameOf(scene, shown!.Value);
+        var name = ModelName.Plain(scene, shown!.Value);
         return (Verdict.Hidden, t == cast.HitParameter
             ? $"a tie: {name} has the same t and stands earlier in the scene"
             : $"hidden by {name}, whose {Nearer(cast.HitParameter, t)}");

@@ -97,7 +97,7 @@ public sealed class PixelExplanation
     internal IReadOnlyList<Trial> Trials { get; }
 
     /// <summary>A model's name, or its path in the scene file.</summary>
-    internal string NameOf(int? index) => index is { } i ? ModelExplainer.NameOf(Scene, i) : "the background";
+    internal string NameOf(int? index) => index is { } i ? ModelName.Plain(Scene, i) : ModelName.Background;
 
     private int IndexOf(Model model)
     {
