@@ -1,0 +1,106 @@
+using RayCaster.Tests.Models;
+
+namespace RayCaster.Tests.Accuracy;
+
+/// <summary>
+/// Rays for docs/accuracy.md, ordinary and extreme. A ray and its shape are a row of doubles: P, d, then what the scene file says of the shape (plane Q n, sphere C R,
+/// aabb B0 B1, circle C n R, triangle a b c).
+/// </summary>
+internal static class AccuracyRays
+{
+    private static readonly Dictionary<string, Func<Random, Target>> targets = new()
+    {
+        ["plane"] = Target.Plane,
+        ["sphere"] = Target.Sphere,
+        ["aabb"] = Target.Aabb,
+        ["circle"] = Target.Circle,
+        ["triangle"] = Target.Triangle,
+    };
+
+    private static readonly Dictionary<string, Func<Random, Target, double[]>> regimes = new()
+    {
+        ["ordinary"] = (_, target) => Row(target, target.From, target.Aim - target.From),
+        ["far"] = (random, target) =>
+        {
+            var P = Power(random, 2, 8) * Some.Direction(random);
+            return Row(target, P, target.Aim - P);
+        },
+        ["extreme"] = (random, target) =>
+        {
+            var P = Power(random, 2, 8) * Some.Direction(random);
+            return Row(target, P, target.Aim - P, Power(random, -30, 32), Power(random, -200, 200));
+        },
+        ["outline"] = (_, target) => Row(target, target.From, target.Outline - target.From),
+        ["grazing"] = (random, target) =>
+        {
+            var back = (1 + 9 * random.NextDouble()) * Target.InPlane(random, target.Across) + Power(random, -12, -1) * target.Across;
+            return Row(target, target.Surface + back, -back);
+        },
+        ["scaled"] = (random, target) => Row(target, target.From, target.Aim - target.From, Power(random, -30, 40), Power(random, -200, 200)),
+        ["moved"] = (random, target) => Row(target, target.From, target.Aim - target.From, by: Power(random, 2, 8) * Some.Direction(random)),
+        ["close"] = (random, target) => Row(target, target.Surface + Power(random, -8, -1) * target.Across, Some.Direction(random)),
+        ["on"] = (random, target) => Row(target, target.Surface, Some.Direction(random)),
+    };
+
+    /// <summary>Every shape and every way to look at it.</summary>
+    public static IEnumerable<(string Shape, string Regime, Func<Random, double[]> Make)> All()
+    {
+        foreach (var (shape, target) in targets)
+        {
+            foreach (var (regime, make) in regimes)
+                if ((shape, regime) != ("plane", "outline"))
+                    yield return (shape, regime, random => make(random, target(random)));
+            if (shape is "sphere" or "aabb")
+                yield return (shape, "inside", random => target(random) is var some ? Row(some, some.Inside, Some.Direction(random)) : []);
+        }
+        yield return ("plane", "remote", random =>
+        {
+            var plane = Target.Plane(random);
+            plane.Points[0] += Power(random, 2, 8) * Target.InPlane(random, plane.Across);
+            return Row(plane, plane.From, plane.Aim - plane.From);
+        });
+        yield return ("aabb", "parallel", random =>
+        {
+            // Along one or two of the slabs, and often exactly in a face.
+            var (a, b, P, d) = (Some.GridPoint(random), Some.GridPoint(random), Some.GridPoint(random), Some.Direction(random));
+            d = random.Next(4) switch { 0 => d with { X = 0 }, 1 => d with { Y = 0 }, 2 => d with { Z = 0 }, _ => new(0, 0, d.Z) };
+            P = random.Next(3) switch { 0 => P with { X = a.X }, 1 => P with { Y = b.Y }, _ => P with { Z = a.Z } };
+            Vector3 min = new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)), max = new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z));
+            return Row(new([min, max], null, null, default, default, P, default, default), P, d);
+        });
+        yield return ("aabb", "flat", random => regimes["ordinary"](random, Target.FlatAabb(random)));
+        yield return ("triangle", "sliver", random => regimes["ordinary"](random, Target.Sliver(random)));
+    }
+
+    /// <summary>What our formula says of a row.</summary>
+    public static (double Near, double Far) Cross(string shape, double[] row)
+    {
+        Vector3 At(int i) => new(row[i], row[i + 1], row[i + 2]);
+        var ray = new Ray<Scalar>(At(0), At(3));
+        var crossings = shape switch
+        {
+            "plane" => new Plane(At(6), At(9)).Cross(ray),
+            "sphere" => new Sphere(At(6), row[9]).Cross(ray),
+            "aabb" => new Aabb(At(6), At(9)).Cross(ray),
+            "circle" => new Circle(At(6), At(9), row[12]).Cross(ray),
+            "triangle" => new Triangle(At(6), At(9), At(12)).Cross(ray),
+            _ => throw new ArgumentException(shape),
+        };
+        return (crossings.Near, crossings.Far);
+    }
+
+    /// <summary>10 to a power between two.</summary>
+    public static double Power(Random random, double least, double most) => Math.Pow(10, least + (most - least) * random.NextDouble());
+
+    private static double[] Row(Target target, Vector3 P, Vector3 towards, double scale = 1, double ofNormal = 1, Vector3 by = default)
+    {
+        var row = new List<double>();
+        void Add(Vector3 v) => row.AddRange([v.X, v.Y, v.Z]);
+        Add(scale * P + by);
+        Add(towards.Normalized);
+        foreach (var point in target.Points) Add(scale * point + by);
+        if (target.Normal is { } n) Add(ofNormal * n);
+        if (target.Radius is { } R) row.Add(scale * R);
+        return [.. row];
+    }
+}
