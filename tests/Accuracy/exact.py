@@ -12,7 +12,7 @@ import sys
 from fractions import Fraction
 from math import frexp, isnan, isinf, ldexp
 
-REGIMES = ["ordinary", "scaled", "moved", "far", "extreme", "remote", "close", "on", "inside", "grazing", "outline", "parallel", "flat", "sliver"]
+REGIMES = ["ordinary", "scaled", "moved", "far", "extreme", "remote", "close", "on", "inside", "grazing", "outline", "distant", "parallel", "flat", "sliver"]
 NUMBERS = {"plane": 12, "sphere": 10, "aabb": 12, "circle": 13, "triangle": 15}
 ROOT_BITS = 160
 PIXEL = 2 * math.tan(math.radians(45) / 2) / 1000  # of a picture of 1000 lines with fovY 45, at distance 1

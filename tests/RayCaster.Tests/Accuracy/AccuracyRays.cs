@@ -30,7 +30,12 @@ internal static class AccuracyRays
             var P = Power(random, 2, 8) * Some.Direction(random);
             return Row(target, P, target.Aim - P, Power(random, -30, 32), Power(random, -200, 200));
         },
-        ["outline"] = (_, target) => Row(target, target.From, target.Outline - target.From),
+        ["outline"] = (random, target) => Row(target, target.From, target.OutlineFrom(target.From, random) - target.From),
+        ["distant"] = (random, target) =>
+        {
+            var P = Power(random, 2, 8) * Some.Direction(random);
+            return Row(target, P, target.OutlineFrom(P, random) - P);
+        },
         ["grazing"] = (random, target) =>
         {
             var back = (1 + 9 * random.NextDouble()) * Target.InPlane(random, target.Across) + Power(random, -12, -1) * target.Across;
@@ -48,7 +53,7 @@ internal static class AccuracyRays
         foreach (var (shape, target) in targets)
         {
             foreach (var (regime, make) in regimes)
-                if ((shape, regime) != ("plane", "outline"))
+                if (shape != "plane" || regime is not ("outline" or "distant"))
                     yield return (shape, regime, random => make(random, target(random)));
             if (shape is "sphere" or "aabb")
                 yield return (shape, "inside", random => target(random) is var some ? Row(some, some.Inside, Some.Direction(random)) : []);

@@ -7,7 +7,7 @@ namespace RayCaster.Tests.Accuracy;
 /// <param name="Normal">n, of a plane or circle.</param>
 /// <param name="Radius">R, of a sphere or circle.</param>
 /// <param name="Aim">A point in or near the shape; most rays through it hit.</param>
-/// <param name="Outline">A point on an edge, on a corner or on the outline as seen from <paramref name="From"/>.</param>
+/// <param name="Outline">A point on an edge or corner; a sphere has none.</param>
 /// <param name="From">An ordinary place for a camera.</param>
 /// <param name="Surface">A point of the surface.</param>
 /// <param name="Across">The direction across the surface there.</param>
@@ -24,13 +24,18 @@ internal sealed record Target(
 
     public static Target Sphere(Random random)
     {
-        var (C, R, P) = (Some.Point(random, 1), 0.2 + random.NextDouble(), Some.Point(random, 10));
-        var (across, L) = (Some.Direction(random), C - P);
-        // Seen from P the outline is a circle that lies a little before C.
-        var sine = R / L.Length;
-        var cosine = Math.Sqrt(Math.Max(0, 1 - sine * sine));
-        var outline = C - sine * R * L.Normalized + cosine * R * InPlane(random, L.Normalized);
-        return new([C], null, R, C + 1.2 * R * Some.Point(random, 1), outline, P, C + R * across, across, C + 0.5 * R * Some.Point(random, 1));
+        var (C, R, across) = (Some.Point(random, 1), 0.2 + random.NextDouble(), Some.Direction(random));
+        return new([C], null, R, C + 1.2 * R * Some.Point(random, 1), default, Some.Point(random, 10), C + R * across, across, C + 0.5 * R * Some.Point(random, 1));
+    }
+
+    /// <summary>A point on an edge, on a corner, or on the outline as seen from a place.</summary>
+    public Vector3 OutlineFrom(Vector3 P, Random random)
+    {
+        if (Radius is not { } R || Normal is not null) return Outline;
+        // A sphere's outline is a circle that lies a little before C.
+        var L = Points[0] - P;
+        var sine = Math.Min(1, R / L.Length);
+        return Points[0] - sine * R * L.Normalized + Math.Sqrt(1 - sine * sine) * R * InPlane(random, L.Normalized);
     }
 
     public static Target Aabb(Random random) => Aabb(random, isFlat: false);
