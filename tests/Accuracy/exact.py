@@ -1,7 +1,8 @@
 """Judges our ray parameters against exact arithmetic; see README.md.
 
-The numbers of a ray and its shape are doubles, so they are whole numbers times a power of two. A row's points are brought to one such power, its direction to another,
-its normal to a third; then every crossing is a fraction of whole numbers (the sphere's after a root of more digits than matter), and so is its difference from ours.
+The numbers of a ray and its shape are doubles, so they are whole numbers times a power of two. A row's points are brought to one such
+power, its direction to another, its normal to a third; then every crossing is a fraction of whole numbers (the sphere's after a root of
+more digits than matter), and so is its difference from ours.
 """
 import array
 import math
@@ -12,7 +13,8 @@ import sys
 from fractions import Fraction
 from math import frexp, isnan, isinf, ldexp
 
-REGIMES = ["ordinary", "scaled", "moved", "far", "extreme", "remote", "close", "on", "inside", "grazing", "outline", "distant", "parallel", "flat", "sliver"]
+REGIMES = ["ordinary", "scaled", "moved", "far", "extreme", "remote", "close", "on", "inside", "grazing", "outline", "distant", "parallel",
+           "flat", "sliver"]
 NUMBERS = {"plane": 12, "sphere": 10, "aabb": 12, "circle": 13, "triangle": 15}
 ROOT_BITS = 160
 PIXEL = 2 * math.tan(math.radians(45) / 2) / 1000  # of a picture of 1000 lines with fovY 45, at distance 1
@@ -78,8 +80,8 @@ class Crossing:
         return abs(difference / numerator) * abs(frexp(numerator / denominator)[0]) * 2.0 ** 53, error
 
 
-# Each shape: the row's doubles -> (near, far, largest distance, how far the ray passes from the outline), crossings None where there is none. The last is a function, for it is
-# called only where a decision differs: -> (in units of the shape, in pixels).
+# Each shape: the row's doubles -> (near, far, largest distance, how far the ray passes from the outline), crossings None where there is
+# none. The last is a function, for it is called only where a decision differs: -> (in sizes of the shape, in pixels).
 
 def plane(row):
     (p0, p1, p2, q0, q1, q2), k = whole(*row[0:3], *row[6:9])
@@ -274,11 +276,13 @@ def judge(job):
     wrong.sort(key=lambda case: (-case[0], case[1]))
     cases = [case_line(shape, regime, row) for _, _, row in worst] + [case_line(shape, regime, row) for _, _, row in wrong[:4]]
     part = lambda share: errors[min(len(errors) - 1, int(share * len(errors)))] if errors else 0.0
-    return (shape, regime, rays, hits, part(0.5), part(0.99), errors[-1] if errors else 0.0, most_off, false_hits, false_misses, most_size, most_pixels, zeros), cases
+    line = (shape, regime, rays, hits, part(0.5), part(0.99), errors[-1] if errors else 0.0, most_off, false_hits, false_misses, most_size,
+            most_pixels, zeros)
+    return line, cases
 
 
 def case_line(shape, regime, row):
-    """A kept case: the row's doubles as 16 hexadecimal digits each, then the exact near and far t to 30 digits, "none" where there is no crossing."""
+    """A kept case: the row's doubles as 16 hexadecimal digits each, then the exact near and far t to 30 digits, "none" for none."""
     numbers = row[:NUMBERS[shape]]
     near, far = textbook(shape, numbers)
     words = [struct.pack(">d", number).hex() for number in numbers]

@@ -3,8 +3,8 @@ using RayCaster.Tests.Models;
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>
-/// Rays for docs/accuracy.md, ordinary and extreme. A ray and its shape are a row of doubles: P, d, then what the scene file says of the shape (plane Q n, sphere C R,
-/// aabb B0 B1, circle C n R, triangle a b c).
+/// Rays for docs/accuracy.md, ordinary and extreme. A ray and its shape are a row of doubles: P, d, then what the scene file says of the
+/// shape (plane Q n, sphere C R, aabb B0 B1, circle C n R, triangle a b c).
 /// </summary>
 internal static class AccuracyRays
 {
@@ -41,8 +41,10 @@ internal static class AccuracyRays
             var back = (1 + 9 * random.NextDouble()) * Target.InPlane(random, target.Across) + Power(random, -12, -1) * target.Across;
             return Row(target, target.Surface + back, -back);
         },
-        ["scaled"] = (random, target) => Row(target, target.From, target.Aim - target.From, Power(random, -30, 40), Power(random, -200, 200)),
-        ["moved"] = (random, target) => Row(target, target.From, target.Aim - target.From, by: Power(random, 2, 8) * Some.Direction(random)),
+        ["scaled"] = (random, target) =>
+            Row(target, target.From, target.Aim - target.From, Power(random, -30, 40), Power(random, -200, 200)),
+        ["moved"] = (random, target) =>
+            Row(target, target.From, target.Aim - target.From, by: Power(random, 2, 8) * Some.Direction(random)),
         ["close"] = (random, target) => Row(target, target.Surface + Power(random, -8, -1) * target.Across, Some.Direction(random)),
         ["on"] = (random, target) => Row(target, target.Surface, Some.Direction(random)),
     };
@@ -70,7 +72,8 @@ internal static class AccuracyRays
             var (a, b, P, d) = (Some.GridPoint(random), Some.GridPoint(random), Some.GridPoint(random), Some.Direction(random));
             d = random.Next(4) switch { 0 => d with { X = 0 }, 1 => d with { Y = 0 }, 2 => d with { Z = 0 }, _ => new(0, 0, d.Z) };
             P = random.Next(3) switch { 0 => P with { X = a.X }, 1 => P with { Y = b.Y }, _ => P with { Z = a.Z } };
-            Vector3 min = new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)), max = new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z));
+            Vector3 min = new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z));
+            Vector3 max = new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z));
             return Row(new([min, max], null, null, default, default, P, default, default), P, d);
         });
         yield return ("aabb", "flat", random => regimes["ordinary"](random, Target.FlatAabb(random)));

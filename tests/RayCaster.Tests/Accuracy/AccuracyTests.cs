@@ -3,7 +3,9 @@ using System.Text.RegularExpressions;
 
 namespace RayCaster.Tests.Accuracy;
 
-/// <summary>The worst of millions of rays (worst.txt, computed exactly by tests/Accuracy/exact.py) are no worse than docs/accuracy.md says.</summary>
+/// <summary>
+/// The worst of millions of rays (worst.txt, computed exactly by tests/Accuracy/exact.py) are no worse than docs/accuracy.md says.
+/// </summary>
 public class AccuracyTests
 {
     private sealed record Case(string Shape, string Regime, double[] Row, string Near, string Far)
@@ -21,7 +23,8 @@ public class AccuracyTests
     /// <summary>A line of the table in docs/accuracy.md.</summary>
     private sealed record Stated(double Ulps, double FromOutline);
 
-    private static readonly Case[] cases = [.. File.ReadLines(ProjectFolder.PathOf("tests/RayCaster.Tests/Accuracy/worst.txt")).Select(Case.Parse)];
+    private static readonly Case[] cases =
+        [.. File.ReadLines(ProjectFolder.PathOf("tests/RayCaster.Tests/Accuracy/worst.txt")).Select(Case.Parse)];
 
     private static readonly Dictionary<(string Shape, string Regime), Stated> table = ReadTable();
 
@@ -31,6 +34,21 @@ public class AccuracyTests
         {
             var data = new TheoryData<string, string>();
             foreach (var (shape, regime, _) in AccuracyRays.All()) data.Add(shape, regime);
+            return data;
+        }
+    }
+
+    /// <summary>
+    /// Where there are wrong decisions. Not flat shapes seen along their plane, 1e-13 of their length wide: a little sideways is beyond
+    /// them.
+    /// </summary>
+    public static TheoryData<string, string> Outlines
+    {
+        get
+        {
+            var data = new TheoryData<string, string>();
+            foreach (var ((shape, regime), stated) in table)
+                if (stated.FromOutline > 0 && (regime != "grazing" || shape == "sphere")) data.Add(shape, regime);
             return data;
         }
     }
@@ -46,15 +64,18 @@ public class AccuracyTests
             if (!kept.IsHit || !double.IsFinite(near)) continue;
             count++;
             foreach (var (t, exact) in new[] { (near, kept.Near), (far, kept.Far) })
-                if (exact != "none")
-                    Assert.True(ExactDecimal.Ulps(t, exact) <= Most(table[(shape, regime)].Ulps), $"t = {t:R} is {ExactDecimal.Ulps(t, exact)} ulp from {exact}");
+            {
+                if (exact == "none") continue;
+                var ulps = ExactDecimal.Ulps(t, exact);
+                Assert.True(ulps <= Most(table[(shape, regime)].Ulps), $"t = {t:R} is {ulps} ulp from {exact}");
+            }
         }
         Assert.True(count >= 10);
     }
 
-    /// <summary>A ray that is taken for a hit or a miss against exact arithmetic is so near the outline that a little sideways it is not.</summary>
+    /// <summary>A ray that is wrongly taken for a hit or a miss is so near the outline that a little sideways it is not.</summary>
     [Theory]
-    [MemberData(nameof(Kept))]
+    [MemberData(nameof(Outlines))]
     public void AWrongDecisionIsAsNearTheOutlineAsTheTableSays(string shape, string regime)
     {
         foreach (var kept in Of(shape, regime))
@@ -63,8 +84,10 @@ public class AccuracyTests
             var (middle, size) = MiddleAndSize(shape, kept.Row);
             var (P, d) = (At(kept.Row, 0), At(kept.Row, 3));
             var L = middle - P;
-            var inwards = (L - L * d * d).Normalized;
-            var moved = P + (kept.IsHit ? 1 : -1) * 100 * Most(table[(shape, regime)].FromOutline) * size * inwards;
+            var sideways = L - L * d * d; // to the middle
+            // A hundred times as far as the table says, and as the camera's coordinates are rounded.
+            var step = 100 * Math.Max(Most(table[(shape, regime)].FromOutline) * size, Math.ScaleB(L.Length, -53));
+            var moved = P + (kept.IsHit ? Math.Min(step, 0.5 * sideways.Length) : -step) * sideways.Normalized;
             double[] row = [moved.X, moved.Y, moved.Z, .. kept.Row[3..]];
             Assert.True(double.IsFinite(AccuracyRays.Cross(shape, row).Near) == kept.IsHit, $"{shape} {string.Join(' ', kept.Row)}");
         }
@@ -74,12 +97,13 @@ public class AccuracyTests
     [InlineData(1, "1.00000000000000000000000000000", 0)]
     [InlineData(1.0000000000000002, "1.0", 1)]
     [InlineData(0.9999999999999999, "1.0", 0.5)]
-    [InlineData(-3e40, "-3.0e+40", 0.438461)] // Python's fractions say so
+    [InlineData(-3e40, "-3.0e+40", 0.438464)] // Python's fractions say so
     [InlineData(1e-30, "1.0e-30", 0.475767)]
     [InlineData(0, "1.0", 4503599627370496)]
     public void ADoubleIsMeasuredInUnitsOfTheLastPlace(double t, string exact, double ulps) => Assert.Equal(ulps, ExactDecimal.Ulps(t, exact), 1e-6);
 
-    private static IEnumerable<Case> Of(string shape, string regime) => cases.Where(kept => (kept.Shape, kept.Regime) == (shape, regime));
+    private static IEnumerable<Case> Of(string shape, string regime) =>
+        cases.Where(kept => (kept.Shape, kept.Regime) == (shape, regime));
 
     /// <summary>What the table means by a number that it has rounded.</summary>
     private static double Most(double stated) => 1.006 * stated + 0.005 * (stated >= 0.01 ? 1 : 0);
@@ -89,8 +113,11 @@ public class AccuracyTests
         "sphere" => (At(row, 6), row[9]),
         "aabb" => (0.5 * (At(row, 6) + At(row, 9)), Largest(At(row, 9) - At(row, 6))),
         "circle" => (At(row, 6), row[12]),
-        _ => ((At(row, 6) + At(row, 9) + At(row, 12)) / 3, new[] { At(row, 9) - At(row, 6), At(row, 12) - At(row, 9), At(row, 6) - At(row, 12) }.Max(side => side.Length)),
+        _ => ((At(row, 6) + At(row, 9) + At(row, 12)) / 3, LongestSide(At(row, 6), At(row, 9), At(row, 12))),
     };
+
+    private static double LongestSide(Vector3 a, Vector3 b, Vector3 c) =>
+        Math.Max((b - a).Length, Math.Max((c - b).Length, (a - c).Length));
 
     private static double Largest(Vector3 v) => Math.Max(v.X, Math.Max(v.Y, v.Z));
 

@@ -13,7 +13,8 @@ internal static class ExactDecimal
         var parts = exact.Split('e');
         var point = parts[0].IndexOf('.');
         var digits = BigInteger.Parse(parts[0].Replace(".", ""), CultureInfo.InvariantCulture);
-        var exponent = (parts.Length > 1 ? int.Parse(parts[1], CultureInfo.InvariantCulture) : 0) - (point < 0 ? 0 : parts[0].Length - point - 1);
+        var exponent = parts.Length > 1 ? int.Parse(parts[1], CultureInfo.InvariantCulture) : 0;
+        if (point >= 0) exponent -= parts[0].Length - point - 1;
         var (tens, ours) = (BigInteger.One, new BigInteger(Math.ScaleB(t, 52 - (t == 0 ? 0 : Math.ILogB(t)))));
         if (exponent < 0) tens = BigInteger.Pow(10, -exponent);
         else digits *= BigInteger.Pow(10, exponent);

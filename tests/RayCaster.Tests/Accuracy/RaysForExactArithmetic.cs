@@ -4,8 +4,8 @@ using System.Globalization;
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>
-/// Writes the rays that tests/Accuracy/exact.py judges: <c>RAYCASTER_RAYS=125000 RAYCASTER_TO=folder dotnet test --filter RaysForExactArithmetic</c> makes a file for
-/// each shape and regime, rows of little-endian doubles with our two crossings at the end.
+/// Writes the rays that tests/Accuracy/exact.py judges: a file for each shape and regime, rows of little-endian doubles with our two
+/// crossings at the end. tests/Accuracy/README.md has the command.
 /// </summary>
 public class RaysForExactArithmetic
 {

@@ -13,7 +13,8 @@ namespace RayCaster.Tests.Accuracy;
 /// <param name="Across">The direction across the surface there.</param>
 /// <param name="Inside">A point in the body.</param>
 internal sealed record Target(
-    Vector3[] Points, Vector3? Normal, double? Radius, Vector3 Aim, Vector3 Outline, Vector3 From, Vector3 Surface, Vector3 Across, Vector3 Inside = default)
+    Vector3[] Points, Vector3? Normal, double? Radius, Vector3 Aim, Vector3 Outline, Vector3 From, Vector3 Surface, Vector3 Across,
+    Vector3 Inside = default)
 {
     public static Target Plane(Random random)
     {
@@ -25,7 +26,8 @@ internal sealed record Target(
     public static Target Sphere(Random random)
     {
         var (C, R, across) = (Some.Point(random, 1), 0.2 + random.NextDouble(), Some.Direction(random));
-        return new([C], null, R, C + 1.2 * R * Some.Point(random, 1), default, Some.Point(random, 10), C + R * across, across, C + 0.5 * R * Some.Point(random, 1));
+        var (aim, inside) = (C + 1.2 * R * Some.Point(random, 1), C + 0.5 * R * Some.Point(random, 1));
+        return new([C], null, R, aim, default, Some.Point(random, 10), C + R * across, across, inside);
     }
 
     /// <summary>A point on an edge, on a corner, or on the outline as seen from a place.</summary>
@@ -45,8 +47,12 @@ internal sealed record Target(
     private static Target Aabb(Random random, bool isFlat)
     {
         var (a, b) = (Numbers(Some.Point(random, 1)), Numbers(Some.Point(random, 1)));
-        if (isFlat) b[random.Next(3)] = double.NaN;
-        double[] min = [.. a.Zip(b, (x, y) => double.IsNaN(y) ? x : Math.Min(x, y))], max = [.. a.Zip(b, (x, y) => double.IsNaN(y) ? x : Math.Max(x, y))];
+        if (isFlat)
+        {
+            var thin = random.Next(3);
+            b[thin] = a[thin];
+        }
+        double[] min = [.. a.Zip(b, Math.Min)], max = [.. a.Zip(b, Math.Max)];
         double[] Between(double beyond) =>
             [.. min.Zip(max, (lo, hi) => lo + (hi - lo) * (0.5 + (0.5 + beyond) * Some.Number(random, 1)))];
         double[] inside = Between(0), face = [.. inside], edge = [.. inside], across = new double[3];
@@ -58,23 +64,28 @@ internal sealed record Target(
         for (var i = 0; i < 3; i++)
             if (i != free)
                 edge[i] = (random.Next(2) == 1 ? max : min)[i];
-        return new([Vector(min), Vector(max)], null, null, Vector(Between(0.2)), Vector(edge), Some.Point(random, 10), Vector(face), Vector(across), Vector(inside));
+        var aim = Vector(Between(0.2));
+        Vector3[] corners = [Vector(min), Vector(max)];
+        return new(corners, null, null, aim, Vector(edge), Some.Point(random, 10), Vector(face), Vector(across), Vector(inside));
     }
 
     public static Target Circle(Random random)
     {
         var (C, n, R) = (Some.Point(random, 1), Some.Direction(random), 0.2 + random.NextDouble());
         Vector3 At(double part) => C + part * R * InPlane(random, n);
-        return new([C], (0.5 + random.NextDouble()) * n, R, At(1.2 * random.NextDouble()), At(1), Some.Point(random, 10), At(random.NextDouble()), n);
+        var (aim, surface) = (At(1.2 * random.NextDouble()), At(random.NextDouble()));
+        return new([C], (0.5 + random.NextDouble()) * n, R, aim, At(1), Some.Point(random, 10), surface, n);
     }
 
-    public static Target Triangle(Random random) => Triangle(random, Some.Point(random, 1), Some.Point(random, 1), Some.Point(random, 1));
+    public static Target Triangle(Random random) =>
+        Triangle(random, Some.Point(random, 1), Some.Point(random, 1), Some.Point(random, 1));
 
     /// <summary>A triangle whose height is a thousandth to 1e-11 of its base; semantics.md takes less for a line.</summary>
     public static Target Sliver(Random random)
     {
         var (a, b) = (Some.Point(random, 1), Some.Point(random, 1));
-        var c = a + random.NextDouble() * (b - a) + (b - a).Length * AccuracyRays.Power(random, -11, -3) * InPlane(random, (b - a).Normalized);
+        var height = (b - a).Length * AccuracyRays.Power(random, -11, -3);
+        var c = a + random.NextDouble() * (b - a) + height * InPlane(random, (b - a).Normalized);
         return Triangle(random, a, b, c);
     }
 
@@ -84,7 +95,8 @@ internal sealed record Target(
         var (u, v, onEdge) = (random.NextDouble(), random.NextDouble(), random.NextDouble());
         var inside = u + v < 1 ? Weighted(u, v) : Weighted(1 - u, 1 - v);
         var outline = random.Next(4) switch { 0 => a, 1 => a + onEdge * (b - a), 2 => b + onEdge * (c - b), _ => c + onEdge * (a - c) };
-        return new([a, b, c], null, null, Weighted(1.2 * u - 0.1, 1.2 * v - 0.1), outline, Some.Point(random, 10), inside, ((b - a) % (c - a)).Normalized);
+        var (aim, across) = (Weighted(1.2 * u - 0.1, 1.2 * v - 0.1), ((b - a) % (c - a)).Normalized);
+        return new([a, b, c], null, null, aim, outline, Some.Point(random, 10), inside, across);
     }
 
     /// <summary>A direction across n.</summary>

@@ -5,16 +5,19 @@ using Xunit.Abstractions;
 namespace RayCaster.Tests.Models;
 
 /// <summary>
-/// A closed mesh has no hole in whatever file it comes and wherever a scene puts it. A sample; <c>RAYCASTER_RAYS=20000</c> is the number of rays for each mesh in each place
-/// (docs/accuracy.md).
+/// A closed mesh has no hole in whatever file it comes and wherever a scene puts it. A sample; <c>RAYCASTER_RAYS=20000</c> is the number
+/// of rays for each mesh in each place (docs/accuracy.md).
 /// </summary>
 public class WatertightFilesTests(ITestOutputHelper output)
 {
-    private static readonly int count = int.Parse(Environment.GetEnvironmentVariable("RAYCASTER_RAYS") ?? "40", CultureInfo.InvariantCulture);
+    private static readonly int count =
+        int.Parse(Environment.GetEnvironmentVariable("RAYCASTER_RAYS") ?? "40", CultureInfo.InvariantCulture);
 
-    private static readonly (string Name, MeshData Data)[] round = [("cube", MeshGenerator.Cube(1)), ("icosphere 320", MeshGenerator.Icosphere(2))];
+    private static readonly (string Name, MeshData Data)[] round =
+        [("cube", MeshGenerator.Cube(1)), ("icosphere 320", MeshGenerator.Icosphere(2))];
 
-    private static readonly (string Name, MeshData Data) knot = ("knot 240", MeshGenerator.TorusKnot(2, 3, 1.9, 0.75, 0.4, rings: 20, sides: 6));
+    private static readonly (string Name, MeshData Data) knot =
+        ("knot 240", MeshGenerator.TorusKnot(2, 3, 1.9, 0.75, 0.4, rings: 20, sides: 6));
 
     private static readonly Dictionary<string, MeshPlacement> placements = new()
     {
@@ -40,7 +43,7 @@ public class WatertightFilesTests(ITestOutputHelper output)
 
     public static TheoryData<string> Formats => [.. formats.Keys];
 
-    /// <summary>Corners, middles of edges, other points of edges, a line along an edge's triangle, and anywhere.</summary>
+    /// <summary>Towards corners, middles of edges, other points of edges, points of faces, and anywhere.</summary>
     [Theory]
     [MemberData(nameof(Formats))]
     public void FromInsideEveryRayHits(string format) => Try(format, [.. round, knot], (mesh, inside, random, i) =>
@@ -50,13 +53,13 @@ public class WatertightFilesTests(ITestOutputHelper output)
         return mesh.Intersect(new Ray(origin, d)) is not null;
     });
 
-    /// <summary>A ray to an inner point meets the mesh where it goes in, not only behind that point: through corners and edges on purpose.</summary>
+    /// <summary>A ray to an inner point, through corners and edges on purpose, hits where it goes in and not only behind that point.</summary>
     [Theory]
     [MemberData(nameof(Formats))]
     public void FromOutsideEveryRayHitsWhereItGoesIn(string format) => Try(format, round, (mesh, inside, random, i) =>
     {
         var (X, target) = (Aim(mesh, random, i), inside(random));
-        var origin = X + Math.Pow(10, 4 * random.NextDouble() - 2) * (X - target); // from a hundredth to a hundred times as far as the point is inside
+        var origin = X + Math.Pow(10, 4 * random.NextDouble() - 2) * (X - target); // near and far
         var hit = mesh.Intersect(new Ray(origin, (X - origin).Normalized));
         return hit < (X - origin).Length + 0.5 * (target - X).Length;
     });
