@@ -100,7 +100,8 @@ public class AccuracyTests
     [InlineData(-3e40, "-3.0e+40", 0.438464)] // Python's fractions say so
     [InlineData(1e-30, "1.0e-30", 0.475767)]
     [InlineData(0, "1.0", 4503599627370496)]
-    public void ADoubleIsMeasuredInUnitsOfTheLastPlace(double t, string exact, double ulps) => Assert.Equal(ulps, ExactDecimal.Ulps(t, exact), 1e-6);
+    public void ADoubleIsMeasuredInUnitsOfTheLastPlace(double t, string exact, double ulps) =>
+        Assert.Equal(ulps, ExactDecimal.Ulps(t, exact), 1e-6);
 
     private static IEnumerable<Case> Of(string shape, string regime) =>
         cases.Where(kept => (kept.Shape, kept.Regime) == (shape, regime));

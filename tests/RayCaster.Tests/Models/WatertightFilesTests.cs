@@ -53,7 +53,7 @@ public class WatertightFilesTests(ITestOutputHelper output)
         return mesh.Intersect(new Ray(origin, d)) is not null;
     });
 
-    /// <summary>A ray to an inner point, through corners and edges on purpose, hits where it goes in and not only behind that point.</summary>
+    /// <summary>A ray to an inner point, through corners and edges on purpose, hits where it goes in, not only behind that point.</summary>
     [Theory]
     [MemberData(nameof(Formats))]
     public void FromOutsideEveryRayHitsWhereItGoesIn(string format) => Try(format, round, (mesh, inside, random, i) =>
