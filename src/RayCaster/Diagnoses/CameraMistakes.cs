@@ -12,13 +12,19 @@ internal static class CameraMistakes
                 "Which way does W point: to the target, or away from it?",
                 "W = −(T − P) normalised: it points backwards, and d has −W in it."),
         },
-        new("dir-plus-w", Concerns.Camera, Slides.RayThroughPixel, "d = uc U + ur V + W",
+        new Mistake("dir-plus-w", Concerns.Camera, Slides.RayThroughPixel, "d = uc U + ur V + W",
             lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(-uc, -ur)))
         {
             Hint = new("Nothing before the camera is in the picture.",
                 "W points backwards. With which sign does it go into d?",
                 "d = (uc U + ur V − W) normalised."),
-        },
+        }
+        .Or("d = uc U + ur V + W, and the depth is measured along +W, too",
+            lab =>
+            {
+                lab.AxisW.Becomes(W => (p, t) => -W(p, t)); // turns U about, but not V
+                lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur));
+            }),
         new("u-cross", Concerns.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
             lab => lab.AxisU.Becomes(U => (up, w) => -U(up, w)))
         {
@@ -169,13 +175,15 @@ internal static class CameraMistakes
                 lab.Length.Becomes(length => a => length(a) * length(a));
                 AssumeUnitLength(lab);
             }),
-        new("cross-y", Concerns.Camera, Slides.CrossProduct, "the cross product's y has the wrong sign",
+        new Mistake("cross-y", Concerns.Camera, Slides.CrossProduct, "the cross product's y has the wrong sign",
             lab => MistakeCross(lab, (_, _, n) => n with { Y = -n.Y }))
         {
             Hint = new("The picture is turned or skewed, and triangles are torn.",
                 "What is (0, 0, 1) × (1, 0, 0)?",
                 "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx)."),
-        },
+        }
+        .Or("the cross product's y has the wrong sign, but triangles do without it",
+            lab => lab.Cross.Becomes(cross => (a, b) => cross(a, b) with { Y = -cross(a, b).Y })),
         new Mistake("cross-z", Concerns.Camera, Slides.CrossProduct, "the cross product's z is ax by − ay by",
             lab => MistakeCross(lab, (a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }))
         {
@@ -183,7 +191,9 @@ internal static class CameraMistakes
                 "What is (1, 2, 0) × (3, 5, 0)?",
                 "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx)."),
         }
-        .Or("the cross product's z has the wrong sign", lab => MistakeCross(lab, (_, _, n) => n with { Z = -n.Z })),
+        .Or("the cross product's z has the wrong sign", lab => MistakeCross(lab, (_, _, n) => n with { Z = -n.Z }))
+        .Or("the cross product's z is ax by − ay by, but triangles do without it",
+            lab => lab.Cross.Becomes(cross => (a, b) => cross(a, b) with { Z = a.X * b.Y - a.Y * b.Y })),
         new("dir-unnorm", Concerns.Camera, Slides.RayThroughPixel, "d not normalised",
             lab =>
             {

@@ -193,9 +193,9 @@ public sealed class Diagnosis
     private Suspect AsSuspect(Trial trial)
     {
         Mistake[] twins = [];
-        if (trial.Wordings is [var wording])
+        var own = Draw(trial);
+        if (trial.Wordings is [var wording] && !own.Scatters)
         {
-            var own = Draw(trial);
             twins = [.. known.Where(other => other.Id != wording.Id &&
                 other.Wordings.Any(wording => evidence.AreAlike(own, Draw(trial with { Wordings = [wording] }))))];
         }

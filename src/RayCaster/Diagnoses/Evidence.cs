@@ -12,7 +12,10 @@ internal sealed class Evidence
     /// <summary>As many triangles as are tried in all where a ray must try every triangle of a mesh.</summary>
     public const int MostTests = 10_000_000;
 
-    private readonly Picture picture;
+    /// <summary>What part of a pixel is left unexplained that a mistake explains only because its pixels may lie anywhere.</summary>
+    private const double Chance = 0.3;
+
+    private readonly Picture picture, right;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
     private readonly int wrongCount;
 
@@ -23,7 +26,7 @@ internal sealed class Evidence
     /// <param name="forgiveOutlines">Whether the pixels of <see cref="OutlineCount"/> are left out.</param>
     public Evidence(Scene scene, Picture right, Picture picture, int most, bool forgiveOutlines = true)
     {
-        this.picture = picture;
+        (this.picture, this.right) = (picture, right);
         var sameSize = (right.Width, right.Height) == (picture.Width, picture.Height);
         List<int> wrong = [], other = [];
         var darker = 0;
@@ -84,6 +87,7 @@ internal sealed class Evidence
     public Misfit Misfit(Lab lab, double share = 1)
     {
         if ((lab.Width, lab.Height) != (picture.Width, picture.Height)) return RayCaster.Misfit.Complete(PixelCount);
+        if (lab.Scatters && (right.Width, right.Height) != (picture.Width, picture.Height)) return RayCaster.Misfit.Complete(PixelCount);
         return Misfit(lab, wrongPixels, wrongCount, share) + Misfit(lab, otherPixels, PixelCount - wrongCount, share);
     }
 
@@ -92,11 +96,17 @@ internal sealed class Evidence
         var count = (int)Math.Ceiling(pixels.Length * share);
         if (lab.TrianglesTried > 0) count = (int)Math.Min(count, MostTests / lab.TrianglesTried);
         if (count == 0) return default;
-        var (unexplained, error) = (0, 0.0);
+        var (unexplained, error) = (0.0, 0.0);
         for (var k = 0; k < count; k++)
         {
             var (y, x) = Math.DivRem(pixels[k], picture.Width);
             var difference = Difference(lab[x, y], picture[x, y]);
+            if (lab.Scatters)
+            {
+                var toRight = Difference(right[x, y], picture[x, y]);
+                if (toRight > Tolerance && difference <= Tolerance) unexplained += Chance;
+                difference = Math.Min(difference, toRight);
+            }
             if (difference > Tolerance) unexplained++;
             error += difference / 255.0;
         }

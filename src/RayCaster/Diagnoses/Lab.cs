@@ -151,6 +151,9 @@ internal sealed class Lab
     /// <summary>Whether triangles are hit outside of themselves, so that nothing can be said about a mesh by its bounds.</summary>
     public bool TrianglesReachOut { get; set; }
 
+    /// <summary>Whether the last bits decide for each pixel if the mistake shows there: some pixels are the lab's, the others the definition's.</summary>
+    public bool Scatters { get; set; }
+
     // ---- Which crossing counts ----
 
     /// <summary>t → whether it is ahead: t &gt; bias.</summary>

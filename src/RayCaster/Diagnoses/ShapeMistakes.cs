@@ -63,7 +63,7 @@ internal static class ShapeMistakes
 
     private static Mistake[] OfPlanes =>
     [
-        new Mistake("plane-sign", Concerns.Planes, Slides.Plane, "plane: (P − Q)·n, so that t has the wrong sign",
+        new Mistake("plane-sign", Concerns.Planes | Concerns.Circles, Slides.Plane, "plane: (P − Q)·n, so that t has the wrong sign",
             lab => lab.Plane.Becomes(cross => (plane, d) => Mirrored(cross(plane, d))))
         {
             Hint = new("Planes are missing; those behind the camera may show.",
@@ -76,7 +76,7 @@ internal static class ShapeMistakes
                 lab.Plane.Becomes(cross => (plane, d) => Mirrored(cross(plane, d)));
                 lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Center = 2 * lab.P - circle.Center }, d));
             }),
-        new Mistake("plane-cull", Concerns.Planes, Slides.Plane, "plane: left out where n points away from the camera (d·n ≥ 0)",
+        new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.Plane, "plane: left out where n points away from the camera (d·n ≥ 0)",
             lab => lab.Plane.Becomes(cross => (plane, d) => d * plane.Normal >= 0 ? None : cross(plane, d)))
         {
             Hint = new("Some planes are missing; they come back when n is turned round.",
@@ -84,7 +84,13 @@ internal static class ShapeMistakes
                 "Only d·n = 0 has no crossing; both sides are visible."),
         }
         .Or("plane: left out where n points to the camera (d·n ≤ 0)",
-            lab => lab.Plane.Becomes(cross => (plane, d) => d * plane.Normal <= 0 ? None : cross(plane, d))),
+            lab => lab.Plane.Becomes(cross => (plane, d) => d * plane.Normal <= 0 ? None : cross(plane, d)))
+        .Or("plane and circle: left out where n points away from the camera (d·n ≥ 0)",
+            lab =>
+            {
+                lab.Plane.Becomes(cross => (plane, d) => d * plane.Normal >= 0 ? None : cross(plane, d));
+                lab.Circle.Becomes(cross => (circle, d) => d * circle.Normal >= 0 ? None : cross(circle, d));
+            }),
     ];
 
     private static Mistake[] OfBoxes =>
@@ -192,14 +198,20 @@ internal static class ShapeMistakes
                 "Which conditions draw the two sides at A?",
                 "u ≥ 0, v ≥ 0, u + v ≤ 1."),
         },
-        new("tri-area", Concerns.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
+        new Mistake("tri-area", Concerns.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
             lab => lab.Triangle.Becomes(_ => (triangle, d) => TriangleByAreas(lab, triangle, d)))
         {
             Rewrites = true,
             Hint = new("Triangles are full of holes, like lace.",
                 "Is 0.1 + 0.2 equal to 0.3 in doubles?",
                 "u ≥ 0, v ≥ 0, u + v ≤ 1: no sums that must be equal to the last bit."),
-        },
+        }
+        .Or("triangle: the sum of the three areas compared with ==, in other numbers or another order, which loses other pixels",
+            lab =>
+            {
+                lab.Triangle.Becomes(_ => (_, _) => None);
+                lab.Scatters = true;
+            }),
     ];
 
     /// <summary>Slide "Sphere – Analytic Solution" for d·d = 1, with b = 2 d·(P − C) and c = |P − C|² − R².</summary>
