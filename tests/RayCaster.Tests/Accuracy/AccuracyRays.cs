@@ -60,24 +60,28 @@ internal static class AccuracyRays
             if (shape is "sphere" or "aabb")
                 yield return (shape, "inside", random => target(random) is var some ? Row(some, some.Inside, Some.Direction(random)) : []);
         }
-        yield return ("plane", "remote", random =>
-        {
-            var plane = Target.Plane(random);
-            plane.Points[0] += Power(random, 2, 8) * Target.InPlane(random, plane.Across);
-            return Row(plane, plane.From, plane.Aim - plane.From);
-        });
-        yield return ("aabb", "parallel", random =>
-        {
-            // Along one or two of the slabs, and often exactly in a face.
-            var (a, b, P, d) = (Some.GridPoint(random), Some.GridPoint(random), Some.GridPoint(random), Some.Direction(random));
-            d = random.Next(4) switch { 0 => d with { X = 0 }, 1 => d with { Y = 0 }, 2 => d with { Z = 0 }, _ => new(0, 0, d.Z) };
-            P = random.Next(3) switch { 0 => P with { X = a.X }, 1 => P with { Y = b.Y }, _ => P with { Z = a.Z } };
-            Vector3 min = new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z));
-            Vector3 max = new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z));
-            return Row(new([min, max], null, null, default, default, P, default, default), P, d);
-        });
+        yield return ("plane", "remote", RemotePlane);
+        yield return ("aabb", "parallel", AlongABox);
         yield return ("aabb", "flat", random => regimes["ordinary"](random, Target.FlatAabb(random)));
         yield return ("triangle", "sliver", random => regimes["ordinary"](random, Target.Sliver(random)));
+    }
+
+    private static double[] RemotePlane(Random random)
+    {
+        var plane = Target.Plane(random);
+        plane.Points[0] += Power(random, 2, 8) * Target.InPlane(random, plane.Across);
+        return Row(plane, plane.From, plane.Aim - plane.From);
+    }
+
+    /// <summary>Along one or two of the slabs, and often exactly in a face.</summary>
+    private static double[] AlongABox(Random random)
+    {
+        var (a, b, P, d) = (Some.GridPoint(random), Some.GridPoint(random), Some.GridPoint(random), Some.Direction(random));
+        d = random.Next(4) switch { 0 => d with { X = 0 }, 1 => d with { Y = 0 }, 2 => d with { Z = 0 }, _ => new(0, 0, d.Z) };
+        P = random.Next(3) switch { 0 => P with { X = a.X }, 1 => P with { Y = b.Y }, _ => P with { Z = a.Z } };
+        Vector3 min = new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z));
+        Vector3 max = new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z));
+        return Row(new([min, max], null, null, default, default, P, default, default), P, d);
     }
 
     /// <summary>What our formula says of a row.</summary>
