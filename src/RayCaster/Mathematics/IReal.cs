@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>
@@ -70,8 +72,10 @@ public interface IReal<N> where N : struct, IReal<N>
     static virtual N Or(N value, N instead) => N.Select(value <= double.PositiveInfinity, value, instead);
 
     /// <summary>Hears what a step of a formula is called (<see cref="Naming"/>). Only a number that explains listens.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     static virtual N Named(N value, string name, string formula) => value;
 
     /// <inheritdoc cref="Named(N, string, string)"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     static virtual Vector3<N> Named(Vector3<N> value, string name, string formula) => value;
 }
