@@ -28,8 +28,8 @@ internal sealed class DiagnoseCommand : Command
           dotnet run --project src/RayCaster.Cli -- diagnose scenes/room.json mine.png --hint answer
 
         Exit codes:
-          0 the picture is right, 1 it is wrong, 2 could not tell. All known mistakes, with
-          pictures: docs/mistakes.md
+          0 the picture is right, 1 it is wrong (or of another size than the scene says), 2 could
+          not tell. All known mistakes, with pictures: docs/mistakes.md
 
         """;
 
@@ -42,16 +42,19 @@ internal sealed class DiagnoseCommand : Command
         if (SceneInput.Read(scenePath, null, quiet: true, cancellation) is not { } scene) return ExitCode.CouldNot;
 
         var picture = PictureFile.Read(picturePath);
-        var (width, height) = (scene.Camera.Width, scene.Camera.Height);
-        if ((picture.Width, picture.Height) != (width, height) && (picture.Width, picture.Height) != (height, width))
+        var size = (scene.Camera.Width, scene.Camera.Height);
+        var hasOtherSize = (picture.Width, picture.Height) != size && (picture.Height, picture.Width) != size;
+        if (hasOtherSize)
+        {
+            StandardFile.WriteError($"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
+                "it is compared with the scene drawn in that size" + Environment.NewLine);
             scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
+        }
         var diagnosis = Task.Run(() => Diagnosis.Of(scene, picture, threads)).WaitAsync(cancellation).GetAwaiter().GetResult();
-        if ((picture.Width, picture.Height) != (width, height) && !line.Has(Option.Json))
-            StandardFile.WriteError($"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {width} x {height} pixels" + Environment.NewLine);
         StandardFile.WriteOutput(line.Has(Option.Json)
             ? DiagnosisReport.Json(diagnosis)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level));
-        return diagnosis.Finding == Finding.Matches ? ExitCode.Done : ExitCode.No;
+        return diagnosis.Finding == Finding.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
     }
 
     private static HintLevel Level(string? text) => text switch

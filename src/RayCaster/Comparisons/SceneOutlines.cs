@@ -18,16 +18,23 @@ internal sealed class SceneOutlines(Scene scene) : IOutlines
 
     public bool HoldAllWrong(PictureDifference difference)
     {
-        long shapes = 1;
-        foreach (var model in scene.Models) shapes += model is Mesh mesh ? mesh.TriangleCount : 1;
-        if (difference.Wrong * 9 * shapes > MostWork) return PictureOutlines.Instance.HoldAllWrong(difference);
+        if (!CanJudge(difference.Wrong)) return PictureOutlines.Instance.HoldAllWrong(difference);
         var width = difference.Mine.Width;
         for (var i = 0; i < difference.Pixels; i++)
             if (difference.LevelsAt(i) > 1 && !MayShow(difference.Mine[i % width, i / width], i % width, i / width)) return false;
         return true;
     }
 
-    private bool MayShow((byte R, byte G, byte B) color, int x, int y)
+    /// <summary>Whether so many pixels are not too much work.</summary>
+    public bool CanJudge(long pixels)
+    {
+        long shapes = 1;
+        foreach (var model in scene.Models) shapes += model is Mesh mesh ? mesh.TriangleCount : 1;
+        return pixels * 9 * shapes <= MostWork;
+    }
+
+    /// <summary>Whether another right program may show a colour in a pixel.</summary>
+    public bool MayShow((byte R, byte G, byte B) color, int x, int y)
     {
         var crossings = new double[scene.Models.Count];
         for (var down = -1; down <= 1; down++)

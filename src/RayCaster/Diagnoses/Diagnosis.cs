@@ -63,6 +63,7 @@ public sealed class Diagnosis
             var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false);
             if (known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
         }
+        ProvesNothing = right.Rgb.AsSpan(3).SequenceEqual(right.Rgb.AsSpan(..^3));
         PixelCount = evidence.PixelCount;
         WrongCount = evidence.WrongCount;
         OutlineCount = evidence.OutlineCount;
@@ -73,18 +74,19 @@ public sealed class Diagnosis
             return;
         }
 
+        MissingModel = FindMissingModel();
         var singles = WithoutIdle(Best(Singles()));
         var single = singles[0];
         var ranked = singles;
-        if (single.Misfit.Unexplained > Explained * WrongCount && Best(Pairs(singles)) is [var pair, ..]
+        if (MissingModel is null && single.Misfit.Unexplained > Explained * WrongCount && Best(Pairs(singles)) is [var pair, ..]
             && pair.Misfit.Unexplained < PairGain * single.Misfit.Unexplained)
             ranked = [pair, .. singles];
         var left = ranked[0].Misfit.Unexplained / WrongCount;
-        Finding = evidence.IsOnlyOutlines && (left > 0.5 || WrongCount <= 20) ? Finding.Matches
+        Finding = evidence.IsOnlyOutlines && left > Foreign ? Finding.Matches
             : left > Foreign ? Finding.NoneOfThese
             : Finding.Mistake;
         if (Finding == Finding.Mistake) Suspects = [.. Distinct(ranked).Take(5).Select(AsSuspect)];
-        if (Finding == Finding.NoneOfThese) Nearest = AsSuspect(ranked[0]);
+        if (Finding == Finding.NoneOfThese && left < Idle) Nearest = AsSuspect(ranked[0]);
     }
 
     /// <summary>What a mistake may leave unexplained, as a share of the wrong pixels, for the search to end.</summary>
@@ -95,6 +97,18 @@ public sealed class Diagnosis
 
     /// <summary>The share of the wrong pixels that the nearest mistake may leave before it is taken for chance.</summary>
     private const double Foreign = 0.5;
+
+    /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all.</summary>
+    private const double Idle = 0.8;
+
+    /// <summary>As many models are left out, one at a time, to see whether one is missing.</summary>
+    private const int MostModels = 32;
+
+    /// <summary>The model without which the scene gives the picture, as texts call it; null where none does.</summary>
+    public string? MissingModel { get; }
+
+    /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches says little.</summary>
+    public bool ProvesNothing { get; }
 
     /// <summary>What it comes to.</summary>
     public Finding Finding { get; }
@@ -140,6 +154,19 @@ public sealed class Diagnosis
     private sealed record Trial(IReadOnlyList<Mistake> Wordings, bool OtherSample, Misfit Misfit = default)
     {
         public string Id { get; } = string.Join(' ', Wordings.Select(wording => wording.Id).Order(StringComparer.Ordinal));
+    }
+
+    private string? FindMissingModel()
+    {
+        if (scene.Models.Count > MostModels) return null;
+        for (var i = 0; i < scene.Models.Count; i++)
+        {
+            var without = new Lab(scene with { Models = [.. scene.Models.Where((_, place) => place != i)] });
+            if (Explains(without, FirstLook) && Explains(without, 1)) return ModelName.Of(scene, i);
+        }
+        return null;
+
+        bool Explains(Lab lab, double share) => evidence.Misfit(lab, share).Unexplained <= Explained * WrongCount;
     }
 
     private List<Trial> Singles() =>

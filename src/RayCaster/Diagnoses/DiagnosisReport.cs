@@ -19,6 +19,8 @@ public static class DiagnosisReport
         var text = new StringBuilder();
         if (diagnosis.Finding == Finding.Matches)
         {
+            if (diagnosis.ProvesNothing)
+                text.AppendLine($"The picture of {scene} is of one colour, as that of an empty world: it proves nothing.");
             text.AppendLine($"{picture} matches: it is the picture of {scene}{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {Pixels(outlines)} on outlines" : "")}.");
             if (diagnosis.DarkerShare > 0.05)
                 text.AppendLine($"{Percent(diagnosis.DarkerShare)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, where truncating takes 255 x.");
@@ -28,10 +30,19 @@ public static class DiagnosisReport
         text.AppendLine($"{picture} is not the picture of {scene}: {Pixels(diagnosis.WrongCount)} of {diagnosis.PixelCount:N0} ({Percent(diagnosis.Share(diagnosis.WrongCount))}) differ.");
         text.AppendLine();
         var suspects = diagnosis.Suspects;
+        if (diagnosis.MissingModel is { } missing)
+            text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
         if (diagnosis.Finding == Finding.NoneOfThese)
         {
-            text.AppendLine("None of the known mistakes makes this picture. Is it of this scene, with this camera?");
-            text.AppendLine("Perhaps three mistakes are at work, or one that is not in the catalogue: \"explain\" shows how a pixel should come about.");
+            if (diagnosis.MissingModel is not null)
+            {
+                text.AppendLine("No known mistake loses just that. Is it in your scene, and in the list that your program casts rays at?");
+                return text.ToString();
+            }
+            Wrap(text, "", "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
+                "not scaled, cropped or compressed on its way?");
+            Wrap(text, "", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
+                "colours; \"explain\" shows how a pixel should come about.");
             if (diagnosis.Nearest is { } nearest)
                 text.AppendLine($"The nearest, though not near: {Names(nearest)} would leave {Rest(diagnosis, nearest)}.");
             AppendNotTried(text, diagnosis);
@@ -66,6 +77,7 @@ public static class DiagnosisReport
             json.WriteNumber("pixels", diagnosis.PixelCount);
             json.WriteNumber("wrong", diagnosis.WrongCount);
             json.WriteNumber("darkerByOne", diagnosis.DarkerShare);
+            if (diagnosis.MissingModel is { } missing) json.WriteString("missing", missing);
             json.WriteStartArray("suspects");
             foreach (var suspect in diagnosis.Suspects) WriteSuspect(json, suspect);
             json.WriteEndArray();

@@ -39,10 +39,12 @@ internal sealed class Evidence
         if (forgiveOutlines && sameSize && wrong.Count <= FewPixels * PixelCount)
         {
             var nudged = Nudged(scene);
-            OutlineCount = wrong.RemoveAll(i => nudged.Any(lab => Difference(lab[i % picture.Width, i / picture.Width], picture[i % picture.Width, i / picture.Width]) <= Tolerance));
+            OutlineCount = wrong.RemoveAll(i => MayShow(i, (x, y, color) => nudged.Any(lab => Difference(lab[x, y], color) <= Tolerance)));
+            var outlines = new SceneOutlines(scene); // of models at the same distance any may show
+            if (outlines.CanJudge(wrong.Count)) OutlineCount += wrong.RemoveAll(i => MayShow(i, (x, y, color) => outlines.MayShow(color, x, y)));
         }
         wrongCount = wrong.Count;
-        IsOnlyOutlines = sameSize && wrongCount <= 0.01 * PixelCount && wrong.Count(i => !ShowsNeighbour(right, i)) <= 2 + 1e-4 * PixelCount;
+        IsOnlyOutlines = sameSize && wrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(i => ShowsNeighbour(right, i));
         wrongPixels = Spread(wrong, most / 2);
         otherPixels = Spread(other, most / 2);
     }
@@ -62,7 +64,7 @@ internal sealed class Evidence
     /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
     public double DarkerShare { get; }
 
-    /// <summary>Whether the wrong pixels are few and show a neighbour's colour: what the last bits of another program do to outlines.</summary>
+    /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
     public bool IsOnlyOutlines { get; }
 
     /// <summary>Whether two labs draw the same picture, but for one pixel in two thousand.</summary>
@@ -113,6 +115,9 @@ internal sealed class Evidence
         return new Misfit(unexplained, error) * ((double)stoodFor / count);
     }
 
+    /// <summary>The share of pixels that may be off by more than <see cref="OutlineCount"/> forgives.</summary>
+    private const double StrayPixels = 1e-4;
+
     /// <summary>The share of pixels on outlines, at most; where more are wrong, these do not matter.</summary>
     private const double FewPixels = 0.03;
 
@@ -127,6 +132,12 @@ internal sealed class Evidence
                select new Lab(scene, new Mistake("nudge", Concerns.Camera, Slides.RayThroughPixel, "rays a thousandth of a pixel off",
                    lab => lab.Sample.Becomes(sample => (c, r) => sample(c + dc, r + dr))) { Hint = new("", "", "") }),
         ];
+    }
+
+    private bool MayShow(int pixel, Func<int, int, (byte R, byte G, byte B), bool> may)
+    {
+        var (y, x) = Math.DivRem(pixel, picture.Width);
+        return may(x, y, picture[x, y]);
     }
 
     private bool ShowsNeighbour(Picture right, int pixel)
