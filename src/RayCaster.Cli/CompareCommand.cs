@@ -31,8 +31,8 @@ internal sealed class CompareCommand : Command
         the pixels; besides, a pixel on an outline may show the other side of it.
 
         Examples:
-          dotnet run --project src/RayCaster.Cli -- compare mine.png tests/References/room.png
-          dotnet run --project src/RayCaster.Cli -- compare mine.ppm tests/References/room.png
+          dotnet run --project src/RayCaster.Cli -- compare mine.png right.png
+          dotnet run --project src/RayCaster.Cli -- compare mine.ppm right.png
               --scene scenes/room.json -o difference.png
 
         Exit codes:
@@ -76,6 +76,6 @@ internal sealed class CompareCommand : Command
                 : "There are no measures for pictures of different sizes.\n";
         var heat = comparison.Difference is null ? "" : ", the difference as a heat map";
         if (output is not null) return text + $"{output}: mine, the reference{heat}\n";
-        return comparison.Likeness.IsSame() ? text : text + "To see the differences: -o difference.png\n";
+        return comparison.Likeness.IsSame() || comparison.Difference is null ? text : text + "To see the differences: -o difference.png\n";
     }
 }

@@ -73,6 +73,8 @@ internal sealed class DrawCommand : Command
         [] or [_] => throw ProblemException.Usage("which scene? Name a scene file, for example scenes/room.json"),
         [var word, ..] when Spelling.Nearest(word, Command.Names) is { } name =>
             throw ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
+        [var word, ..] when !File.Exists(word) && word.All(char.IsAsciiLetter) =>
+            throw ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one"),
         var scenes => throw ProblemException.Usage(
             $"one scene at a time, but there are {scenes.Count}: {string.Join(", ", scenes)}{OutputHint(scenes)}"),
     };

@@ -56,7 +56,7 @@ internal static class ModelsText
         }
         if (unexplained > pixels / 2) // what is behind a "missing" model may as well be a picture taken from elsewhere
         {
-            text.Append($"No single model explains it: {ComparisonText.Part(unexplained, pixels)} are wrong all over the picture.\n");
+            text.Append("No single model explains it. Is the camera another one, or its target, which sets the light?\n");
             return;
         }
         // Single pixels of a model beside a wrong one are its edges, or where it ties: no word about these.

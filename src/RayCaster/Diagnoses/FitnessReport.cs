@@ -16,12 +16,13 @@ public static class FitnessReport
     private static readonly Reason[] reasons =
     [
         new(scene => scene.Models.Count == 0, "the world is empty: add models"),
+        new(IsOfOneColor, "the picture is of one colour: nothing is to be seen"),
         new(scene => scene.Camera.Width == scene.Camera.Height, "the picture is square: make it 3:2, say 300 x 200",
-            "aspect-inv", "aspect-none", "aspect-int", "fov-horiz", "whswap", "transpose"),
+            "aspect-inv", "aspect-none", "aspect-int", "fov-horiz", "whswap", "transpose", "size-mixed"),
         new(scene => scene.Camera.Width < 2 * scene.Camera.Height && scene.Camera.Width > scene.Camera.Height, "width / height in whole numbers is 1",
             "aspect-int"),
         new(scene => scene.Camera.W.Z == 0 || scene.Camera.Up * scene.Camera.W == 0,
-            "the camera is level, at right angles to up: raise its position or lower its target", "u-unnorm", "cross-z", "len-nosqrt"),
+            "the camera is level, at right angles to up: raise its position or lower its target", "u-unnorm", "cross-z", "len-nosqrt", "v-up"),
         new(HasNo<Sphere>, "there is no sphere", "r-nosq", "disc-nan", "far-root", "near-root-only", "oc-sign", "disc-2", "dir-unnorm-a1"),
         new(HasNo<Plane>, "there is no plane", "plane-sign", "plane-cull"),
         new(HasNo<Aabb>, "there is no box", "slab-noswap", "slab-minmin", "slab-2axes", "slab-tmax", "slab-inv-nan", "slab-inside"),
@@ -34,12 +35,14 @@ public static class FitnessReport
         new(_ => true, "no coordinate of the camera lies on a box's face while a ray runs along it: give camera, target and a box one coordinate in common", "slab-inv-nan"),
         new(_ => true, "nothing near is cut by zNear, or nothing shows behind what is cut: move zNear into the scene",
             "znear-t", "no-znear", "bias-big", "clip-after", "zboth-t"),
+        new(_ => true, "no sphere or box is cut open by zNear: let the near clip plane pass through one", "clip-root"),
         new(_ => true, "nothing is cut by zFar: move zFar into the scene", "zfar-t", "no-zfar"),
         new(_ => true, "nothing lies behind the camera, or what does is hidden: put a model or a plane there", "no-t0"),
         new(_ => true, "every triangle shows the same side: turn one about by swapping two corners", "tri-cull"),
         new(_ => true, "every plane shows the side of its normal: turn a normal about", "plane-cull"),
         new(_ => true, "no colour leaves 0 to 1: let one be brighter than 1 near the camera", "noclamp"),
         new(_ => true, "the models are in an order, or so far from each other, that it does not matter which hit wins: put the nearest first and last", "last-hit", "far-hit"),
+        new(_ => true, "left and right look alike: put a model to one side", "u-cross", "u-only", "cols", "cross-x", "cross-y", "cross-z"),
     ];
 
     /// <summary>Lines of text.</summary>
@@ -80,6 +83,12 @@ public static class FitnessReport
             if ((reason.Ids.Length == 0 || reason.Ids.Contains(mistake.Id)) && scenes.All(reason.Holds))
                 return reason.Why;
         return "nothing in the picture depends on it";
+    }
+
+    private static bool IsOfOneColor(Scene scene)
+    {
+        var rgb = Renderer.Render(scene).Rgb.AsSpan();
+        return rgb[3..].SequenceEqual(rgb[..^3]);
     }
 
     private static bool HasNo<P>(Scene scene) where P : struct, IPrimitive => !scene.Models.Any(model => model is Model<P>);

@@ -30,6 +30,7 @@ internal sealed class TriangleTree
     public double? Nearest(Lab lab, Vector3 d)
     {
         double? nearest = null;
+        if (double.IsNaN(d.X + d.Y + d.Z)) return null; // of a mistaken camera: hits nothing, and no bounds would reject it
         if (lab.TrianglesReachOut)
         {
             for (var i = 0; i < mesh.TriangleCount; i++) Keep(lab.First.Do(lab.Triangle.Do(mesh[i], d), d), ref nearest);
@@ -44,11 +45,13 @@ internal sealed class TriangleTree
     private void Visit(int index, Lab lab, Vector3 d, Vector3 inverse, in AlongRay<Scalar> along, ref double? nearest)
     {
         var node = nodes[index];
-        if (Misses(node.Bounds, lab, inverse)) return;
         if (node.Second > 0)
         {
-            Visit(index + 1, lab, d, inverse, along, ref nearest);
-            Visit(node.Second, lab, d, inverse, along, ref nearest);
+            var (first, second) = (index + 1, node.Second);
+            var (t0, t1) = (Enters(nodes[first].Bounds, lab, inverse), Enters(nodes[second].Bounds, lab, inverse));
+            if (t1 < t0) ((first, second), (t0, t1)) = ((second, first), (t1, t0)); // the nearer one may spare the other
+            if (t0 <= (nearest ?? double.MaxValue)) Visit(first, lab, d, inverse, along, ref nearest);
+            if (t1 <= (nearest ?? double.MaxValue)) Visit(second, lab, d, inverse, along, ref nearest);
             return;
         }
         for (var i = node.First; i < node.End; i++)
@@ -66,18 +69,23 @@ internal sealed class TriangleTree
         if (hit is { } t && t < (nearest ?? double.PositiveInfinity)) nearest = t;
     }
 
-    /// <summary>Whether a line through P passes the bounds by. In a face's plane 0 · ∞ is NaN, which no comparison rejects.</summary>
+    /// <summary>Whether a line through P passes the bounds by.</summary>
     /// <param name="bounds">The bounds.</param>
     /// <param name="lab">Where P is.</param>
     /// <param name="inverse">1 / d.</param>
-    public static bool Misses(Bounds bounds, Lab lab, Vector3 inverse)
+    public static bool Misses(Bounds bounds, Lab lab, Vector3 inverse) => double.IsPositiveInfinity(Enters(bounds, lab, inverse));
+
+    /// <summary>The t at which a line through P enters the bounds, behind P too; +∞ if it passes them by.</summary>
+    /// <remarks>In a face's plane 0 · ∞ is NaN, of which nothing is known: −∞.</remarks>
+    private static double Enters(Bounds bounds, Lab lab, Vector3 inverse)
     {
         var (min, max) = bounds.PaddedFrom(lab.P);
         var (x0, x1) = (min.X * inverse.X, max.X * inverse.X);
         var (y0, y1) = (min.Y * inverse.Y, max.Y * inverse.Y);
         var (z0, z1) = (min.Z * inverse.Z, max.Z * inverse.Z);
-        return Math.Max(Math.Min(x0, x1), Math.Max(Math.Min(y0, y1), Math.Min(z0, z1)))
-            > Math.Min(Math.Max(x0, x1), Math.Min(Math.Max(y0, y1), Math.Max(z0, z1)));
+        var enters = Math.Max(Math.Min(x0, x1), Math.Max(Math.Min(y0, y1), Math.Min(z0, z1)));
+        var leaves = Math.Min(Math.Max(x0, x1), Math.Min(Math.Max(y0, y1), Math.Max(z0, z1)));
+        return enters > leaves ? double.PositiveInfinity : double.IsNaN(enters) ? double.NegativeInfinity : enters;
     }
 
     private void Build(int first, int end)
