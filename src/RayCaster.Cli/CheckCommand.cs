@@ -47,9 +47,15 @@ internal sealed class CheckCommand : Command
         }
         if (exitCode != ExitCode.Done || line.Has(Option.Quiet)) return exitCode;
 
-        var fitness = Task.Run(() => SceneFitness.Of(scenes, threads)).WaitAsync(cancellation).GetAwaiter().GetResult();
         var head = scenes.Count == 1 ? $"{line.Operands[0]}: no errors." : $"{scenes.Count} scenes: no errors.";
-        StandardFile.WriteOutput(head + Environment.NewLine + FitnessReport.Text(fitness));
+        StandardFile.WriteOutput(head + Environment.NewLine);
+        if (!scenes.TrueForAll(SceneFitness.CanJudge))
+        {
+            StandardFile.WriteOutput($"A scene has more than {SceneFitness.MostModels} models: too many to try mistakes on." + Environment.NewLine);
+            return exitCode;
+        }
+        var fitness = Task.Run(() => SceneFitness.Of(scenes, threads)).WaitAsync(cancellation).GetAwaiter().GetResult();
+        StandardFile.WriteOutput(FitnessReport.Text(fitness));
         return exitCode;
     }
 }

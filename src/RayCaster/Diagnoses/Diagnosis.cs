@@ -56,11 +56,13 @@ public sealed class Diagnosis
         var possible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding).ToArray();
         known = [.. possible.Where(mistake => new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles)];
         NotTried = [.. possible.Except(known)];
+        TooManyModels = scene.Models.Count > Lab.MostModels;
         var right = Renderer.Render(scene, threads);
-        evidence = new(scene, right, picture, Pixels);
+        var most = Math.Clamp(Pixels * 500L / Math.Max(1, scene.Models.Count), 300, Pixels); // the time stays
+        evidence = new(scene, right, picture, (int)most, !TooManyModels);
         if (evidence.WrongCount < evidence.OutlineCount && evidence.OutlineCount > SceneFitness.LeastPixels)
         {
-            var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false);
+            var strict = new Evidence(scene, right, picture, (int)most, forgiveOutlines: false);
             if (known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
         }
         ProvesNothing = right.Rgb.AsSpan(3).SequenceEqual(right.Rgb.AsSpan(..^3));
@@ -71,6 +73,12 @@ public sealed class Diagnosis
         if (WrongCount == 0)
         {
             Finding = Finding.Matches;
+            return;
+        }
+
+        if (TooManyModels)
+        {
+            Finding = evidence.IsOnlyOutlines ? Finding.Matches : Finding.NoneOfThese;
             return;
         }
 
@@ -102,10 +110,13 @@ public sealed class Diagnosis
     private const double Idle = 0.8;
 
     /// <summary>As many models are left out, one at a time, to see whether one is missing.</summary>
-    private const int MostModels = 32;
+    private const int MostMissing = 32;
 
     /// <summary>The model without which the scene gives the picture, as texts call it; null where none does.</summary>
     public string? MissingModel { get; }
+
+    /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
+    public bool TooManyModels { get; }
 
     /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches says little.</summary>
     public bool ProvesNothing { get; }
@@ -158,7 +169,7 @@ public sealed class Diagnosis
 
     private string? FindMissingModel()
     {
-        if (scene.Models.Count > MostModels) return null;
+        if (scene.Models.Count > MostMissing) return null;
         for (var i = 0; i < scene.Models.Count; i++)
         {
             var without = new Lab(scene with { Models = [.. scene.Models.Where((_, place) => place != i)] });

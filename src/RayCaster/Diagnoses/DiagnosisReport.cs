@@ -39,6 +39,12 @@ public static class DiagnosisReport
                 text.AppendLine("No known mistake loses just that. Is it in your scene, and in the list that your program casts rays at?");
                 return text.ToString();
             }
+            if (diagnosis.TooManyModels)
+            {
+                text.AppendLine(string.Create(CultureInfo.InvariantCulture,
+                    $"The known mistakes were not tried: the scene has more than {Lab.MostModels:N0} models. Make a smaller one."));
+                return text.ToString();
+            }
             Wrap(text, "", "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
                 "not scaled, cropped or compressed on its way?");
             Wrap(text, "", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +

@@ -16,7 +16,6 @@ public static class FitnessReport
     private static readonly Reason[] reasons =
     [
         new(scene => scene.Models.Count == 0, "the world is empty: add models"),
-        new(IsOfOneColor, "the picture is of one colour: nothing is to be seen"),
         new(scene => scene.Camera.Width == scene.Camera.Height, "the picture is square: make it 3:2, say 300 x 200",
             "aspect-inv", "aspect-none", "aspect-int", "fov-horiz", "whswap", "transpose", "size-mixed"),
         new(scene => scene.Camera.Width < 2 * scene.Camera.Height && scene.Camera.Width > scene.Camera.Height, "width / height in whole numbers is 1",
@@ -57,7 +56,7 @@ public static class FitnessReport
         if (hidden.Length > 0)
         {
             text.AppendLine($"{(hidden.Length == 1 ? "One makes" : $"{hidden.Length} make")} no difference that can be seen:");
-            foreach (var group in hidden.GroupBy(mistake => ReasonFor(mistake, fitness.Scenes)))
+            foreach (var group in hidden.GroupBy(mistake => ReasonFor(mistake, fitness)))
                 text.AppendLine($"  {group.Key}\n    {string.Join(", ", group.Select(mistake => mistake.Id))}");
         }
         if (fitness.WithinRounding.Count > 0)
@@ -77,18 +76,13 @@ public static class FitnessReport
         return text.ToString();
     }
 
-    private static string ReasonFor(Mistake mistake, IReadOnlyList<Scene> scenes)
+    private static string ReasonFor(Mistake mistake, SceneFitness fitness)
     {
+        if (fitness.ShowsNothing && !fitness.Scenes.All(scene => scene.Models.Count == 0)) return "the picture is of one colour: nothing is to be seen in it";
         foreach (var reason in reasons)
-            if ((reason.Ids.Length == 0 || reason.Ids.Contains(mistake.Id)) && scenes.All(reason.Holds))
+            if ((reason.Ids.Length == 0 || reason.Ids.Contains(mistake.Id)) && fitness.Scenes.All(reason.Holds))
                 return reason.Why;
         return "nothing in the picture depends on it";
-    }
-
-    private static bool IsOfOneColor(Scene scene)
-    {
-        var rgb = Renderer.Render(scene).Rgb.AsSpan();
-        return rgb[3..].SequenceEqual(rgb[..^3]);
     }
 
     private static bool HasNo<P>(Scene scene) where P : struct, IPrimitive => !scene.Models.Any(model => model is Model<P>);

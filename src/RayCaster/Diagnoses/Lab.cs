@@ -58,6 +58,9 @@ internal sealed class Lab
         reach = Length.Do(2 * (T - P));
     }
 
+    /// <summary>As many models as a ray may try; with more a scene's mistakes are not tried at all.</summary>
+    public const int MostModels = 10_000;
+
     /// <summary>As many triangles as a ray may try one by one; with more a mistake is not tried at all.</summary>
     public const int MostTriangles = 20_000;
 

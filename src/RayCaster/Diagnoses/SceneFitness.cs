@@ -9,6 +9,9 @@ public sealed class SceneFitness
     /// <summary>As many pixels as must look otherwise for a mistake to be seen.</summary>
     public const int LeastPixels = 20;
 
+    /// <summary>As many models as a scene may have for mistakes to be tried on it.</summary>
+    public const int MostModels = Lab.MostModels;
+
     /// <summary>A larger picture is judged by a smaller one of the same shape.</summary>
     private const int MostPixels = 1_000_000;
 
@@ -29,6 +32,7 @@ public sealed class SceneFitness
         Hidden = [.. known.Where(mistake => !views.Any(view => view.Shows(IndexOf(mistake))))];
         WithinRounding = [.. Hidden.Where(mistake => views.Any(view => view.ShowsByALevel(IndexOf(mistake))))];
         Twins = Groups(views, [.. known.Except(Hidden)]);
+        ShowsNothing = views.All(view => view.IsOfOneColor);
         FragilePixels = views.Sum(view => FragilePixelsOf(view.Scene, threads));
         PixelCount = scenes.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height);
     }
@@ -51,6 +55,9 @@ public sealed class SceneFitness
     /// <summary>Mistakes that are seen, but give the same pictures, in groups.</summary>
     public IReadOnlyList<IReadOnlyList<Mistake>> Twins { get; }
 
+    /// <summary>Whether every picture is of one colour.</summary>
+    public bool ShowsNothing { get; }
+
     /// <summary>How many pixels show another model when a number of the camera is moved by its last bit.</summary>
     public int FragilePixels { get; }
 
@@ -58,14 +65,18 @@ public sealed class SceneFitness
     public long PixelCount { get; }
 
     /// <summary>Judges a set of scenes.</summary>
-    /// <param name="scenes">At least one.</param>
+    /// <param name="scenes">At least one, each fit for <see cref="CanJudge"/>.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     public static SceneFitness Of(IReadOnlyList<Scene> scenes, int? threads = null) => new(scenes, threads);
+
+    /// <summary>Whether a scene has so few models that mistakes can be tried on it.</summary>
+    public static bool CanJudge(Scene scene) => scene.Models.Count <= MostModels;
 
     private static Scene Judged(Scene scene)
     {
         var camera = scene.Camera;
-        var shrink = Math.Sqrt((double)camera.Width * camera.Height / MostPixels);
+        var most = Math.Clamp(MostPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MostPixels); // the time stays
+        var shrink = Math.Sqrt((double)camera.Width * camera.Height / most);
         if (shrink <= 1) return scene;
         return scene with { Camera = camera.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink))) };
     }
@@ -99,6 +110,8 @@ public sealed class SceneFitness
         private readonly bool[] byALevel = new bool[MistakeCatalog.All.Count];
 
         public Scene Scene => scene;
+
+        public bool IsOfOneColor => right.Rgb.AsSpan(3).SequenceEqual(right.Rgb.AsSpan(..^3));
 
         public bool Shows(int mistake) => changed[mistake] >= LeastPixels;
 
