@@ -46,6 +46,7 @@ internal sealed class CompareCommand : Command
     {
         var files = line.Exactly("<mine>", "<reference>");
         var (mineFile, referenceFile, output, threads) = (files[0], files[1], line[Option.Output], line.ThreadCount());
+        if (output is not null) InputFiles.Keep(files, output);
         var format = output is null ? PictureFormat.Png : PictureFormats.ByExtension(output);
         var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
         Scene? scene = null;

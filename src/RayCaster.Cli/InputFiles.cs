@@ -25,6 +25,15 @@ internal static class InputFiles
         return files;
     }
 
+    /// <summary>Keeps what is read from being replaced by what is made of it.</summary>
+    /// <exception cref="ProblemException">The output is one of the inputs.</exception>
+    public static void Keep(IEnumerable<string> inputs, string output)
+    {
+        foreach (var input in inputs)
+            if (Path.GetFullPath(input) == Path.GetFullPath(output))
+                throw new ProblemException($"raycaster: {output} is one of the pictures that are read\n  Choose another name with -o.");
+    }
+
     /// <summary>The file of a name, or those of a pattern: not every shell resolves it.</summary>
     private static string[] Matches(string operand)
     {

@@ -19,9 +19,11 @@ internal static class MapOutput
         var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
         var numbers = line[Option.Output] ?? DrawCommand.NameOf(path) + $".{kind.Name()}.pfm";
         if (!numbers.EndsWith(".pfm", StringComparison.OrdinalIgnoreCase))
-            throw ProblemException.Usage($"a map's numbers go to a file that ends in .pfm, but '{numbers}' is given; its picture gets the same name with .png");
+            throw ProblemException.Usage($"a map's numbers go to a file that ends in .pfm, but '{numbers}' is given; its picture is called alike");
         var colors = TerminalScreen.Colors(line);
-        var picture = numbers[..^4] + ".png";
+        // Its own ending, so that "-o room.pfm" does not replace the picture room.png.
+        var ending = $".{kind.Name()}";
+        var picture = numbers[..^4] + (numbers[..^4].EndsWith(ending, StringComparison.Ordinal) ? "" : ending) + ".png";
 
         if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
         var map = Task.Run(() => MapMaker.Make(scene, kind, threads), cancellation).WaitAsync(cancellation).GetAwaiter().GetResult();

@@ -29,6 +29,9 @@ public sealed class PartSet
     /// <summary>How many parts there are.</summary>
     public int Count => parts.Count;
 
+    /// <summary>The files that are parts, from the top.</summary>
+    public IEnumerable<string> Files => parts.Select(part => part.Path);
+
     /// <summary>Why these files are not the parts of one picture, a line of text each; empty if they are, be they all or not.</summary>
     public IReadOnlyList<string> Problems => problems;
 

@@ -25,7 +25,7 @@ public sealed class MapTests : IDisposable
     {
         raycaster.Run(Room, "--map=normal", "-s", "30x20", "-o", "n.pfm", "-q");
         Assert.Equal("", raycaster.Error);
-        Assert.Equal(["n.pfm", "n.png"], raycaster.Files);
+        Assert.Equal(["n.normal.png", "n.pfm"], raycaster.Files);
     }
 
     [Theory]
