@@ -2,7 +2,8 @@ namespace RayCaster;
 
 /// <summary>
 /// The difference of two pictures as single numbers, over all bytes of all channels, for those who want numbers. None of them says whether
-/// a picture is right: a missing ball may cost less than a truncated byte everywhere. They agree with those of ImageMagick's <c>compare</c>.
+/// a picture is right: a missing ball may cost less than a truncated byte everywhere. All but SSIM agree with those of ImageMagick 6's
+/// <c>compare</c>, which has no SSIM.
 /// </summary>
 public sealed class Measures
 {
