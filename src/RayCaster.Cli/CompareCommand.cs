@@ -28,7 +28,8 @@ internal sealed class CompareCommand : Command
           -t, --threads <n>      How many threads cast rays. [default: one per core]
 
         Same are pictures that are identical, or differ by 1 of 255 levels in at most 1 % of
-        the pixels; besides, a pixel on an outline may show the other side of it.
+        the pixels; besides, a pixel on an outline may show the other side of it. Colours are
+        compared as they are stored: transparency and colour profiles are left out.
 
         Examples:
           dotnet run --project src/RayCaster.Cli -- compare mine.png right.png
