@@ -29,9 +29,7 @@ internal sealed class DrawCommand : Command
         var format = Format(line.PictureFormat(), output, isPart);
         if (output == SceneInput.Standard && line.Has(Option.Resume))
             throw ProblemException.Usage("--resume looks whether the picture is there already, but what was written to standard output is gone");
-        if (output == SceneInput.Standard && !Console.IsOutputRedirected)
-            throw new ProblemException(
-                "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
+        PictureOutput.KeepOffTerminal(output);
 
         var colors = TerminalScreen.Colors(line);
         if (line.Has(Option.Preview) && output == SceneInput.Standard)
@@ -110,7 +108,7 @@ internal sealed class DrawCommand : Command
         var (width, height, models) = (scene.Camera.Width, scene.Camera.Height, scene.Models.Count);
         var rays = (double)width * lines.Count / elapsed.TotalSeconds;
         return string.Create(CultureInfo.InvariantCulture,
-            $"{(output == SceneInput.Standard ? "standard output" : output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
+            $"{PictureOutput.NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
             $"{models} {(models == 1 ? "model" : "models")}, " +
             $"{elapsed.TotalSeconds:0.00} s, {rays / 1e6:0.0} million rays per second");
     }

@@ -3,6 +3,19 @@ namespace RayCaster.Cli;
 /// <summary>Where a picture goes: a file that is there whole or not at all, or standard output.</summary>
 internal static class PictureOutput
 {
+    /// <summary>Refuses standard output where it is a terminal.</summary>
+    /// <param name="output">The file, or "-"; null if it has no name yet.</param>
+    /// <exception cref="ProblemException">It is one.</exception>
+    public static void KeepOffTerminal(string? output)
+    {
+        if (output == SceneInput.Standard && !Console.IsOutputRedirected)
+            throw new ProblemException(
+                "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
+    }
+
+    /// <summary>What messages call it.</summary>
+    public static string NameOf(string output) => output == SceneInput.Standard ? "standard output" : output;
+
     /// <summary>Opens it, has it written and closes it.</summary>
     /// <param name="output">The file, or "-".</param>
     /// <param name="cancellation">Ends the wait for a reader of standard output.</param>

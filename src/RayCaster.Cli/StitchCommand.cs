@@ -63,9 +63,7 @@ internal sealed class StitchCommand : Command
         var output = line[Option.Output] ?? "";
         var format = onlyMissing ? PictureFormat.Png
             : line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
-        if (output == SceneInput.Standard && !Console.IsOutputRedirected)
-            throw new ProblemException(
-                "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
+        PictureOutput.KeepOffTerminal(output);
 
         var files = InputFiles.Of(line.Operands, out var chosen);
         var start = Stopwatch.GetTimestamp();
@@ -94,7 +92,7 @@ internal sealed class StitchCommand : Command
         });
         if (!quiet)
             StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
-                $"{(output == SceneInput.Standard ? "standard output" : output)}: {width} x {height} pixels, " +
+                $"{PictureOutput.NameOf(output)}: {width} x {height} pixels, " +
                 $"{parts.Count} {(parts.Count == 1 ? "part" : "parts")}, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
         return ExitCode.Done;
     }

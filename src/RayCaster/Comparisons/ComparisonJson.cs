@@ -1,4 +1,3 @@
-using System.Text.Encodings.Web;
 using System.Text.Json;
 
 namespace RayCaster;
@@ -13,8 +12,7 @@ public static class ComparisonJson
     /// <param name="reference">What the one that it should be is called.</param>
     public static void Write(Stream output, PictureComparison comparison, string mine, string reference)
     {
-        var format = new JsonWriterOptions { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
-        using var json = new Utf8JsonWriter(output, format);
+        using var json = new Utf8JsonWriter(output, JsonForm.Options);
         json.WriteStartObject();
         WritePicture(json, "mine", mine, comparison.Mine);
         WritePicture(json, "reference", reference, comparison.Reference);

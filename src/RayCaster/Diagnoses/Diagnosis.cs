@@ -43,6 +43,21 @@ public sealed class Diagnosis
     /// <summary>How many single mistakes are tried together with every other.</summary>
     private const int Partners = 10;
 
+    /// <summary>What a mistake may leave unexplained, as a share of the wrong pixels, for the search to end.</summary>
+    private const double Explained = 0.05;
+
+    /// <summary>Two mistakes must leave less than this share of what one leaves: two explain any picture better than one.</summary>
+    private const double PairGain = 0.6;
+
+    /// <summary>The share of the wrong pixels that the nearest mistake may leave before it is taken for chance.</summary>
+    private const double Foreign = 0.5;
+
+    /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all.</summary>
+    private const double Idle = 0.8;
+
+    /// <summary>As many models are left out, one at a time, to see whether one is missing.</summary>
+    private const int MostMissing = 32;
+
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
     private readonly Scene scene;
@@ -65,7 +80,7 @@ public sealed class Diagnosis
             var strict = new Evidence(scene, right, picture, (int)most, forgiveOutlines: false);
             if (known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
         }
-        ProvesNothing = right.Rgb.AsSpan(3).SequenceEqual(right.Rgb.AsSpan(..^3));
+        ProvesNothing = right.IsOneColor;
         PixelCount = evidence.PixelCount;
         WrongCount = evidence.WrongCount;
         OutlineCount = evidence.OutlineCount;
@@ -96,21 +111,6 @@ public sealed class Diagnosis
         if (Finding == Finding.Mistake) Suspects = [.. Distinct(ranked).Take(5).Select(AsSuspect)];
         if (Finding == Finding.NoneOfThese && left < Idle) Nearest = AsSuspect(ranked[0]);
     }
-
-    /// <summary>What a mistake may leave unexplained, as a share of the wrong pixels, for the search to end.</summary>
-    private const double Explained = 0.05;
-
-    /// <summary>Two mistakes must leave less than this share of what one leaves: two explain any picture better than one.</summary>
-    private const double PairGain = 0.6;
-
-    /// <summary>The share of the wrong pixels that the nearest mistake may leave before it is taken for chance.</summary>
-    private const double Foreign = 0.5;
-
-    /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all.</summary>
-    private const double Idle = 0.8;
-
-    /// <summary>As many models are left out, one at a time, to see whether one is missing.</summary>
-    private const int MostMissing = 32;
 
     /// <summary>The model without which the scene gives the picture, as texts call it; null where none does.</summary>
     public string? MissingModel { get; }

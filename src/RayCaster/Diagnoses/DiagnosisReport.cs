@@ -76,7 +76,7 @@ public static class DiagnosisReport
     public static string Json(Diagnosis diagnosis)
     {
         using var bytes = new MemoryStream();
-        using (var json = new Utf8JsonWriter(bytes, new() { Indented = true, NewLine = "\n", Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
+        using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
         {
             json.WriteStartObject();
             json.WriteString("finding", diagnosis.Finding switch { Finding.Matches => "matches", Finding.Mistake => "mistake", _ => "none of these" });

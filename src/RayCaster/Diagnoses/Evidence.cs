@@ -15,9 +15,14 @@ internal sealed class Evidence
     /// <summary>What part of a pixel is left unexplained that a mistake explains only because its pixels may lie anywhere.</summary>
     private const double Chance = 0.3;
 
+    /// <summary>The share of pixels that may be off by more than <see cref="OutlineCount"/> forgives.</summary>
+    private const double StrayPixels = 1e-4;
+
+    /// <summary>The share of pixels on outlines, at most; where more are wrong, these do not matter.</summary>
+    private const double FewPixels = 0.03;
+
     private readonly Picture picture, right;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
-    private readonly int wrongCount;
 
     /// <param name="scene">The scene.</param>
     /// <param name="right">Its own picture; may have another size, then everything is wrong.</param>
@@ -28,23 +33,19 @@ internal sealed class Evidence
     {
         (this.picture, this.right) = (picture, right);
         var sameSize = (right.Width, right.Height) == (picture.Width, picture.Height);
+        var difference = sameSize ? new PictureDifference(picture, right) : null;
         List<int> wrong = [], other = [];
-        var darker = 0;
-        for (var i = 0; i < PixelCount; i++)
-        {
-            (!sameSize || Difference(picture.Rgb, right.Rgb, i) > Tolerance ? wrong : other).Add(i);
-            if (sameSize && IsDarkerByOne(picture.Rgb, right.Rgb, i)) darker++;
-        }
-        DarkerShare = (double)darker / PixelCount;
+        for (var i = 0; i < PixelCount; i++) (difference is null || difference.LevelsAt(i) > Tolerance ? wrong : other).Add(i);
+        DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
         if (forgiveOutlines && sameSize && wrong.Count <= FewPixels * PixelCount)
         {
             var nudged = Nudged(scene);
-            OutlineCount = wrong.RemoveAll(i => MayShow(i, (x, y, color) => nudged.Any(lab => Difference(lab[x, y], color) <= Tolerance)));
+            OutlineCount = wrong.RemoveAll(i => At(i) is var (x, y) && nudged.Any(lab => IsNear(lab[x, y], picture[x, y])));
             var outlines = new SceneOutlines(scene); // of models at the same distance any may show
-            if (outlines.CanJudge(wrong.Count)) OutlineCount += wrong.RemoveAll(i => MayShow(i, (x, y, color) => outlines.MayShow(color, x, y)));
+            if (outlines.CanJudge(wrong.Count)) OutlineCount += wrong.RemoveAll(i => At(i) is var (x, y) && outlines.MayShow(picture[x, y], x, y));
         }
-        wrongCount = wrong.Count;
-        IsOnlyOutlines = sameSize && wrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(i => ShowsNeighbour(right, i));
+        WrongCount = wrong.Count;
+        IsOnlyOutlines = sameSize && WrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(i => ShowsNeighbour(right, i));
         wrongPixels = Spread(wrong, most / 2);
         otherPixels = Spread(other, most / 2);
     }
@@ -53,7 +54,7 @@ internal sealed class Evidence
     public int PixelCount => picture.Width * picture.Height;
 
     /// <summary>In how many pixels the picture is wrong.</summary>
-    public int WrongCount => wrongCount;
+    public int WrongCount { get; }
 
     /// <summary>
     /// In how many pixels more the picture is what the scene shows a thousandth of a pixel away. There the last bits decide, of doubles or of
@@ -76,8 +77,8 @@ internal sealed class Evidence
         {
             foreach (var pixel in pixels)
             {
-                var (y, x) = Math.DivRem(pixel, picture.Width);
-                if (Difference(a[x, y], b[x, y]) > Tolerance && --left < 0) return false;
+                var (x, y) = At(pixel);
+                if (!IsNear(a[x, y], b[x, y]) && --left < 0) return false;
             }
         }
         return true;
@@ -90,7 +91,7 @@ internal sealed class Evidence
     {
         if ((lab.Width, lab.Height) != (picture.Width, picture.Height)) return RayCaster.Misfit.Complete(PixelCount);
         if (lab.Scatters && (right.Width, right.Height) != (picture.Width, picture.Height)) return RayCaster.Misfit.Complete(PixelCount);
-        return Misfit(lab, wrongPixels, wrongCount, share) + Misfit(lab, otherPixels, PixelCount - wrongCount, share);
+        return Misfit(lab, wrongPixels, WrongCount, share) + Misfit(lab, otherPixels, PixelCount - WrongCount, share);
     }
 
     private Misfit Misfit(Lab lab, int[] pixels, int stoodFor, double share)
@@ -101,11 +102,11 @@ internal sealed class Evidence
         var (unexplained, error) = (0.0, 0.0);
         for (var k = 0; k < count; k++)
         {
-            var (y, x) = Math.DivRem(pixels[k], picture.Width);
-            var difference = Difference(lab[x, y], picture[x, y]);
+            var (x, y) = At(pixels[k]);
+            var difference = PictureDifference.Levels(lab[x, y], picture[x, y]);
             if (lab.Scatters)
             {
-                var toRight = Difference(right[x, y], picture[x, y]);
+                var toRight = PictureDifference.Levels(right[x, y], picture[x, y]);
                 if (toRight > Tolerance && difference <= Tolerance) unexplained += Chance;
                 difference = Math.Min(difference, toRight);
             }
@@ -114,12 +115,6 @@ internal sealed class Evidence
         }
         return new Misfit(unexplained, error) * ((double)stoodFor / count);
     }
-
-    /// <summary>The share of pixels that may be off by more than <see cref="OutlineCount"/> forgives.</summary>
-    private const double StrayPixels = 1e-4;
-
-    /// <summary>The share of pixels on outlines, at most; where more are wrong, these do not matter.</summary>
-    private const double FewPixels = 0.03;
 
     /// <summary>The definition, its rays moved by a thousandth of a pixel towards each corner.</summary>
     private static Lab[] Nudged(Scene scene)
@@ -134,40 +129,18 @@ internal sealed class Evidence
         ];
     }
 
-    private bool MayShow(int pixel, Func<int, int, (byte R, byte G, byte B), bool> may)
-    {
-        var (y, x) = Math.DivRem(pixel, picture.Width);
-        return may(x, y, picture[x, y]);
-    }
+    /// <summary>Where a pixel is.</summary>
+    private (int X, int Y) At(int pixel) => (pixel % picture.Width, pixel / picture.Width);
+
+    private static bool IsNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) => PictureDifference.Levels(a, b) <= Tolerance;
 
     private bool ShowsNeighbour(Picture right, int pixel)
     {
-        var (y, x) = Math.DivRem(pixel, right.Width);
+        var (x, y) = At(pixel);
         for (var ny = Math.Max(0, y - 1); ny <= Math.Min(y + 1, right.Height - 1); ny++)
             for (var nx = Math.Max(0, x - 1); nx <= Math.Min(x + 1, right.Width - 1); nx++)
-                if (Difference(picture[x, y], right[nx, ny]) <= Tolerance) return true;
+                if (IsNear(picture[x, y], right[nx, ny])) return true;
         return false;
-    }
-
-    /// <summary>The greatest difference of the three channels.</summary>
-    private static int Difference((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
-        Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
-
-    private static int Difference(byte[] a, byte[] b, int pixel)
-    {
-        var i = 3 * pixel;
-        return Difference((a[i], a[i + 1], a[i + 2]), (b[i], b[i + 1], b[i + 2]));
-    }
-
-    private static bool IsDarkerByOne(byte[] a, byte[] right, int pixel)
-    {
-        var darker = false;
-        for (var i = 3 * pixel; i < 3 * pixel + 3; i++)
-        {
-            if (right[i] - a[i] is not (0 or 1)) return false;
-            darker |= a[i] < right[i];
-        }
-        return darker;
     }
 
     /// <summary>Takes so many of a list that any beginning of what is taken is spread over the whole: steps of the golden section.</summary>
@@ -175,15 +148,8 @@ internal sealed class Evidence
     {
         var taken = new int[Math.Min(all.Count, most)];
         if (taken.Length == 0) return taken;
-        var step = (long)(all.Count * 0.618033988749895);
-        while (step < 1 || !AreCoprime(step, all.Count)) step++;
-        for (var k = 0; k < taken.Length; k++) taken[k] = all[(int)(k * step % all.Count)];
+        var place = new GoldenSteps(all.Count);
+        for (var k = 0; k < taken.Length; k++) taken[k] = all[place[k]];
         return taken;
-    }
-
-    private static bool AreCoprime(long a, long b)
-    {
-        while (b != 0) (a, b) = (b, a % b);
-        return a == 1;
     }
 }

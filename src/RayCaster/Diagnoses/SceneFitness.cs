@@ -104,6 +104,7 @@ public sealed class SceneFitness
     private sealed class View(Scene scene)
     {
         private readonly int count = scene.Camera.Width * scene.Camera.Height;
+        private readonly GoldenSteps places = new(scene.Camera.Width * scene.Camera.Height); // of samples
         private readonly Picture right = Renderer.Render(scene);
         private readonly byte[][] samples = new byte[MistakeCatalog.All.Count][];
         private readonly int[] changed = new int[MistakeCatalog.All.Count];   // pixels beyond rounding, at least as many as matter
@@ -111,7 +112,7 @@ public sealed class SceneFitness
 
         public Scene Scene => scene;
 
-        public bool IsOfOneColor => right.Rgb.AsSpan(3).SequenceEqual(right.Rgb.AsSpan(..^3));
+        public bool IsOfOneColor => right.IsOneColor;
 
         public bool Shows(int mistake) => changed[mistake] >= LeastPixels;
 
@@ -123,7 +124,7 @@ public sealed class SceneFitness
             var lab = new Lab(scene, mistake);
             var most = lab.TrianglesTried == 0 ? Samples : Math.Min(Samples, Evidence.MostTests / lab.TrianglesTried);
             var pixels = new byte[3 * Math.Min(most, count)];
-            for (var k = 0; k < pixels.Length / 3; k++) Put(lab, Sample(k), pixels, 3 * k);
+            for (var k = 0; k < pixels.Length / 3; k++) Put(lab, places[k], pixels, 3 * k);
             samples[index] = pixels;
             changed[index] = SizeOf(lab) != (right.Width, right.Height) ? LeastPixels : CountSamples(pixels);
             // Triangles that reach out of themselves change large parts of a picture: if the samples show nothing, nothing is there.
@@ -160,14 +161,11 @@ public sealed class SceneFitness
             return different < LeastPixels;
         }
 
-        /// <summary>The place of a sample: spread over the picture by steps of the golden section.</summary>
-        private int Sample(int k) => (int)(k * (long)(count * 0.618033988749895) % count);
-
         private int CountSamples(byte[] pixels)
         {
             var different = 0;
             for (var k = 0; k < pixels.Length / 3; k++)
-                if (Difference(pixels, 3 * k, right.Rgb, 3 * Sample(k)) > Evidence.Tolerance) different++;
+                if (Difference(pixels, 3 * k, right.Rgb, 3 * places[k]) > Evidence.Tolerance) different++;
             return different;
         }
 
@@ -180,7 +178,7 @@ public sealed class SceneFitness
         }
 
         private static int Difference(byte[] a, int i, byte[] b, int j) =>
-            Math.Max(Math.Abs(a[i] - b[j]), Math.Max(Math.Abs(a[i + 1] - b[j + 1]), Math.Abs(a[i + 2] - b[j + 2])));
+            PictureDifference.Levels((a[i], a[i + 1], a[i + 2]), (b[j], b[j + 1], b[j + 2]));
     }
 
     /// <summary>Moves each number of the camera by its last bit, up and down, and counts the pixels that ever show another model.</summary>

@@ -1,5 +1,4 @@
 using System.Text;
-using System.Text.Encodings.Web;
 using System.Text.Json;
 
 namespace RayCaster;
@@ -20,7 +19,7 @@ internal sealed class ExplanationJson
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null)
     {
         using var bytes = new MemoryStream();
-        using (var writer = new Utf8JsonWriter(bytes, new() { Indented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping }))
+        using (var writer = new Utf8JsonWriter(bytes, JsonForm.Options))
             new ExplanationJson(writer).Write(pixel, reference);
         return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
     }
