@@ -50,6 +50,16 @@ public readonly record struct Bounds(Vector3 Min, Vector3 Max)
     }
 }
 
+/// <summary>A shape within a ball, which is a tighter bound than a box for what is round.</summary>
+internal interface IRound
+{
+    /// <summary>The middle of the ball.</summary>
+    Vector3 Center { get; }
+
+    /// <summary>No point of the shape is farther from there.</summary>
+    double Radius { get; }
+}
+
 /// <summary>
 /// A shape that says what it does not reach beyond. It need not: without bounds a shape is looked for everywhere, which takes
 /// longer where there are thousands of them.

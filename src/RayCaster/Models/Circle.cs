@@ -6,7 +6,7 @@ namespace RayCaster;
 /// <param name="Center">C.</param>
 /// <param name="Normal">n, across the disc; any length but zero.</param>
 /// <param name="Radius">R &gt; 0; the rim belongs to the disc.</param>
-public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radius) : IPrimitive, IBounded, ISurface
+public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radius) : IPrimitive, IBounded, IRound, ISurface
 {
     /// <inheritdoc/>
     public Bounds Bounds => new(Center - new Vector3(Radius, Radius, Radius), Center + new Vector3(Radius, Radius, Radius));

@@ -41,6 +41,9 @@ public abstract class Model
     /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
     internal virtual ModelView See(Camera camera, int threads) => new SingleRayView(this);
 
+    /// <summary>Joins the crowd of a scene of many models, if there it is found faster than by itself.</summary>
+    internal virtual bool Join(Crowd crowd, int index) => false;
+
     /// <summary>Makes a model of a shape.</summary>
     public static Model<P> Of<P>(P primitive) where P : struct, IPrimitive => new(primitive);
 }
@@ -78,4 +81,7 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 
     /// <inheritdoc/>
     internal override ModelView See(Camera camera, int threads) => new PrimitiveView<P>(Primitive, camera);
+
+    /// <inheritdoc/>
+    internal override bool Join(Crowd crowd, int index) => crowd.Add(Primitive, index);
 }

@@ -5,7 +5,7 @@ namespace RayCaster;
 /// <summary>A sphere, seen from outside or, where the camera is in it, from inside.</summary>
 /// <param name="Center">C.</param>
 /// <param name="Radius">R &gt; 0.</param>
-public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IBounded, ISurface
+public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive, IBounded, IRound, ISurface
 {
     /// <inheritdoc/>
     public Bounds Bounds => new(Center - new Vector3(Radius, Radius, Radius), Center + new Vector3(Radius, Radius, Radius));

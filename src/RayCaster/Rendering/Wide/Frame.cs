@@ -1,83 +1,44 @@
 namespace RayCaster;
 
-/// <summary>What all threads share that work on one picture: the models' views, and which of them may show in which tile.</summary>
+/// <summary>What all threads share that work on one picture: the models as the camera sees them, each by itself or as one of a crowd.</summary>
 internal sealed class Frame
 {
-    /// <summary>With fewer models a look at each of them is cheaper than a list for each tile.</summary>
+    /// <summary>With fewer models a look at each of them is cheaper than a list for each part of the picture.</summary>
     private const int FewModels = 64;
-
-    private readonly int tilesAcross;
-    private readonly int[] everywhere;               // models that show in a good part of the picture
-    private readonly int[] starts = [], listed = []; // of tile i the models listed[starts[i]] … listed[starts[i + 1] − 1]
 
     /// <param name="scene">The scene.</param>
     /// <param name="threads">How many threads may prepare what a model needs.</param>
     public Frame(Scene scene, int threads)
     {
         Scene = scene;
-        var camera = scene.Camera;
-        Views = new ModelView[scene.Models.Count];
-        for (var i = 0; i < Views.Length; i++) Views[i] = scene.Models[i].See(camera, threads);
+        var models = scene.Models;
+        var alone = new List<int>();
+        if (models.Count > FewModels) Crowd = new(scene.Camera);
+        for (var i = 0; i < models.Count; i++)
+            if (Crowd is null || !models[i].Join(Crowd, i))
+                alone.Add(i);
+        if (Crowd is not null) alone.AddRange(Crowd.Sort());
 
+        Places = [.. alone];
+        Views = Array.ConvertAll(Places, i => models[i].See(scene.Camera, threads));
         Extents = Array.ConvertAll(Views, view => view.Extent);
-
-        tilesAcross = TilesOf(camera.Width);
-        var large = Views.Length <= FewModels ? -1 : Math.Max(1 << 16, (long)camera.Width * camera.Height / 16);
-        var places = new List<int>();
-        for (var i = 0; i < Views.Length; i++)
-            if (Extents[i].Area > large)
-                places.Add(i);
-        everywhere = [.. places];
-        if (everywhere.Length == Views.Length) return;
-
-        // Counts first, then places: all lists in one array. The nearest come first in each, so that they hide the others early.
-        var order = new int[Views.Length];
-        for (var i = 0; i < order.Length; i++) order[i] = i;
-        Array.Sort(Array.ConvertAll(Views, view => view.Nearest), order);
-        starts = new int[tilesAcross * TilesOf(camera.Height) + 1];
-        VisitTiles(order, large, (tile, _) => starts[tile + 1]++);
-        for (var tile = 1; tile < starts.Length; tile++) starts[tile] += starts[tile - 1];
-        listed = new int[starts[^1]];
-        var next = starts[..^1];
-        VisitTiles(order, large, (tile, i) => listed[next[tile]++] = i);
     }
 
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
-    /// <summary>The models' views, in the order of the scene.</summary>
+    /// <summary>Views of the models that are looked at one by one.</summary>
     public ModelView[] Views { get; }
+
+    /// <summary>The places of these models in the scene.</summary>
+    public int[] Places { get; }
 
     /// <summary>Where in the picture each of them can show at all.</summary>
     public Tile[] Extents { get; }
 
+    /// <summary>The other models; null where there are few.</summary>
+    public Crowd? Crowd { get; }
+
     /// <summary>How many tiles lie side by side, or one upon another.</summary>
     public static int TilesOf(int pixels) => (pixels + Tile.MaxSide - 1) / Tile.MaxSide;
-
-    /// <summary>Adds the models that may show in a tile: the large ones, then the others, the nearest first.</summary>
-    public void AddModelsOf(in Tile tile, List<Candidate> candidates)
-    {
-        foreach (var large in everywhere) candidates.Add(new(large, Reach.Unknown));
-        if (starts.Length == 0) return;
-        var i = tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide;
-        foreach (var other in listed.AsSpan(starts[i]..starts[i + 1])) candidates.Add(new(other, Reach.Unknown));
-    }
-
-    /// <summary>Visits the tiles of all models that are not large.</summary>
-    private void VisitTiles(int[] order, long large, Action<int, int> visit)
-    {
-        foreach (var i in order)
-        {
-            var extent = Extents[i];
-            if (extent.Area == 0 || extent.Area > large) continue;
-            for (var row = extent.Row / Tile.MaxSide; row < TilesOf(extent.EndRow); row++)
-                for (var column = extent.Column / Tile.MaxSide; column < TilesOf(extent.EndColumn); column++)
-                    visit(row * tilesAcross + column, i);
-        }
-    }
 }
-
-/// <summary>A model that may show in a tile.</summary>
-/// <param name="Index">Its place in the scene.</param>
-/// <param name="Reach">Where its hits lie.</param>
-internal readonly record struct Candidate(int Index, Reach Reach);

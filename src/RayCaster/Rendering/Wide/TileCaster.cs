@@ -17,6 +17,8 @@ internal sealed class TileCaster
     private readonly Frame frame;
     private readonly ModelView[] views;
     private readonly Tile[] extents;
+    private readonly int[] places;    // of the views' models in the scene
+    private readonly CrowdCaster? crowd;
     private readonly RaySpan[] rows = new RaySpan[LeastSide];
     private readonly double[] farthest = new double[LeastSide]; // of each row, the greatest t of the nearest hits so far
     private readonly TileRays rays;
@@ -28,7 +30,8 @@ internal sealed class TileCaster
     {
         this.frame = frame;
         views = Array.ConvertAll(frame.Views, view => view.ForThread());
-        extents = frame.Extents;
+        (extents, places) = (frame.Extents, frame.Places);
+        if (frame.Crowd is not null) crowd = new(frame.Crowd, frame.Scene.Camera);
         for (var i = 0; i < rows.Length; i++) rows[i] = new(frame.Scene.Camera);
         rays = new(frame.Scene.Camera);
     }
@@ -41,17 +44,23 @@ internal sealed class TileCaster
         this.sink = sink;
         var list = candidates[0];
         list.Clear();
-        frame.AddModelsOf(tile, list);
         rays.Aim(tile);
         var cover = double.PositiveInfinity;
-        for (var i = 0; i < list.Count; i++)
+        for (var i = 0; i < views.Length; i++)
         {
-            var reach = extents[list[i].Index].Overlaps(tile) ? views[list[i].Index].Enter(rays) : Reach.None;
+            if (!extents[i].Overlaps(tile)) continue;
+            var reach = views[i].Enter(rays);
             cover = Math.Min(cover, reach.Cover);
-            list[i] = list[i] with { Reach = reach };
+            list.Add(new(i, reach));
         }
         DropHidden(list, cover);
-        Descend(tile, 0);
+        if (crowd is not null && frame.Crowd!.Shows(tile)) crowd.Cast(tile, Meet, sink);
+        else Descend(tile, 0);
+
+        void Meet(RaySpan span)
+        {
+            foreach (var candidate in list) views[candidate.Index].Meet(span, places[candidate.Index]);
+        }
     }
 
     /// <summary>Casts a part whose models are known.</summary>
@@ -116,7 +125,7 @@ internal sealed class TileCaster
         for (var row = part.Row; row < part.EndRow; row++)
         {
             span.Aim<N>(row);
-            foreach (var candidate in list) views[candidate.Index].Meet(span, candidate.Index);
+            foreach (var candidate in list) views[candidate.Index].Meet(span, places[candidate.Index]);
             sink.Take(span);
         }
     }
@@ -139,7 +148,7 @@ internal sealed class TileCaster
             for (var i = Math.Max(0, extent.Row - part.Row); i < end; i++)
             {
                 if (candidate.Reach.Least > farthest[i]) continue;
-                views[candidate.Index].Meet(rows[i], candidate.Index);
+                views[candidate.Index].Meet(rows[i], places[candidate.Index]);
                 farthest[i] = rows[i].Farthest<N>();
             }
             farthestOfAll = farthest[0];
@@ -151,6 +160,11 @@ internal sealed class TileCaster
     /// <summary>Half of a length of at least <see cref="LeastSide"/>, in whole packets.</summary>
     private static int Half(int length) => length <= LeastSide ? length : (length / 2 + WidePacket.Count - 1) / WidePacket.Count * WidePacket.Count;
 }
+
+/// <summary>A model that may show in a tile.</summary>
+/// <param name="Index">The place of its view.</param>
+/// <param name="Reach">Where its hits lie.</param>
+internal readonly record struct Candidate(int Index, Reach Reach);
 
 /// <summary>Takes what tiles come to, a span at a time, in any order and from any thread.</summary>
 internal interface ISpanSink
