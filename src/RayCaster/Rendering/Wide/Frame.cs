@@ -13,11 +13,11 @@ internal sealed class Frame
         Scene = scene;
         var models = scene.Models;
         var alone = new List<int>();
-        if (models.Count > FewModels) Crowd = new(scene.Camera);
+        if (models.Count > FewModels) Crowd = new(scene.Camera, models.Count);
         for (var i = 0; i < models.Count; i++)
             if (Crowd is null || !models[i].Join(Crowd, i))
                 alone.Add(i);
-        if (Crowd is not null) alone.AddRange(Crowd.Sort());
+        if (Crowd is not null) alone.AddRange(Crowd.Arrange());
 
         Places = [.. alone];
         Views = Array.ConvertAll(Places, i => models[i].See(scene.Camera, threads));

@@ -71,6 +71,16 @@ internal sealed class RaySpan(Camera camera)
         }
     }
 
+    /// <summary>Goes to a row that nothing is known to show in, without rays.</summary>
+    /// <param name="row">The row, from the bottom.</param>
+    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void Clear<N>(int row) where N : struct, IPacket<N>
+    {
+        Row = row;
+        for (var i = 0; i < Length; i += N.Count) Set(i, All<N>(double.PositiveInfinity), All<N>(-1));
+    }
+
     /// <summary>The rays of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Ray<N> RaysAt<N>(int pixel) where N : struct, IPacket<N> =>
@@ -83,6 +93,18 @@ internal sealed class RaySpan(Camera camera)
     /// <summary>The models of these hits.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N ModelsAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(model, pixel);
+
+    /// <summary>What z gains along these rays for one unit of t.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N ZPerTAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(zPerT, pixel);
+
+    /// <summary>Sets the hits of the packet that begins at a pixel.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Set<N>(int pixel, N hits, N models) where N : struct, IPacket<N>
+    {
+        hits.Store(t, pixel);
+        models.Store(model, pixel);
+    }
 
     /// <summary>The first of the crossings that counts, in each lane, or NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

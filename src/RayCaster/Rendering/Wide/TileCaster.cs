@@ -14,7 +14,6 @@ internal sealed class TileCaster
     /// <summary>With more models than this a look at what is hidden pays.</summary>
     private const int Crowd = 4;
 
-    private readonly Frame frame;
     private readonly ModelView[] views;
     private readonly Tile[] extents;
     private readonly int[] places;    // of the views' models in the scene
@@ -28,7 +27,6 @@ internal sealed class TileCaster
     /// <param name="frame">What all threads share.</param>
     public TileCaster(Frame frame)
     {
-        this.frame = frame;
         views = Array.ConvertAll(frame.Views, view => view.ForThread());
         (extents, places) = (frame.Extents, frame.Places);
         if (frame.Crowd is not null) crowd = new(frame.Crowd, frame.Scene.Camera);
@@ -54,7 +52,7 @@ internal sealed class TileCaster
             list.Add(new(i, reach));
         }
         DropHidden(list, cover);
-        if (crowd is not null && frame.Crowd!.Shows(tile)) crowd.Cast(tile, Meet, sink);
+        if (crowd?.IsFor(tile) == true) crowd.Cast(tile, Meet, sink);
         else Descend(tile, 0);
 
         void Meet(RaySpan span)
@@ -124,7 +122,8 @@ internal sealed class TileCaster
         span.Enter<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row++)
         {
-            span.Aim<N>(row);
+            if (list.Count == 0) span.Clear<N>(row);
+            else span.Aim<N>(row);
             foreach (var candidate in list) views[candidate.Index].Meet(span, places[candidate.Index]);
             sink.Take(span);
         }

@@ -6,7 +6,11 @@ namespace RayCaster;
 internal sealed class CrowdCaster(Crowd crowd, Camera camera)
 {
     private readonly CrowdPart part = new(camera);
-    private readonly GrowingArray<int> merged = new();
+    private readonly RaySpan span = new(camera);
+    private readonly CrowdOrder order = new();
+
+    /// <summary>Whether members of the crowd may show in a tile.</summary>
+    public bool IsFor(in Tile tile) => crowd.Shows(tile, order);
 
     /// <summary>Casts all rays of a tile.</summary>
     /// <param name="tile">The tile.</param>
@@ -20,17 +24,30 @@ internal sealed class CrowdCaster(Crowd crowd, Camera camera)
             for (var x = firstColumn; x < tile.EndColumn; x += CrowdPart.Side)
             {
                 var (column, row) = (Math.Max(x, tile.Column), Math.Max(y, tile.Row));
-                Cast(new(column, row, Math.Min(x + CrowdPart.Side, tile.EndColumn) - column, Math.Min(y + CrowdPart.Side, tile.EndRow) - row), others);
-                for (var i = 0; i < part.Tile.Height; i++) sink.Take(part.Rows[i]);
+                var inner = new Tile(column, row, Math.Min(x + CrowdPart.Side, tile.EndColumn) - column, Math.Min(y + CrowdPart.Side, tile.EndRow) - row);
+                if (Vector512.IsHardwareAccelerated) Cast<WidePacket>(inner, others, sink);
+                else Cast<Packet>(inner, others, sink);
             }
         }
     }
 
-    private void Cast(in Tile tile, Action<RaySpan> others)
+    private void Cast<N>(in Tile tile, Action<RaySpan> others, ISpanSink sink) where N : struct, IPacket<N>
     {
-        if (Vector512.IsHardwareAccelerated) part.Enter<WidePacket>(tile);
-        else part.Enter<Packet>(tile);
-        for (var i = 0; i < tile.Height; i++) others(part.Rows[i]);
-        crowd.Meet(part, crowd.MembersOf(tile, merged));
+        part.Enter(tile);
+        span.Enter<N>(tile.Column, tile.Width);
+        for (var row = tile.Row; row < tile.EndRow; row++)
+        {
+            span.Aim<N>(row);
+            others(span);
+            part.Take<N>(span);
+        }
+        crowd.Sort(tile, order);
+        crowd.Meet(part, order.Sorted);
+        for (var row = tile.Row; row < tile.EndRow; row++)
+        {
+            span.Clear<N>(row);
+            part.Give<N>(span);
+            sink.Take(span);
+        }
     }
 }

@@ -13,20 +13,33 @@ internal abstract class CrowdGroup
     /// <param name="others">Takes the models of which nothing is known.</param>
     public abstract void AddTo(GrowingArray<CrowdMember> members, List<int> others, Outlines outlines, int group);
 
+    /// <summary>Puts the shapes into the order of the members.</summary>
+    public abstract void Arrange(CrowdMember[] members, int group);
+
     /// <summary>Lets the rays of a part meet the shapes, the nearest first.</summary>
     /// <param name="part">The part.</param>
     /// <param name="members">All members of the crowd.</param>
-    /// <param name="order">Those that may show in the part.</param>
-    /// <param name="next">Where in this order to begin.</param>
-    /// <returns>Where the next group's member comes; the end of the order where all that follow are hidden.</returns>
-    public abstract int Meet(CrowdPart part, CrowdMember[] members, ReadOnlySpan<int> order, int next);
+    /// <param name="order">Those that may show in the part; the first is one of this group.</param>
+    /// <returns>The rest of the order, from the next group's member on; nothing where all that follow are hidden.</returns>
+    public abstract ReadOnlySpan<(int Member, float NearestOfRest)> Meet(
+        CrowdPart part, CrowdMember[] members, ReadOnlySpan<(int Member, float NearestOfRest)> order);
 }
 
 /// <inheritdoc/>
 /// <typeparam name="P">The kind of shape.</typeparam>
-internal sealed class CrowdGroup<P>(ClipRange clip) : CrowdGroup where P : struct, IPrimitive
+internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
 {
-    private readonly GrowingArray<(P Shape, int Model)> shapes = new();
+    private readonly ClipRange clip;
+    private readonly GrowingArray<(P Shape, int Model)> shapes = new(); // as they came
+    private (P Shape, int Model)[] arranged = [];
+
+    /// <param name="clip">Which hits count.</param>
+    /// <param name="most">There are not more shapes than this.</param>
+    public CrowdGroup(ClipRange clip, int most)
+    {
+        this.clip = clip;
+        shapes.Reserve(most);
+    }
 
     /// <summary>Adds a shape and the place of its model in the scene.</summary>
     public void Add(in P shape, int model) => shapes.Add((shape, model));
@@ -75,38 +88,54 @@ internal sealed class CrowdGroup<P>(ClipRange clip) : CrowdGroup where P : struc
     }
 
     /// <inheritdoc/>
-    public override int Meet(CrowdPart part, CrowdMember[] members, ReadOnlySpan<int> order, int next) => Vector512.IsHardwareAccelerated
-        ? Meet<WidePacket>(part, members, order, next)
-        : Meet<Packet>(part, members, order, next);
-
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private int Meet<N>(CrowdPart part, CrowdMember[] members, ReadOnlySpan<int> order, int next) where N : struct, IPacket<N>
+    public override void Arrange(CrowdMember[] members, int group)
     {
         var all = shapes.Items;
-        var rows = part.Rows;
-        var tile = part.Tile;
-        var group = members[order[next]].Group;
-        for (; next < order.Length; next++)
+        arranged = GC.AllocateUninitializedArray<(P, int)>(all.Length);
+        var count = 0;
+        foreach (ref var member in members.AsSpan())
         {
-            ref readonly var member = ref members[order[next]];
-            if (member.Group != group) return next;
-            if (part.Hides<N>(member.NearestOfRest)) return order.Length;
-            var nearest = RaySpan.All<N>(member.Nearest);
-            var (first, end) = (Math.Max(member.Left - tile.Column, 0) / N.Count * N.Count, Math.Min(member.Right, tile.EndColumn) - tile.Column);
-            var (row, endRow) = (Math.Max(member.Bottom - tile.Row, 0), Math.Min(member.Top, tile.EndRow) - tile.Row);
-            ref readonly var it = ref all[member.Place];
-            var shape = it.Shape; // a local, so that its constants stay in registers
-            if (end - first > tile.Width / 2 && endRow - row > tile.Height / 2 && part.Hides(clip.First(shape.Cross(part.Rays.Rays), part.Rays.ZPerT))) continue;
-            for (; row < endRow; row++)
-            {
-                var span = rows[row];
-                for (var i = first; i < end; i += N.Count)
-                {
-                    if (N.All(span.NearestAt<N>(i) < nearest)) continue; // hidden
-                    span.Keep(i, span.First(i, shape.Cross(span.RaysAt<N>(i))), it.Model);
-                }
-            }
+            if (member.Group != group) continue;
+            arranged[count] = all[member.Place];
+            member.Place = count++;
         }
-        return next;
+        shapes.Free();
     }
+
+    /// <inheritdoc/>
+    public override ReadOnlySpan<(int Member, float NearestOfRest)> Meet(
+        CrowdPart part, CrowdMember[] members, ReadOnlySpan<(int Member, float NearestOfRest)> order) => Vector512.IsHardwareAccelerated
+        ? Meet<WidePacket>(part, members, order)
+        : Meet<Packet>(part, members, order);
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private ReadOnlySpan<(int Member, float NearestOfRest)> Meet<N>(
+        CrowdPart part, CrowdMember[] members, ReadOnlySpan<(int Member, float NearestOfRest)> order) where N : struct, IPacket<N>
+    {
+        var group = members[order[0].Member].Group;
+        for (var i = 0; i < order.Length; i++)
+        {
+            ref readonly var member = ref members[order[i].Member];
+            if (member.Group != group) return order[i..];
+            if (part.Hides<N>(order[i].NearestOfRest)) return default;
+            ref readonly var it = ref arranged[member.Place];
+            if (part.IsMostlyCoveredBy(member) && part.Hides(Range(it.Shape, part.AllRays))) continue;
+            var packets = part.PacketsOf<N>(member);
+            if (packets.Length > 0) Meet<N>(it.Shape, it.Model, part, packets);
+        }
+        return default;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
+    private void Meet<N>(P shape, int model, CrowdPart part, ReadOnlySpan<int> packets) where N : struct, IPacket<N>
+    {
+        var (range, rays, hits) = (clip, part.Rays, part.Hits); // locals, as the shape is, so that their constants stay in registers
+        var index = RaySpan.All<N>(model);
+        foreach (var i in packets) hits.Keep(i, range.First(shape.Cross(rays.At<N>(i)), rays.ZPerTAt<N>(i)), index);
+    }
+
+    /// <summary>Where all hits in a part lie.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)] // its many numbers would crowd out those of the loop
+    private Interval Range(in P shape, TileRays rays) => clip.First(shape.Cross(rays.Rays), rays.ZPerT);
 }

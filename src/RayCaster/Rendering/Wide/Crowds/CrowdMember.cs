@@ -1,9 +1,6 @@
-using System.Runtime.InteropServices;
-
 namespace RayCaster;
 
-/// <summary>What is known of a model of a crowd before its formula is asked; two of them fill a line of the cache.</summary>
-[StructLayout(LayoutKind.Sequential)]
+/// <summary>What is known of a model of a crowd before its formula is asked.</summary>
 internal struct CrowdMember
 {
     /// <summary>The pixels where it may show: columns from Left and rows from Bottom, the ends not included.</summary>
@@ -11,9 +8,6 @@ internal struct CrowdMember
 
     /// <summary>None of its hits is nearer.</summary>
     public float Nearest;
-
-    /// <summary>No hit of this and of all members that come later is nearer.</summary>
-    public float NearestOfRest;
 
     /// <summary>Its group, and its place there.</summary>
     public int Group, Place;

@@ -72,13 +72,9 @@ internal sealed class Outlines
     {
         if (!(isOutside[i] == 0)) return false;
         if (isInFront[i] == 0 || !double.IsFinite(left[i] + right[i] + bottom[i] + top[i] + nearest[i])) return null;
-        (member.Left, member.Right) = (First(left[i], camera.Width), End(right[i], camera.Width));
-        (member.Bottom, member.Top) = (First(bottom[i], camera.Height), End(top[i], camera.Height));
+        (member.Left, member.Right, member.Bottom, member.Top) = ((int)left[i], (int)right[i], (int)bottom[i], (int)top[i]);
         member.Nearest = MathF.BitDecrement((float)Math.Clamp(nearest[i], float.Epsilon, float.MaxValue));
         return member.Left < member.Right && member.Bottom < member.Top;
-
-        static int First(double pixel, int pixels) => (int)Math.Clamp(Math.Ceiling(pixel - Margin), 0, pixels);
-        static int End(double pixel, int pixels) => (int)Math.Clamp(Math.Floor(pixel + Margin) + 1, 0, pixels);
     }
 
     /// <summary>Where a ball is seen: slopes s of the lines through the eye that touch it, (x − s z)² = r² (1 + s²).</summary>
@@ -96,10 +92,10 @@ internal sealed class Outlines
             Nearest = distance - r,
             IsOutside = IsOutside(x, y, z, r),
             IsInFront = 0.999 * z > r, // so that the difference of squares keeps its digits
-            Left = Column((x * z - rootX) / difference),
-            Right = Column((x * z + rootX) / difference),
-            Bottom = Row((y * z - rootY) / difference),
-            Top = Row((y * z + rootY) / difference),
+            Left = Column((x * z - rootX) / difference, -Margin),
+            Right = Column((x * z + rootX) / difference, Margin),
+            Bottom = Row((y * z - rootY) / difference, -Margin),
+            Top = Row((y * z + rootY) / difference, Margin),
         };
     }
 
@@ -120,10 +116,10 @@ internal sealed class Outlines
             Nearest = N.Sqrt(gap * gap),
             IsOutside = IsOutside(x, y, z, N.Sqrt(half * half)),
             IsInFront = front > 0,
-            Left = Column((x - halfX) / N.Select(x < halfX, front, back)),
-            Right = Column((x + halfX) / N.Select(x < -halfX, back, front)),
-            Bottom = Row((y - halfY) / N.Select(y < halfY, front, back)),
-            Top = Row((y + halfY) / N.Select(y < -halfY, back, front)),
+            Left = Column((x - halfX) / N.Select(x < halfX, front, back), -Margin),
+            Right = Column((x + halfX) / N.Select(x < -halfX, back, front), Margin),
+            Bottom = Row((y - halfY) / N.Select(y < halfY, front, back), -Margin),
+            Top = Row((y + halfY) / N.Select(y < -halfY, back, front), Margin),
         };
     }
 
@@ -151,12 +147,15 @@ internal sealed class Outlines
         | (leftmost * z - x > radius * lengthLeft) | (x - rightmost * z > radius * lengthRight)
         | (lowest * z - y > radius * lengthLow) | (y - topmost * z > radius * lengthTop);
 
-    /// <summary>The column of a slope. The sample of column c lies at u = planeWidth · c / width − planeWidth / 2, half a pixel further for centres.</summary>
+    /// <summary>The column of a slope, rounded up when it is truncated, and within the picture.</summary>
+    /// <remarks>The sample of column c lies at u = planeWidth · c / width − planeWidth / 2, half a pixel further for centres.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private N Column<N>(N slope) where N : struct, IReal<N> => (slope / camera.PlaneWidth + 0.5) * camera.Width - sample;
+    private N Column<N>(N slope, double margin) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneWidth + 0.5) * camera.Width + (margin + 1 - sample), 0), camera.Width);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private N Row<N>(N slope) where N : struct, IReal<N> => (slope / camera.PlaneHeight + 0.5) * camera.Height - sample;
+    private N Row<N>(N slope, double margin) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneHeight + 0.5) * camera.Height + (margin + 1 - sample), 0), camera.Height);
 
     /// <summary>Half the size of a box along an axis of any direction.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

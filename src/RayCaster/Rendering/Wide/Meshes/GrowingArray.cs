@@ -25,6 +25,12 @@ internal sealed class GrowingArray<T> where T : struct
         items[count++] = item;
     }
 
+    /// <summary>Makes room for so many, so that they need not be moved while there come more.</summary>
+    public void Reserve(int capacity)
+    {
+        if (capacity > items.Length) Move(capacity);
+    }
+
     /// <summary>Removes all; the memory stays.</summary>
     public void Clear() => count = 0;
 
@@ -36,9 +42,11 @@ internal sealed class GrowingArray<T> where T : struct
     }
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Grow()
+    private void Grow() => Move(Math.Max(LeastLength, 2 * count));
+
+    private void Move(int capacity)
     {
-        var larger = ArrayPool<T>.Shared.Rent(Math.Max(LeastLength, 2 * count));
+        var larger = ArrayPool<T>.Shared.Rent(capacity);
         Items.CopyTo(larger);
         var kept = count;
         Free();

@@ -1,0 +1,78 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace RayCaster;
+
+/// <summary>
+/// Finds the members that may show in a part of the picture. There are several grids, each of cells four times as wide and high as the one before, and a member lies in
+/// the finest one whose cells are not smaller than its rectangle, in the cell of the rectangle's lower left corner. So what shows in a part has its
+/// corner in the part's cell, or in the one to the left, below, or both; and each member has one place, however large it is.
+/// </summary>
+/// <remarks>Members that show near each other lie near each other in memory; in the order of the scene, a part would wait for each of them.</remarks>
+internal sealed class CrowdGrid
+{
+    private readonly Level[] levels;
+    private int[] starts = []; // of each cell of each grid the first member; one more at the end
+
+    public CrowdGrid(Camera camera)
+    {
+        var (created, first, side) = (new List<Level>(), 0, BitOperations.Log2(CrowdPart.Side));
+        do
+        {
+            var level = new Level(first, side, (camera.Width - 1 >> side) + 1, (camera.Height - 1 >> side) + 1);
+            created.Add(level);
+            first += level.Across * level.Up;
+            side += 2;
+        }
+        while (created[^1].Across > 1 || created[^1].Up > 1);
+        levels = [.. created];
+        starts = new int[first + 1];
+    }
+
+    /// <summary>The members in the order of their cells.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public CrowdMember[] Sort(ReadOnlySpan<CrowdMember> members)
+    {
+        // While it is counted, cell i's members are at i + 1, and while they are placed, its next free place is at i.
+        foreach (ref readonly var member in members) starts[CellOf(member) + 1]++;
+        for (var i = 1; i < starts.Length; i++) starts[i] += starts[i - 1];
+        var sorted = GC.AllocateUninitializedArray<CrowdMember>(members.Length);
+        foreach (ref readonly var member in members) sorted[starts[CellOf(member)]++] = member;
+        Array.Copy(starts, 0, starts, 1, starts.Length - 1);
+        starts[0] = 0;
+        return sorted;
+    }
+
+    /// <summary>Finds the members of the cells that have all that may show in a tile, and more.</summary>
+    /// <param name="tile">The tile.</param>
+    /// <param name="ranges">Takes them.</param>
+    public void Find(in Tile tile, GrowingArray<(int First, int End)> ranges)
+    {
+        ranges.Clear();
+        foreach (ref readonly var level in levels.AsSpan())
+        {
+            var (left, right) = (Math.Max((tile.Column >> level.Side) - 1, 0), tile.EndColumn - 1 >> level.Side);
+            var (bottom, top) = (Math.Max((tile.Row >> level.Side) - 1, 0), tile.EndRow - 1 >> level.Side);
+            for (var y = bottom; y <= top; y++)
+            {
+                var row = level.First + y * level.Across;
+                var (first, end) = (starts[row + left], starts[row + right + 1]);
+                if (first < end) ranges.Add((first, end));
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int CellOf(in CrowdMember member)
+    {
+        var size = Math.Max(member.Right - member.Left, member.Top - member.Bottom);
+        ref readonly var level = ref levels[size <= CrowdPart.Side ? 0 : BitOperations.Log2((uint)(size - 1) / CrowdPart.Side) / 2 + 1];
+        return level.First + (member.Bottom >> level.Side) * level.Across + (member.Left >> level.Side);
+    }
+
+    /// <param name="First">The number of the first cell.</param>
+    /// <param name="Side">The logarithm of a cell's side in pixels.</param>
+    /// <param name="Across">Cells side by side.</param>
+    /// <param name="Up">Cells one upon another.</param>
+    private readonly record struct Level(int First, int Side, int Across, int Up);
+}
