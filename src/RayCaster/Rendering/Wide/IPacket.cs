@@ -13,6 +13,9 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>Whether a mask holds in every lane.</summary>
     static abstract bool All(N mask);
 
+    /// <summary>A bit for each lane of a mask, the first lane's the lowest.</summary>
+    static abstract uint Bits(N mask);
+
     /// <summary>The greatest of the lanes.</summary>
     static abstract double Greatest(N a);
 

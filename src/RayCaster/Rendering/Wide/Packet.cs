@@ -71,6 +71,9 @@ internal readonly struct Packet(Vector256<double> lanes) : IPacket<Packet>
     public static bool All(Packet mask) => mask.Lanes.ExtractMostSignificantBits() == (1 << Vector256<double>.Count) - 1;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static uint Bits(Packet mask) => mask.Lanes.ExtractMostSignificantBits();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(Packet a)
     {
         var pairs = Vector128.Max(a.Lanes.GetLower(), a.Lanes.GetUpper());

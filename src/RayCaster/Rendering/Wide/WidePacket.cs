@@ -70,6 +70,9 @@ internal readonly struct WidePacket(Vector512<double> lanes) : IPacket<WidePacke
     public static bool All(WidePacket mask) => mask.Lanes.ExtractMostSignificantBits() == (1UL << Vector512<double>.Count) - 1;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static uint Bits(WidePacket mask) => (uint)mask.Lanes.ExtractMostSignificantBits();
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(WidePacket a) => Packet.Greatest(new(Vector256.Max(a.Lanes.GetLower(), a.Lanes.GetUpper())));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>
@@ -6,6 +8,9 @@ namespace RayCaster;
 /// </summary>
 internal sealed class Crowd(Camera camera, int mostMembers)
 {
+    /// <summary>For so many pixels at once it pays to ask a formula first whether all its hits are hidden.</summary>
+    private const int ManyPixels = CrowdPart.Side * CrowdPart.Side / 2;
+
     private readonly List<CrowdGroup> groups = [];
     private readonly CrowdGrid grid = new(camera);
     private CrowdMember[] members = []; // in the order of the grid's cells
@@ -61,8 +66,24 @@ internal sealed class Crowd(Camera camera, int mostMembers)
     }
 
     /// <summary>Lets the rays of a part meet members, in their order.</summary>
-    public void Meet(CrowdPart part, ReadOnlySpan<(int Member, float NearestOfRest)> order)
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void Meet<N>(CrowdPart part, ReadOnlySpan<(int Member, float NearestOfRest)> order) where N : struct, IPacket<N>
     {
-        while (order.Length > 0) order = groups[members[order[0].Member].Group].Meet(part, members, order);
+        var batch = new CrowdBatch();
+        for (; order.Length > 0 && !part.Hides<N>(order[0].NearestOfRest); order = order[Math.Min(order.Length, CrowdBatch.Count)..])
+        {
+            var count = 0;
+            foreach (var (i, _) in order[..Math.Min(order.Length, CrowdBatch.Count)])
+            {
+                ref readonly var member = ref members[i];
+                var packets = part.List<N>(member.Sides, member.Nearest);
+                if ((packets.End - packets.First) * N.Count > ManyPixels
+                    && part.Hides<N>(groups[member.Group].Range(member.Place, part.AllRays).Lo)) continue;
+                batch[count] = (groups[member.Group], member.Place, packets, member.IsClear);
+                count += packets.First < packets.End ? 1 : 0;
+            }
+            foreach (var (group, place, packets, isClear) in batch[..count]) group.Meet(place, part, part.Listed(packets), isClear);
+            part.Refresh<N>();
+        }
     }
 }

@@ -42,7 +42,8 @@ internal sealed class CrowdCaster(Crowd crowd, Camera camera)
             part.Take<N>(span);
         }
         crowd.Sort(tile, order);
-        crowd.Meet(part, order.Sorted);
+        part.RefreshAll<N>();
+        crowd.Meet<N>(part, order.Sorted);
         for (var row = tile.Row; row < tile.EndRow; row++)
         {
             span.Clear<N>(row);

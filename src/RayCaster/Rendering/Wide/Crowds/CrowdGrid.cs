@@ -65,9 +65,10 @@ internal sealed class CrowdGrid
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int CellOf(in CrowdMember member)
     {
-        var size = Math.Max(member.Right - member.Left, member.Top - member.Bottom);
+        var (left, bottom) = (member.Sides.Left, member.Sides.Bottom);
+        var size = Math.Max(member.Sides.Right - left, member.Sides.Top - bottom);
         ref readonly var level = ref levels[size <= CrowdPart.Side ? 0 : BitOperations.Log2((uint)(size - 1) / CrowdPart.Side) / 2 + 1];
-        return level.First + (member.Bottom >> level.Side) * level.Across + (member.Left >> level.Side);
+        return level.First + (bottom >> level.Side) * level.Across + (left >> level.Side);
     }
 
     /// <param name="First">The number of the first cell.</param>

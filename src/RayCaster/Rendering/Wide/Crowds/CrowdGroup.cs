@@ -16,13 +16,17 @@ internal abstract class CrowdGroup
     /// <summary>Puts the shapes into the order of the members.</summary>
     public abstract void Arrange(CrowdMember[] members, int group);
 
-    /// <summary>Lets the rays of a part meet the shapes, the nearest first.</summary>
+    /// <summary>Where all hits of a shape in a part lie.</summary>
+    /// <param name="place">Which shape.</param>
+    /// <param name="rays">The rays of the part.</param>
+    public abstract Interval Range(int place, TileRays rays);
+
+    /// <summary>Lets rays meet a shape.</summary>
+    /// <param name="place">Which shape.</param>
     /// <param name="part">The part.</param>
-    /// <param name="members">All members of the crowd.</param>
-    /// <param name="order">Those that may show in the part; the first is one of this group.</param>
-    /// <returns>The rest of the order, from the next group's member on; nothing where all that follow are hidden.</returns>
-    public abstract ReadOnlySpan<(int Member, float NearestOfRest)> Meet(
-        CrowdPart part, CrowdMember[] members, ReadOnlySpan<(int Member, float NearestOfRest)> order);
+    /// <param name="packets">Which packets of the part.</param>
+    /// <param name="isClear">Whether all hits count, so that nobody needs to ask.</param>
+    public abstract void Meet(int place, CrowdPart part, ReadOnlySpan<int> packets, bool isClear);
 }
 
 /// <inheritdoc/>
@@ -104,38 +108,37 @@ internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
     }
 
     /// <inheritdoc/>
-    public override ReadOnlySpan<(int Member, float NearestOfRest)> Meet(
-        CrowdPart part, CrowdMember[] members, ReadOnlySpan<(int Member, float NearestOfRest)> order) => Vector512.IsHardwareAccelerated
-        ? Meet<WidePacket>(part, members, order)
-        : Meet<Packet>(part, members, order);
+    public override Interval Range(int place, TileRays rays) => clip.First(arranged[place].Shape.Cross(rays.Rays), rays.ZPerT);
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private ReadOnlySpan<(int Member, float NearestOfRest)> Meet<N>(
-        CrowdPart part, CrowdMember[] members, ReadOnlySpan<(int Member, float NearestOfRest)> order) where N : struct, IPacket<N>
+    /// <inheritdoc/>
+    public override void Meet(int place, CrowdPart part, ReadOnlySpan<int> packets, bool isClear)
     {
-        var group = members[order[0].Member].Group;
-        for (var i = 0; i < order.Length; i++)
-        {
-            ref readonly var member = ref members[order[i].Member];
-            if (member.Group != group) return order[i..];
-            if (part.Hides<N>(order[i].NearestOfRest)) return default;
-            ref readonly var it = ref arranged[member.Place];
-            if (part.IsMostlyCoveredBy(member) && part.Hides(Range(it.Shape, part.AllRays))) continue;
-            var packets = part.PacketsOf<N>(member);
-            if (packets.Length > 0) Meet<N>(it.Shape, it.Model, part, packets);
-        }
-        return default;
+        ref readonly var it = ref arranged[place];
+        if (Vector512.IsHardwareAccelerated && isClear) MeetClear<WidePacket>(it.Shape, it.Model, part, packets);
+        else if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(it.Shape, it.Model, part, packets);
+        else if (isClear) MeetClear<Packet>(it.Shape, it.Model, part, packets);
+        else Meet<Packet>(it.Shape, it.Model, part, packets);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Meet<N>(P shape, int model, CrowdPart part, ReadOnlySpan<int> packets) where N : struct, IPacket<N>
     {
         var (range, rays, hits) = (clip, part.Rays, part.Hits); // locals, as the shape is, so that their constants stay in registers
-        var index = RaySpan.All<N>(model);
-        foreach (var i in packets) hits.Keep(i, range.First(shape.Cross(rays.At<N>(i)), rays.ZPerTAt<N>(i)), index);
+        var (origin, index) = (rays.Origin<N>(), RaySpan.All<N>(model));
+        foreach (var i in packets)
+            hits.Keep(i, range.First(shape.Cross(new Ray<N>(origin, rays.DirectionsAt<N>(i))), rays.ZPerTAt<N>(i)), index);
     }
 
-    /// <summary>Where all hits in a part lie.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)] // its many numbers would crowd out those of the loop
-    private Interval Range(in P shape, TileRays rays) => clip.First(shape.Cross(rays.Rays), rays.ZPerT);
+    /// <summary>The same without the question which crossings count, which costs about as much as the formula of a sphere.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private static void MeetClear<N>(P shape, int model, CrowdPart part, ReadOnlySpan<int> packets) where N : struct, IPacket<N>
+    {
+        var (rays, hits) = (part.Rays, part.Hits);
+        var (origin, index) = (rays.Origin<N>(), RaySpan.All<N>(model));
+        foreach (var i in packets)
+        {
+            var crossings = shape.Cross(new Ray<N>(origin, rays.DirectionsAt<N>(i)));
+            hits.Keep(i, N.Or(crossings.Near, crossings.Far), index);
+        }
+    }
 }

@@ -36,14 +36,12 @@ internal sealed class CrowdOrder
             Array.Resize(ref listed, 2 * (count + end - first));
             sorted = new (int, float)[listed.Length];
         }
-        var (left, right, bottom, top, n) = (part.Column, part.EndColumn, part.Row, part.EndRow, count);
+        var (sides, n) = (new Sides(part), count);
         for (var i = first; i < end; i++)
         {
             ref readonly var member = ref members[i];
             listed[n] = (i, BitConverter.SingleToInt32Bits(member.Nearest));
-            // Negative where it is beside the part; without a branch, since whether it is cannot be foretold.
-            var beside = (member.Right - 1 - left) | (right - 1 - member.Left) | (member.Top - 1 - bottom) | (top - 1 - member.Bottom);
-            n += 1 + (beside >> 31);
+            n += sides.And(member.Sides).HasPixels ? 1 : 0; // without a branch, since it cannot be foretold
         }
         count = n;
     }

@@ -1,24 +1,26 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>One thread's part of the picture in which members of a crowd are looked for: its rays, and the nearest hits so far.</summary>
+/// <summary>One thread's part of the picture in which members of a crowd are looked for: its rays, the nearest hits so far, and where they hide what.</summary>
 /// <remarks>
-/// The numbers of row y begin at y · Side. Most members that are looked at are hidden, wholly or in part, and it cannot be foretold where: so the packets
-/// to ask the formula about are listed first, without a branch, and then asked without one.
+/// Most members that are looked at are hidden, wholly or in part, and it cannot be foretold where. So the packets to ask a formula about are listed
+/// first, for some members at a time and without branches, and then asked without any: that way neither waits for the other.
 /// </remarks>
 internal sealed class CrowdPart(Camera camera)
 {
     /// <summary>The most columns and rows. Its rays and hits, 48 bytes a pixel, should stay in the first-level cache.</summary>
     public const int Side = 32;
 
-    /// <summary>After how many questions the farthest hit is looked for anew.</summary>
-    private const int Patience = 8;
+    private const int BlockSide = 8, BlocksAcross = Side / BlockSide, Blocks = BlocksAcross * BlocksAcross;
 
-    private readonly int[] packets = new int[Side * Side + 1];
+    private readonly int[] packets = new int[Blocks * BlockSide * BlockSide / 4 * CrowdBatch.Count];
+    private readonly double[] farthest = new double[Blocks]; // the greatest t of the nearest hits in each block
     private Tile tile;
-    private double farthest;
-    private int patience;
+    private Sides sides;
+    private int count;
+    private uint touched; // blocks with packets listed
 
     /// <summary>All its rays at once.</summary>
     public TileRays AllRays { get; } = new(camera);
@@ -32,11 +34,13 @@ internal sealed class CrowdPart(Camera camera)
     /// <summary>Goes to another part.</summary>
     public void Enter(in Tile tile)
     {
-        (this.tile, farthest, patience) = (tile, double.PositiveInfinity, 0);
+        (this.tile, sides) = (tile, new(tile));
         AllRays.Aim(tile);
+        if (tile.Area < Side * Side) Hits.Fill(double.NegativeInfinity); // what lies beyond the picture is hidden
     }
 
     /// <summary>Takes over the rays of a row, and their hits.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Take<N>(RaySpan span) where N : struct, IPacket<N>
     {
         var row = (span.Row - tile.Row) * Side;
@@ -45,118 +49,94 @@ internal sealed class CrowdPart(Camera camera)
             Rays.Set(row + i, span.RaysAt<N>(i).Direction, span.ZPerTAt<N>(i));
             Hits.Set(row + i, span.NearestAt<N>(i), span.ModelsAt<N>(i));
         }
+        if (tile.Width < Side) Hits.Fill(row + tile.Width, Side - tile.Width, double.NegativeInfinity);
     }
 
     /// <summary>Gives the hits of a row back.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Give<N>(RaySpan span) where N : struct, IPacket<N>
     {
         var row = (span.Row - tile.Row) * Side;
         for (var i = 0; i < tile.Width; i += N.Count) span.Set(i, Hits.NearestAt<N>(row + i), Hits.ModelsAt<N>(row + i));
     }
 
-    /// <summary>Whether a good part of the pixels lies in a member's rectangle.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool IsMostlyCoveredBy(in CrowdMember member) =>
-        2 * (Math.Min(member.Right, tile.EndColumn) - Math.Max(member.Left, tile.Column)) > Side
-        && 2 * (Math.Min(member.Top, tile.EndRow) - Math.Max(member.Bottom, tile.Row)) > Side;
+    /// <summary>Whether all pixels have a hit nearer than this.</summary>
+    public bool Hides<N>(double nearest) where N : struct, IPacket<N> => Visible<N>(nearest) == 0;
 
-    /// <summary>The packets in a member's rectangle where not all hits so far are nearer than it.</summary>
+    /// <summary>Forgets the packets that are listed, and finds out how far the hits reach now that they have been asked.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public ReadOnlySpan<int> PacketsOf<N>(in CrowdMember member) where N : struct, IPacket<N>
+    public void Refresh<N>() where N : struct, IPacket<N>
     {
-        var (first, end) = (Math.Max(member.Left - tile.Column, 0) / N.Count * N.Count, Math.Min(member.Right, tile.EndColumn) - tile.Column);
-        var (row, endRow) = (Math.Max(member.Bottom - tile.Row, 0) * Side, (Math.Min(member.Top, tile.EndRow) - tile.Row) * Side);
-        var nearest = RaySpan.All<N>(member.Nearest);
-        var (count, hits, packets) = (0, Hits, this.packets);
-        for (; row < endRow; row += Side)
+        for (; touched != 0; touched &= touched - 1) Measure<N>(BitOperations.TrailingZeroCount(touched));
+        count = 0;
+    }
+
+    /// <summary>Finds out how far the hits reach everywhere.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void RefreshAll<N>() where N : struct, IPacket<N>
+    {
+        for (var block = 0; block < Blocks; block++) Measure<N>(block);
+        (count, touched) = (0, 0);
+    }
+
+    /// <summary>Lists the packets in a member's rectangle where not all hits so far are nearer than it.</summary>
+    /// <returns>Where in the list they are.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public (int First, int End) List<N>(Sides member, float nearest) where N : struct, IPacket<N>
+    {
+        var first = count;
+        var shared = sides.And(member);
+        var (left, right) = (shared.Left - tile.Column, shared.Right - 1 - tile.Column);
+        var (bottom, top) = (shared.Bottom - tile.Row, shared.Top - 1 - tile.Row);
+        var columns = (2u << (right / BlockSide)) - (1u << (left / BlockSide)); // a bit for each block
+        var rows = (uint)((2UL << top) - (1UL << bottom));                      // a bit for each row
+        var inRows = (2u << (top / BlockSide)) - (1u << (bottom / BlockSide));
+        var blocks = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible<N>(nearest);
+        touched |= blocks;
+        var least = RaySpan.All<N>(nearest);
+        var (hits, packets, end) = (Hits, this.packets, first);
+        for (; blocks != 0; blocks &= blocks - 1)
         {
-            for (var i = row + first; i < row + end; i += N.Count)
+            var block = BitOperations.TrailingZeroCount(blocks);
+            var i = Corner(block);
+            var inBlock = rows >> (block / BlocksAcross * BlockSide);
+            for (var y = 0; y < BlockSide; y++, i += Side, inBlock >>= 1)
             {
-                packets[count] = i;
-                count += N.All(hits.NearestAt<N>(i) < nearest) ? 0 : 1;
+                for (var x = 0; x < BlockSide; x += N.Count)
+                {
+                    packets[end] = i + x;
+                    end += (N.All(hits.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
+                }
             }
         }
-        return packets.AsSpan(0, count);
+        count = end;
+        return (first, end);
     }
 
-    /// <summary>Whether all pixels have a hit nearer than this; asked once for each member.</summary>
+    /// <summary>Packets that have been listed.</summary>
+    public ReadOnlySpan<int> Listed((int First, int End) range) => packets.AsSpan(range.First, range.End - range.First);
+
+    /// <summary>A bit for each block: whether it has pixels whose nearest hit is not nearer than this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool Hides<N>(double nearest) where N : struct, IPacket<N>
+    private uint Visible<N>(double nearest) where N : struct, IPacket<N>
     {
-        if (--patience < 0) FindFarthest<N>();
-        return nearest > farthest;
+        var (least, bits) = (RaySpan.All<N>(nearest), 0u);
+        for (var i = 0; i < Blocks; i += N.Count) bits |= N.Bits(N.Load(farthest, i) >= least) << i;
+        return bits;
     }
 
-    /// <summary>The same for a range of hits.</summary>
-    public bool Hides(Interval hit) => hit.Lo > farthest; // so is nothing, from +∞ on
-
-    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private void FindFarthest<N>() where N : struct, IPacket<N>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Measure<N>(int block) where N : struct, IPacket<N>
     {
-        patience = Patience;
-        var most = RaySpan.All<N>(0);
-        for (var row = 0; row < tile.Height * Side; row += Side)
-            for (var i = row; i < row + tile.Width; i += N.Count)
-                most = N.Max(most, Hits.NearestAt<N>(i));
-        farthest = N.Greatest(most);
-    }
-}
-
-/// <summary>The rays of a part; the numbers of each row begin at a multiple of <see cref="CrowdPart.Side"/>.</summary>
-internal readonly struct CrowdRays(Vector3 origin)
-{
-    private readonly Vector3 origin = origin;
-    private readonly double[] x = new double[Length], y = new double[Length], z = new double[Length], zPerT = new double[Length];
-
-    private const int Length = CrowdPart.Side * CrowdPart.Side;
-
-    /// <summary>The rays of a packet.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Ray<N> At<N>(int packet) where N : struct, IPacket<N> =>
-        new(origin, new Vector3<N>(N.Load(x, packet), N.Load(y, packet), N.Load(z, packet)));
-
-    /// <summary>What their z gains for one unit of t.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N ZPerTAt<N>(int packet) where N : struct, IPacket<N> => N.Load(zPerT, packet);
-
-    /// <summary>Sets both.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Set<N>(int packet, Vector3<N> direction, N zPerT) where N : struct, IPacket<N>
-    {
-        direction.X.Store(x, packet);
-        direction.Y.Store(y, packet);
-        direction.Z.Store(z, packet);
-        zPerT.Store(this.zPerT, packet);
-    }
-}
-
-/// <summary>The nearest hits of these rays so far.</summary>
-internal readonly struct CrowdHits()
-{
-    private readonly double[] t = new double[CrowdPart.Side * CrowdPart.Side], models = new double[CrowdPart.Side * CrowdPart.Side];
-
-    /// <summary>The t of a packet's hits.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N NearestAt<N>(int packet) where N : struct, IPacket<N> => N.Load(t, packet);
-
-    /// <summary>Their models.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N ModelsAt<N>(int packet) where N : struct, IPacket<N> => N.Load(models, packet);
-
-    /// <summary>Sets both.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Set<N>(int packet, N nearest, N model) where N : struct, IPacket<N>
-    {
-        nearest.Store(t, packet);
-        model.Store(models, packet);
+        var i = Corner(block);
+        var most = Hits.NearestAt<N>(i);
+        for (var x = 0; x < BlockSide; x += N.Count)
+            for (var y = 0; y < BlockSide * Side; y += Side)
+                most = N.Max(most, Hits.NearestAt<N>(i + x + y));
+        farthest[block] = N.Greatest(most);
     }
 
-    /// <summary>Keeps the hits of a model that are nearer than all before; see <see cref="RaySpan.Keep"/>.</summary>
+    /// <summary>Where the numbers of a block begin.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Keep<N>(int packet, N hit, N model) where N : struct, IPacket<N>
-    {
-        var (nearest, first) = (NearestAt<N>(packet), ModelsAt<N>(packet));
-        var better = (hit < nearest) | (N.Equal(hit, nearest) & (model < first));
-        Set(packet, N.Select(better, hit, nearest), N.Select(better, model, first));
-    }
+    private static int Corner(int block) => block / BlocksAcross * BlockSide * Side + block % BlocksAcross * BlockSide;
 }

@@ -22,16 +22,17 @@ internal sealed class Outlines
     /// <summary>How far they reach from there: balls in every direction, boxes along each axis.</summary>
     public readonly double[] Radius = new double[Count], HalfX = new double[Count], HalfY = new double[Count], HalfZ = new double[Count];
 
-    private readonly double[] nearest = new double[Count], isOutside = new double[Count], isInFront = new double[Count];
+    private readonly double[] nearest = new double[Count], isOutside = new double[Count], isInFront = new double[Count], isClear = new double[Count];
     private readonly double[] left = new double[Count], right = new double[Count], bottom = new double[Count], top = new double[Count];
     private readonly Camera camera;
     private readonly double sample;
+    private readonly bool byDistance;
     private readonly double leftmost, rightmost, lowest, topmost; // slopes beyond which there is no pixel,
     private readonly double lengthLeft, lengthRight, lengthLow, lengthTop; // and how long (1, slope) is
 
     public Outlines(Camera camera)
     {
-        (this.camera, sample) = (camera, camera.Sample == Sample.Center ? 0.5 : 0);
+        (this.camera, sample, byDistance) = (camera, camera.Sample == Sample.Center ? 0.5 : 0, camera.Clip == Clip.Distance);
         (leftmost, lengthLeft) = Slope(-1, camera.PlaneWidth, camera.Width);
         (rightmost, lengthRight) = Slope(camera.Width + 1, camera.PlaneWidth, camera.Width);
         (lowest, lengthLow) = Slope(-1, camera.PlaneHeight, camera.Height);
@@ -72,9 +73,10 @@ internal sealed class Outlines
     {
         if (!(isOutside[i] == 0)) return false;
         if (isInFront[i] == 0 || !double.IsFinite(left[i] + right[i] + bottom[i] + top[i] + nearest[i])) return null;
-        (member.Left, member.Right, member.Bottom, member.Top) = ((int)left[i], (int)right[i], (int)bottom[i], (int)top[i]);
+        member.Sides = new((int)left[i], (int)bottom[i], (int)right[i], (int)top[i]);
+        member.IsClear = isClear[i] != 0;
         member.Nearest = MathF.BitDecrement((float)Math.Clamp(nearest[i], float.Epsilon, float.MaxValue));
-        return member.Left < member.Right && member.Bottom < member.Top;
+        return member.Sides.HasPixels;
     }
 
     /// <summary>Where a ball is seen: slopes s of the lines through the eye that touch it, (x − s z)² = r² (1 + s²).</summary>
@@ -91,6 +93,9 @@ internal sealed class Outlines
         {
             Nearest = distance - r,
             IsOutside = IsOutside(x, y, z, r),
+            IsClear = (distance - r > camera.Bias) & (byDistance
+                ? (distance - r >= camera.ZNear) & (distance + r <= camera.ZFar)
+                : (z - r >= camera.ZNear) & (z + r <= camera.ZFar)),
             IsInFront = 0.999 * z > r, // so that the difference of squares keeps its digits
             Left = Column((x * z - rootX) / difference, -Margin),
             Right = Column((x * z + rootX) / difference, Margin),
@@ -115,6 +120,7 @@ internal sealed class Outlines
         {
             Nearest = N.Sqrt(gap * gap),
             IsOutside = IsOutside(x, y, z, N.Sqrt(half * half)),
+            IsClear = 0, // a triangle that is seen edge-on may have a t outside of it
             IsInFront = front > 0,
             Left = Column((x - halfX) / N.Select(x < halfX, front, back), -Margin),
             Right = Column((x + halfX) / N.Select(x < -halfX, back, front), Margin),
@@ -128,6 +134,7 @@ internal sealed class Outlines
     {
         outline.Nearest.Store(nearest, i);
         outline.IsOutside.Store(isOutside, i);
+        outline.IsClear.Store(isClear, i);
         outline.IsInFront.Store(isInFront, i);
         outline.Left.Store(left, i);
         outline.Right.Store(right, i);
@@ -164,6 +171,6 @@ internal sealed class Outlines
 
     private ref struct Outline<N> where N : struct, IReal<N>
     {
-        public N Nearest, IsOutside, IsInFront, Left, Right, Bottom, Top;
+        public N Nearest, IsOutside, IsClear, IsInFront, Left, Right, Bottom, Top;
     }
 }
