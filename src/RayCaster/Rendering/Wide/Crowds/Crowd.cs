@@ -8,9 +8,6 @@ namespace RayCaster;
 /// </summary>
 internal sealed class Crowd(Camera camera, int mostMembers)
 {
-    /// <summary>For so many pixels at once it pays to ask a formula first whether all its hits are hidden.</summary>
-    private const int ManyPixels = CrowdPart.Side * CrowdPart.Side / 2;
-
     private readonly List<CrowdGroup> groups = [];
     private readonly CrowdGrid grid = new(camera);
     private CrowdMember[] members = []; // in the order of the grid's cells
@@ -77,8 +74,6 @@ internal sealed class Crowd(Camera camera, int mostMembers)
             {
                 ref readonly var member = ref members[i];
                 var packets = part.List<N>(member.Sides, member.Nearest);
-                if ((packets.End - packets.First) * N.Count > ManyPixels
-                    && part.Hides<N>(groups[member.Group].Range(member.Place, part.AllRays).Lo)) continue;
                 batch[count] = (groups[member.Group], member.Place, packets, member.IsClear);
                 count += packets.First < packets.End ? 1 : 0;
             }

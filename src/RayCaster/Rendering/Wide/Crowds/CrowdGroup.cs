@@ -16,11 +16,6 @@ internal abstract class CrowdGroup
     /// <summary>Puts the shapes into the order of the members.</summary>
     public abstract void Arrange(CrowdMember[] members, int group);
 
-    /// <summary>Where all hits of a shape in a part lie.</summary>
-    /// <param name="place">Which shape.</param>
-    /// <param name="rays">The rays of the part.</param>
-    public abstract Interval Range(int place, TileRays rays);
-
     /// <summary>Lets rays meet a shape.</summary>
     /// <param name="place">Which shape.</param>
     /// <param name="part">The part.</param>
@@ -106,9 +101,6 @@ internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
         }
         shapes.Free();
     }
-
-    /// <inheritdoc/>
-    public override Interval Range(int place, TileRays rays) => clip.First(arranged[place].Shape.Cross(rays.Rays), rays.ZPerT);
 
     /// <inheritdoc/>
     public override void Meet(int place, CrowdPart part, ReadOnlySpan<int> packets, bool isClear)

@@ -22,9 +22,6 @@ internal sealed class CrowdPart(Camera camera)
     private int count;
     private uint touched; // blocks with packets listed
 
-    /// <summary>All its rays at once.</summary>
-    public TileRays AllRays { get; } = new(camera);
-
     /// <summary>Its rays.</summary>
     public CrowdRays Rays { get; } = new(camera.Position);
 
@@ -35,7 +32,6 @@ internal sealed class CrowdPart(Camera camera)
     public void Enter(in Tile tile)
     {
         (this.tile, sides) = (tile, new(tile));
-        AllRays.Aim(tile);
         if (tile.Area < Side * Side) Hits.Fill(double.NegativeInfinity); // what lies beyond the picture is hidden
     }
 
