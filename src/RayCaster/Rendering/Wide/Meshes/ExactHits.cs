@@ -36,7 +36,7 @@ internal sealed class ExactHits(Camera camera, Vector3[] vertices, int[] indices
         count = 0;
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // never inlined: in a caller grown too large operators, silently, become calls
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // not inlined: in a caller grown too large operators, silently, become calls
     private Crossings<Packet> Cross(in Ray<Packet> rays, Vector128<int> triangleOfLane)
     {
         var any = Math.Max(Math.Max(triangleOfLane[0], triangleOfLane[1]), Math.Max(triangleOfLane[2], triangleOfLane[3]));
