@@ -59,7 +59,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
     /// <summary>Casts all rays; this thread is one of those that do.</summary>
     private void Cast(ISpanSink sink)
     {
-        var frame = new Frame(scene, threadCount);
+        using var frame = new Frame(scene, threadCount);
         var (across, up) = (Frame.TilesOf(camera.Width), Frame.TilesOf(camera.Height));
         var next = -1;
         Exception? failure = null;

@@ -76,6 +76,7 @@ internal sealed class BandQueue
         finally
         {
             foreach (var worker in workers) worker.Join();
+            frame.Dispose();
         }
     }
 

@@ -1,7 +1,7 @@
 namespace RayCaster;
 
 /// <summary>What all threads share that work on one picture: the models as the camera sees them, each by itself or as one of a crowd.</summary>
-internal sealed class Frame
+internal sealed class Frame : IDisposable
 {
     /// <summary>With fewer models a look at each of them is cheaper than a list for each part of the picture.</summary>
     private const int FewModels = 64;
@@ -38,6 +38,9 @@ internal sealed class Frame
 
     /// <summary>The other models; null where there are few.</summary>
     public Crowd? Crowd { get; }
+
+    /// <summary>Gives lent memory back when the picture is done.</summary>
+    public void Dispose() => Crowd?.Free();
 
     /// <summary>How many tiles lie side by side, or one upon another.</summary>
     public static int TilesOf(int pixels) => (pixels + Tile.MaxSide - 1) / Tile.MaxSide;

@@ -10,7 +10,7 @@ internal sealed class Crowd(Camera camera, int mostMembers)
 {
     private readonly List<CrowdGroup> groups = [];
     private readonly CrowdGrid grid = new(camera);
-    private CrowdMember[] members = []; // in the order of the grid's cells
+    private readonly GrowingArray<CrowdMember> members = new(); // in the order of the grid's cells
 
     /// <summary>Takes a shape, if it has bounds.</summary>
     /// <param name="shape">The shape.</param>
@@ -42,9 +42,9 @@ internal sealed class Crowd(Camera camera, int mostMembers)
         found.Reserve(mostMembers);
         var outlines = new Outlines(camera);
         for (var i = 0; i < groups.Count; i++) groups[i].AddTo(found, others, outlines, i);
-        members = grid.Sort(found.Items);
+        grid.Sort(found.Items, members);
         found.Free();
-        for (var i = 0; i < groups.Count; i++) groups[i].Arrange(members, i);
+        for (var i = 0; i < groups.Count; i++) groups[i].Arrange(members.Items, i);
         return others;
     }
 
@@ -59,7 +59,14 @@ internal sealed class Crowd(Camera camera, int mostMembers)
     public void Sort(in Tile part, CrowdOrder order)
     {
         grid.Find(part, order.Ranges);
-        order.Sort(members, part);
+        order.Sort(members.Items, part);
+    }
+
+    /// <summary>Gives the memory back; no more pictures can be drawn.</summary>
+    public void Free()
+    {
+        members.Free();
+        foreach (var group in groups) group.Free();
     }
 
     /// <summary>Lets the rays of a part meet members, in their order.</summary>
@@ -67,6 +74,7 @@ internal sealed class Crowd(Camera camera, int mostMembers)
     public void Meet<N>(CrowdPart part, ReadOnlySpan<(int Member, float NearestOfRest)> order) where N : struct, IPacket<N>
     {
         var batch = new CrowdBatch();
+        var members = this.members.Items;
         for (; order.Length > 0 && !part.Hides<N>(order[0].NearestOfRest); order = order[Math.Min(order.Length, CrowdBatch.Count)..])
         {
             var count = 0;

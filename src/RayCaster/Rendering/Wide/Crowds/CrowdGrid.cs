@@ -1,3 +1,4 @@
+using System.Buffers;
 using System.Numerics;
 using System.Runtime.CompilerServices;
 
@@ -29,18 +30,26 @@ internal sealed class CrowdGrid
         starts = new int[first + 1];
     }
 
-    /// <summary>The members in the order of their cells.</summary>
+    /// <summary>Sorts members by their cells.</summary>
+    /// <param name="members">The members.</param>
+    /// <param name="sorted">Takes them.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public CrowdMember[] Sort(ReadOnlySpan<CrowdMember> members)
+    public void Sort(ReadOnlySpan<CrowdMember> members, GrowingArray<CrowdMember> sorted)
     {
         // While it is counted, cell i's members are at i + 1, and while they are placed, its next free place is at i.
-        foreach (ref readonly var member in members) starts[CellOf(member) + 1]++;
+        var cells = ArrayPool<int>.Shared.Rent(members.Length);
+        for (var i = 0; i < members.Length; i++)
+        {
+            cells[i] = CellOf(members[i]);
+            starts[cells[i] + 1]++;
+        }
         for (var i = 1; i < starts.Length; i++) starts[i] += starts[i - 1];
-        var sorted = GC.AllocateUninitializedArray<CrowdMember>(members.Length);
-        foreach (ref readonly var member in members) sorted[starts[CellOf(member)]++] = member;
+        sorted.Resize(members.Length);
+        var places = sorted.Items;
+        for (var i = 0; i < members.Length; i++) places[starts[cells[i]]++] = members[i];
+        ArrayPool<int>.Shared.Return(cells);
         Array.Copy(starts, 0, starts, 1, starts.Length - 1);
         starts[0] = 0;
-        return sorted;
     }
 
     /// <summary>Finds the members of the cells that have all that may show in a tile, and more.</summary>

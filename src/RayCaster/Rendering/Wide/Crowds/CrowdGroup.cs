@@ -14,7 +14,10 @@ internal abstract class CrowdGroup
     public abstract void AddTo(GrowingArray<CrowdMember> members, List<int> others, Outlines outlines, int group);
 
     /// <summary>Puts the shapes into the order of the members.</summary>
-    public abstract void Arrange(CrowdMember[] members, int group);
+    public abstract void Arrange(Span<CrowdMember> members, int group);
+
+    /// <summary>Gives the memory back.</summary>
+    public abstract void Free();
 
     /// <summary>Lets rays meet a shape.</summary>
     /// <param name="place">Which shape.</param>
@@ -30,7 +33,7 @@ internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
 {
     private readonly ClipRange clip;
     private readonly GrowingArray<(P Shape, int Model)> shapes = new(); // as they came
-    private (P Shape, int Model)[] arranged = [];
+    private readonly GrowingArray<(P Shape, int Model)> arranged = new();
 
     /// <param name="clip">Which hits count.</param>
     /// <param name="most">There are not more shapes than this.</param>
@@ -88,24 +91,28 @@ internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public override void Arrange(CrowdMember[] members, int group)
+    public override void Arrange(Span<CrowdMember> members, int group)
     {
-        var all = shapes.Items;
-        arranged = GC.AllocateUninitializedArray<(P, int)>(all.Length);
+        arranged.Resize(shapes.Count);
+        var from = shapes.Items;
+        var to = arranged.Items;
         var count = 0;
-        foreach (ref var member in members.AsSpan())
+        foreach (ref var member in members)
         {
             if (member.Group != group) continue;
-            arranged[count] = all[member.Place];
+            to[count] = from[member.Place];
             member.Place = count++;
         }
         shapes.Free();
     }
 
     /// <inheritdoc/>
+    public override void Free() => arranged.Free();
+
+    /// <inheritdoc/>
     public override void Meet(int place, CrowdPart part, ReadOnlySpan<int> packets, bool isClear)
     {
-        ref readonly var it = ref arranged[place];
+        ref readonly var it = ref arranged.Items[place];
         if (Vector512.IsHardwareAccelerated && isClear) MeetClear<WidePacket>(it.Shape, it.Model, part, packets);
         else if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(it.Shape, it.Model, part, packets);
         else if (isClear) MeetClear<Packet>(it.Shape, it.Model, part, packets);

@@ -21,7 +21,7 @@ internal sealed class CrowdOrder
 
     /// <summary>Sorts those members of the ranges that may show in a part.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Sort(CrowdMember[] members, in Tile part)
+    public void Sort(ReadOnlySpan<CrowdMember> members, in Tile part)
     {
         count = 0;
         foreach (var (first, end) in Ranges.Items) Add(members, first, end, part);
@@ -29,7 +29,7 @@ internal sealed class CrowdOrder
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void Add(CrowdMember[] members, int first, int end, in Tile part)
+    private void Add(ReadOnlySpan<CrowdMember> members, int first, int end, in Tile part)
     {
         if (listed.Length < count + end - first)
         {

@@ -16,13 +16,15 @@ internal sealed class Outlines
 
     private const double Padding = 1e-12, Margin = 0.01;
 
+    private const double Outside = 0, Unknown = 1, Shows = 2, Clear = 3;
+
     /// <summary>Where they are.</summary>
     public readonly double[] X = new double[Count], Y = new double[Count], Z = new double[Count];
 
     /// <summary>How far they reach from there: balls in every direction, boxes along each axis.</summary>
     public readonly double[] Radius = new double[Count], HalfX = new double[Count], HalfY = new double[Count], HalfZ = new double[Count];
 
-    private readonly double[] nearest = new double[Count], isOutside = new double[Count], isInFront = new double[Count], isClear = new double[Count];
+    private readonly double[] verdict = new double[Count], nearest = new double[Count];
     private readonly double[] left = new double[Count], right = new double[Count], bottom = new double[Count], top = new double[Count];
     private readonly Camera camera;
     private readonly double sample;
@@ -71,11 +73,11 @@ internal sealed class Outlines
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool? Read(int i, ref CrowdMember member)
     {
-        if (!(isOutside[i] == 0)) return false;
-        if (isInFront[i] == 0 || !double.IsFinite(left[i] + right[i] + bottom[i] + top[i] + nearest[i])) return null;
+        if (verdict[i] == Outside) return false;
+        if (verdict[i] == Unknown) return null;
         member.Sides = new((int)left[i], (int)bottom[i], (int)right[i], (int)top[i]);
-        member.IsClear = isClear[i] != 0;
-        member.Nearest = MathF.BitDecrement((float)Math.Clamp(nearest[i], float.Epsilon, float.MaxValue));
+        member.Nearest = (float)nearest[i];
+        member.IsClear = verdict[i] == Clear;
         return member.Sides.HasPixels;
     }
 
@@ -89,19 +91,15 @@ internal sealed class Outlines
         var (x, y, z) = See(L);
         var difference = z * z - r * r;
         var (rootX, rootY) = (r * N.Sqrt(x * x + difference), r * N.Sqrt(y * y + difference));
-        return new()
-        {
-            Nearest = distance - r,
-            IsOutside = IsOutside(x, y, z, r),
-            IsClear = (distance - r > camera.Bias) & (byDistance
-                ? (distance - r >= camera.ZNear) & (distance + r <= camera.ZFar)
-                : (z - r >= camera.ZNear) & (z + r <= camera.ZFar)),
-            IsInFront = 0.999 * z > r, // so that the difference of squares keeps its digits
-            Left = Column((x * z - rootX) / difference, -Margin),
-            Right = Column((x * z + rootX) / difference, Margin),
-            Bottom = Row((y * z - rootY) / difference, -Margin),
-            Top = Row((y * z + rootY) / difference, Margin),
-        };
+        var isClear = (distance - r > camera.Bias) & (byDistance
+            ? (distance - r >= camera.ZNear) & (distance + r <= camera.ZFar)
+            : (z - r >= camera.ZNear) & (z + r <= camera.ZFar));
+        return Judged(
+            IsOutside(x, y, z, r),
+            0.999 * z > r, // so that the difference of squares keeps its digits
+            isClear,
+            distance - r,
+            (x * z - rootX) / difference, (x * z + rootX) / difference, (y * z - rootY) / difference, (y * z + rootY) / difference);
     }
 
     /// <summary>Where a box is seen, by the box around it along the camera's axes.</summary>
@@ -116,16 +114,29 @@ internal sealed class Outlines
         var (x, y, z) = See(L);
         var (halfX, halfY, halfZ) = (Spread(half, camera.U), Spread(half, camera.V), Spread(half, camera.W));
         var (front, back) = (z - halfZ, z + halfZ);
+        return Judged(
+            IsOutside(x, y, z, N.Sqrt(half * half)),
+            front > 0,
+            0, // a triangle that is seen edge-on may have a t outside of its box
+            N.Sqrt(gap * gap),
+            (x - halfX) / N.Select(x < halfX, front, back), (x + halfX) / N.Select(x < -halfX, back, front),
+            (y - halfY) / N.Select(y < halfY, front, back), (y + halfY) / N.Select(y < -halfY, back, front));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Outline<N> Judged<N>(N isOutside, N isInFront, N isClear, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
+    {
+        (left, right, bottom, top) = (Column(left, -Margin), Column(right, Margin), Row(bottom, -Margin), Row(top, Margin));
+        var isKnown = isInFront & (left + right + bottom + top + nearest < double.PositiveInfinity); // false for NaN
         return new()
         {
-            Nearest = N.Sqrt(gap * gap),
-            IsOutside = IsOutside(x, y, z, N.Sqrt(half * half)),
-            IsClear = 0, // a triangle that is seen edge-on may have a t outside of it
-            IsInFront = front > 0,
-            Left = Column((x - halfX) / N.Select(x < halfX, front, back), -Margin),
-            Right = Column((x + halfX) / N.Select(x < -halfX, back, front), Margin),
-            Bottom = Row((y - halfY) / N.Select(y < halfY, front, back), -Margin),
-            Top = Row((y + halfY) / N.Select(y < -halfY, back, front), Margin),
+            Verdict = N.Select(isOutside, Outside, N.Select(isKnown, N.Select(isClear, Clear, Shows), Unknown)),
+            // As a float it is rounded by 6e-8 of itself, or by more where it is next to nothing.
+            Nearest = N.Select(nearest > 1e-37, N.Min(nearest * (1 - 1e-7), float.MaxValue), 0),
+            Left = left,
+            Right = right,
+            Bottom = bottom,
+            Top = top,
         };
     }
 
@@ -133,9 +144,7 @@ internal sealed class Outlines
     private void Keep<N>(int i, in Outline<N> outline) where N : struct, IPacket<N>
     {
         outline.Nearest.Store(nearest, i);
-        outline.IsOutside.Store(isOutside, i);
-        outline.IsClear.Store(isClear, i);
-        outline.IsInFront.Store(isInFront, i);
+        outline.Verdict.Store(verdict, i);
         outline.Left.Store(left, i);
         outline.Right.Store(right, i);
         outline.Bottom.Store(bottom, i);
@@ -171,6 +180,6 @@ internal sealed class Outlines
 
     private ref struct Outline<N> where N : struct, IReal<N>
     {
-        public N Nearest, IsOutside, IsClear, IsInFront, Left, Right, Bottom, Top;
+        public N Verdict, Nearest, Left, Right, Bottom, Top;
     }
 }

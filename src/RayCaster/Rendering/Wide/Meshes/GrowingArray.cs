@@ -25,6 +25,13 @@ internal sealed class GrowingArray<T> where T : struct
         items[count++] = item;
     }
 
+    /// <summary>Changes their number; what new ones hold is left to chance.</summary>
+    public void Resize(int length)
+    {
+        Reserve(length);
+        count = length;
+    }
+
     /// <summary>Makes room for so many, so that they need not be moved while there come more.</summary>
     public void Reserve(int capacity)
     {
