@@ -27,7 +27,17 @@ public class OutlineTests
 
     [Theory]
     [MemberData(nameof(Shapes))]
-    public void IsHitByTheFastRendererAsByTheDefinition(string shape)
+    public void IsHitByTheFastRendererAsByTheDefinition(string shape) => AssertIsHit(shape, companions: 0);
+
+    /// <summary>With so many models behind the camera that they are found as a crowd.</summary>
+    [Theory]
+    [InlineData("sphere")]
+    [InlineData("aabb")]
+    [InlineData("circle")]
+    [InlineData("triangle")]
+    public void IsHitInACrowd(string shape) => AssertIsHit(shape, companions: 100);
+
+    private static void AssertIsHit(string shape, int companions)
     {
         var (model, outline) = shapes[shape];
         var random = new Random(9);
@@ -44,7 +54,8 @@ public class OutlineTests
             var d = new Camera(Vector3.Zero, look, tilt, fovY, width, height).CastRay(column, row).Direction;
             var position = outline(random, d) - distance * d;
             var camera = new Camera(position, position + distance * look, tilt, fovY, width, height, zFar: 2 * distance);
-            var scene = new Scene(camera, [model]);
+            var behind = Model.Of(new Sphere(position - distance * look, 1));
+            var scene = new Scene(camera, [.. Enumerable.Repeat(behind, companions), model]);
 
             var fast = new Renderer(scene).CastHits();
             var ray = ScalarRenderer.Cast(scene, column, row);

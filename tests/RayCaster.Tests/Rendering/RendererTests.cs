@@ -13,6 +13,16 @@ public class RendererTests
         for (var i = 0; i < ScenesOfASeed; i++) AssertEqual(RandomScene.Make(new Random(seed * 1_000_000 + i)), $"scene {i} of seed {seed}");
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public void RandomCrowdsComeOutToTheBit(int seed)
+    {
+        for (var i = 0; i < ScenesOfASeed; i++) AssertEqual(RandomCrowd.Make(new Random(seed * 1_000_000 + i)), $"crowd {i} of seed {seed}");
+    }
+
     /// <summary>A sample; a long campaign sets RAYCASTER_SCENES (docs/performance.md).</summary>
     private static int ScenesOfASeed =>
         int.TryParse(Environment.GetEnvironmentVariable("RAYCASTER_SCENES"), out var scenes) ? scenes / 4 : 50;

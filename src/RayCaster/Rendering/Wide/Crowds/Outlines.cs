@@ -6,15 +6,15 @@ namespace RayCaster;
 /// Finds where in the picture balls and boxes may show, and how near they are: as many at once as a packet has lanes.
 /// </summary>
 /// <remarks>
-/// What it says is padded by 1e-12 of the distance, far more than a formula's rounding can move a hit (<see cref="Bounds.PaddedFrom"/>) and than the
-/// projection here rounds, and by a hundredth of a pixel, which a picture's columns and rows round by less than.
+/// What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit (<see cref="Bounds.PaddedFrom"/>), and what
+/// the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.
 /// </remarks>
 internal sealed class Outlines
 {
     /// <summary>How many are looked at together.</summary>
     public const int Count = 8;
 
-    private const double Padding = 1e-12, Margin = 0.01;
+    private const double Padding = 1e-12;
 
     private const double Outside = 0, Unknown = 1, Shows = 2, Clear = 3;
 
@@ -126,7 +126,7 @@ internal sealed class Outlines
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Outline<N> Judged<N>(N isOutside, N isInFront, N isClear, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
     {
-        (left, right, bottom, top) = (Column(left, -Margin), Column(right, Margin), Row(bottom, -Margin), Row(top, Margin));
+        (left, right, bottom, top) = (Column(left), Column(right), Row(bottom), Row(top));
         var isKnown = isInFront & (left + right + bottom + top + nearest < double.PositiveInfinity); // false for NaN
         return new()
         {
@@ -166,12 +166,12 @@ internal sealed class Outlines
     /// <summary>The column of a slope, rounded up when it is truncated, and within the picture.</summary>
     /// <remarks>The sample of column c lies at u = planeWidth · c / width − planeWidth / 2, half a pixel further for centres.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private N Column<N>(N slope, double margin) where N : struct, IReal<N> =>
-        N.Min(N.Max((slope / camera.PlaneWidth + 0.5) * camera.Width + (margin + 1 - sample), 0), camera.Width);
+    private N Column<N>(N slope) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneWidth + 0.5) * camera.Width + (1 - sample), 0), camera.Width);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private N Row<N>(N slope, double margin) where N : struct, IReal<N> =>
-        N.Min(N.Max((slope / camera.PlaneHeight + 0.5) * camera.Height + (margin + 1 - sample), 0), camera.Height);
+    private N Row<N>(N slope) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneHeight + 0.5) * camera.Height + (1 - sample), 0), camera.Height);
 
     /// <summary>Half the size of a box along an axis of any direction.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
