@@ -6,23 +6,36 @@ internal sealed class Frame : IDisposable
     /// <summary>With fewer models a look at each of them is cheaper than a list for each part of the picture.</summary>
     private const int FewModels = 64;
 
+    /// <summary>
+    /// Kernels that are made for one kind of shape each spare half of the time, but compiling them takes as long as casting some ten million rays. So they wait until
+    /// the pictures of this process have had this many pixels.
+    /// </summary>
+    private const long PixelsOfLongWork = 1 << 24;
+
+    private static long pixelsSoFar;
+
     /// <param name="scene">The scene.</param>
     /// <param name="threads">How many threads may prepare what a model needs.</param>
-    public Frame(Scene scene, int threads)
+    /// <param name="isLong">Whether the work is long; found out if left out.</param>
+    public Frame(Scene scene, int threads, bool? isLong = null)
     {
         Scene = scene;
-        var models = scene.Models;
-        var alone = new List<int>();
-        if (models.Count > FewModels) Crowd = new(scene.Camera, models.Count);
+        var camera = scene.Camera;
+        IsLong = isLong ?? Interlocked.Add(ref pixelsSoFar, (long)camera.Width * camera.Height) >= PixelsOfLongWork;
+        var (models, alone) = (scene.Models, new List<int>());
+        if (models.Count > FewModels) Crowd = new(camera, models.Count);
         for (var i = 0; i < models.Count; i++)
             if (Crowd is null || !models[i].Join(Crowd, i))
                 alone.Add(i);
         if (Crowd is not null) alone.AddRange(Crowd.Arrange());
 
         Places = [.. alone];
-        Views = Array.ConvertAll(Places, i => models[i].See(scene.Camera, threads));
+        Views = Array.ConvertAll(Places, i => models[i].See(camera, threads));
         Extents = Array.ConvertAll(Views, view => view.Extent);
     }
+
+    /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>
+    public bool IsLong { get; }
 
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
@@ -44,4 +57,12 @@ internal sealed class Frame : IDisposable
 
     /// <summary>How many tiles lie side by side, or one upon another.</summary>
     public static int TilesOf(int pixels) => (pixels + Tile.MaxSide - 1) / Tile.MaxSide;
+
+    /// <summary>How many strips lie side by side.</summary>
+    public static int StripsOf(int pixels) => (pixels + Tile.MaxStrip - 1) / Tile.MaxStrip;
 }
+
+/// <summary>A model that may show in a tile.</summary>
+/// <param name="Index">The place of its view.</param>
+/// <param name="Reach">Where its hits lie.</param>
+internal readonly record struct Candidate(int Index, Reach Reach);

@@ -14,9 +14,9 @@ internal sealed class CrowdCaster(Crowd crowd, Camera camera)
 
     /// <summary>Casts all rays of a tile.</summary>
     /// <param name="tile">The tile.</param>
-    /// <param name="others">Lets the rays of a span meet the models that are not in the crowd.</param>
+    /// <param name="others">Lets the rays of a span meet the models that are not in the crowd; null where there are none.</param>
     /// <param name="sink">Takes the spans.</param>
-    public void Cast(in Tile tile, Action<RaySpan> others, ISpanSink sink)
+    public void Cast(in Tile tile, Action<RaySpan>? others, ISpanSink sink)
     {
         var (firstColumn, firstRow) = (tile.Column / CrowdPart.Side * CrowdPart.Side, tile.Row / CrowdPart.Side * CrowdPart.Side);
         for (var y = firstRow; y < tile.EndRow; y += CrowdPart.Side)
@@ -31,17 +31,22 @@ internal sealed class CrowdCaster(Crowd crowd, Camera camera)
         }
     }
 
-    private void Cast<N>(in Tile tile, Action<RaySpan> others, ISpanSink sink) where N : struct, IPacket<N>
+    private void Cast<N>(in Tile tile, Action<RaySpan>? others, ISpanSink sink) where N : struct, IPacket<N>
     {
+        crowd.Sort(tile, order);
+        if (order.Sorted.Length == 0 && others is null)
+        {
+            sink.TakeMiss(tile);
+            return;
+        }
         part.Enter(tile);
         span.Enter<N>(tile.Column, tile.Width);
         for (var row = tile.Row; row < tile.EndRow; row++)
         {
             span.Aim<N>(row);
-            others(span);
+            others?.Invoke(span);
             part.Take<N>(span);
         }
-        crowd.Sort(tile, order);
         part.RefreshAll<N>();
         crowd.Meet<N>(part, order.Sorted);
         for (var row = tile.Row; row < tile.EndRow; row++)
