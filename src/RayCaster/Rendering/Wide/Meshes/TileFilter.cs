@@ -11,27 +11,31 @@ namespace RayCaster;
 /// </summary>
 internal sealed class TileFilter
 {
-    /// <summary>From a pixel to the one above it; there is room for blocks that stand out to the right.</summary>
-    public const int Stride = Tile.MaxSide + 8;
+    /// <summary>From a pixel to the one above it. What a packet at the end of a row holds of the next one stays as it is.</summary>
+    public const int Stride = Tile.MaxSide;
 
-    private const int Size = Stride * (Tile.MaxSide + 1);
+    private const int Size = Stride * Tile.MaxSide + 8;
     private const int QueueLength = 1 << 14;
+
+    /// <summary>Triangles whose boxes have at most as many samples a side are looked at sample by sample, eight triangles at once.</summary>
+    private const int SmallSide = 3;
 
     private readonly ScreenSpace screen;
     private readonly ExactHits exact;
     private readonly float[] covered = new float[Size];   // a hit with at least this w is sure; 0 for none
     private readonly float[] front = new float[Size];     // the w of the proposed triangle is at most this; 0 where there is none
-    private readonly int[] proposed = new int[Size];      // the triangle; −1 for none
-    private readonly double[] decided = new double[Size + Packet.Count]; // the least t of the hits that had to be decided by the formula
+    private readonly int[] proposed = new int[Size];      // the triangle; any where there is none
+    private readonly double[] decided = new double[Size]; // the least t of the hits that had to be decided by the formula
     private readonly GrowingArray<(int Pixel, int Triangle, float MostW)> queue = new();
     private readonly float[] setup = new float[TriangleSetUp.Length];
+    private readonly CoarseDepth coarse = new();
     private Tile tile;
     private bool isEmpty, hasDecided;
     private float greatestW;
 
     public TileFilter(ScreenSpace screen, Vector3[] vertices, int[] indices)
     {
-        (this.screen, exact) = (screen, new(screen.Camera, vertices, indices));
+        (this.screen, exact) = (screen, new(screen, vertices, indices));
     }
 
     /// <summary>Finds the pixels' triangles.</summary>
@@ -44,62 +48,92 @@ internal sealed class TileFilter
         foreach (var set in sets)
         {
             // Most of what is seen of a closed mesh faces the camera with the same side; that side first, most of the other is found to be hidden.
-            Add(set, set.Large);
-            var nearer = MeanW(set, set.Of(tile, 0)) < MeanW(set, set.Of(tile, 1)) ? 1 : 0;
+            Add(set, CollectionsMarshal.AsSpan(set.Large));
+            var nearer = MeanW(set, tile, 0) < MeanW(set, tile, 1) ? 1 : 0;
+            Add(set, set.GroupsOf(tile, nearer));
             Add(set, set.Of(tile, nearer));
+            if (!isEmpty)
+            {
+                Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
+                coarse.Update(covered);
+            }
+            Add(set, set.GroupsOf(tile, 1 - nearer));
             Add(set, set.Of(tile, 1 - nearer));
-            Add(set.SpotsOf(tile));
         }
         if (isEmpty) return Reach.None;
         Decide();
-        return new(screen.Unit / greatestW * (1 - 1e-6), Cover());
+        coarse.Update(covered);
+        return new(screen.Unit / greatestW * (1 - 1e-6), coarse.Least > 0 ? screen.Unit / coarse.Least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
     /// <summary>Keeps the hits of a part of a row of the tile.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Meet(RaySpan span, int index)
     {
         if (isEmpty) return;
+        if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(span, index);
+        else Meet<Packet>(span, index);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Meet<N>(RaySpan span, int index) where N : struct, IPacket<N>
+    {
         var first = (span.Row - tile.Row) * Stride + span.Column - tile.Column;
-        for (var i = 0; i < span.Length; i += Packet.Count)
+        for (var i = 0; i < span.Length; i += N.Count)
         {
             var at = first + i;
-            var triangles = Vector128.LoadUnsafe(ref proposed[at]);
-            if (triangles != Vector128.Create(-1)) span.Keep(i, exact.Hit(span, i, triangles), index);
-            if (hasDecided) span.Keep(i, Packet.Load(decided, at), index);
+            var any = N.Count == 8 ? Vector256.LoadUnsafe(ref front[at]) : Vector256.Create(Vector128.LoadUnsafe(ref front[at]), default);
+            if (any != Vector256<float>.Zero) span.Keep(i, exact.Hit<N>(span, i, ref proposed[at]), index);
+            if (hasDecided) span.Keep(i, N.Load(decided, at), index);
         }
     }
 
-    /// <summary>Every pixel has a sure hit that is not farther than this.</summary>
-    private double Cover()
+    private static float MeanW(ScreenTriangles set, in Tile tile, int side)
     {
-        var least = float.PositiveInfinity;
-        for (var row = 0; row < tile.Height; row++)
-        {
-            foreach (var w in covered.AsSpan(row * Stride, tile.Width)) least = Math.Min(least, w);
-            if (least == 0) return double.PositiveInfinity;
-        }
-        return screen.Unit / least * screen.LongestT * (1 + 1e-6);
-    }
-
-    private static float MeanW(ScreenTriangles set, ReadOnlySpan<int> triangles)
-    {
-        const int Samples = 16;
+        const int Samples = 8;
         var sum = 0f;
-        var step = Math.Max(1, triangles.Length / Samples);
-        for (var i = 0; i < triangles.Length; i += step) sum += set.Points[set.Indices[3 * triangles[i]]][2];
-        return sum * step / Math.Max(1, triangles.Length);
+        if (set.GroupsOf(tile, side) is { Length: > 0 } groups)
+        {
+            var step = (groups.Length + Samples - 1) / Samples;
+            for (var i = 0; i < groups.Length; i += step) sum += groups[i].MostW;
+            return sum / ((groups.Length + step - 1) / step);
+        }
+        if (set.Of(tile, side) is not { Length: > 0 } triangles) return 0;
+        Span<int> ids = stackalloc int[Samples];
+        for (var i = 0; i < Samples; i++) ids[i] = triangles[(int)((long)i * triangles.Length / Samples)];
+        set.Corners.See(ids, out var seen);
+        return Vector256.Sum(seen.AW) / Samples;
     }
 
+    /// <summary>Forgets all; beyond the tile's pixels everything is covered, so that they do not count where the least is looked for.</summary>
     private void Clear()
     {
         isEmpty = false;
+        coarse.Clear();
         covered.AsSpan().Clear();
         front.AsSpan().Clear();
-        proposed.AsSpan().Fill(-1);
+        proposed.AsSpan().Clear();
+        for (var row = 0; row < Tile.MaxSide; row++)
+            covered.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void Add(ScreenTriangles set, ReadOnlySpan<Group> groups)
+    {
+        if (groups.Length == 0) return;
+        if (isEmpty) Clear();
+        Span<int> ids = stackalloc int[8];
+        foreach (ref readonly var group in groups)
+        {
+            if (group.MostW < coarse.LeastOf(group.Cells, tile.Row % Tile.MaxSide)) continue;
+            var end = Math.Min(group.First + Group.Length, set.Corners.Count);
+            for (var first = group.First; first < end; first += 8)
+            {
+                var count = Math.Min(8, end - first);
+                for (var i = 0; i < 8; i++) ids[i] = first + Math.Min(i, count - 1);
+                AddEight(set, ids, count);
+            }
+        }
+    }
+
     private void Add(ScreenTriangles set, ReadOnlySpan<int> triangles)
     {
         if (triangles.Length == 0) return;
@@ -107,101 +141,146 @@ internal sealed class TileFilter
         Span<int> ids = stackalloc int[8];
         for (var first = 0; first < triangles.Length; first += 8)
         {
-            for (var i = 0; i < 8; i++) ids[i] = triangles[Math.Min(first + i, triangles.Length - 1)];
-            var shows = TriangleSetUp.Of(new EightTriangles(set.Points, set.Indices, ids), screen, tile, setup);
-            if (triangles.Length - first < 8) shows &= (1u << (triangles.Length - first)) - 1;
-            for (; shows != 0; shows &= shows - 1)
-            {
-                var i = BitOperations.TrailingZeroCount(shows);
-                Cover(set.Owners?[ids[i]] ?? ids[i], i);
-            }
-            if (queue.Count > QueueLength) Decide();
+            var count = Math.Min(8, triangles.Length - first);
+            for (var i = 0; i < 8; i++) ids[i] = triangles[first + Math.Min(i, count - 1)];
+            AddEight(set, ids, count);
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void Add(ReadOnlySpan<Spot> spots)
+    private void AddEight(ScreenTriangles set, Span<int> ids, int count)
     {
-        if (spots.Length == 0) return;
-        if (isEmpty) Clear();
-        var (first, end) = (tile.Row % Tile.MaxSide * Stride, tile.Height * Stride); // of a whole tile this one may have only some rows
-        foreach (ref readonly var spot in spots)
+        set.Corners.See(ids, out var seen);
+        var shows = TriangleSetUp.Of(seen, screen, tile, setup) & ((1u << count) - 1);
+        if (shows == 0) return;
+        if (set.Owners is not null)
+            for (var i = 0; i < 8; i++)
+                ids[i] = set.Owners[ids[i]];
+        for (shows &= ~CoverSmall(ids, shows); shows != 0; shows &= shows - 1)
         {
-            var pixel = spot.Pixel - first;
-            if ((uint)pixel >= (uint)end || spot.MostW < covered[pixel]) continue;
-            greatestW = Math.Max(greatestW, spot.MostW);
-            if (spot.LeastW > front[pixel])
-            {
-                front[pixel] = spot.MostW;
-                proposed[pixel] = spot.Triangle;
-            }
-            else
-            {
-                queue.Add((pixel, spot.Triangle, spot.MostW));
-            }
-            covered[pixel] = Math.Max(covered[pixel], spot.LeastW);
-            if (queue.Count > QueueLength) Decide();
+            var i = BitOperations.TrailingZeroCount(shows);
+            Cover(ids[i], i);
         }
+        if (queue.Count > QueueLength) Decide();
     }
 
-    /// <summary>Takes one triangle, block by block of 4 × 2 pixels.</summary>
+    /// <summary>Takes those of eight triangles that are small, and tells which they are.</summary>
+    /// <param name="ids">The mesh's triangles.</param>
+    /// <param name="shows">Which of them to look at.</param>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private uint CoverSmall(ReadOnlySpan<int> ids, uint shows)
+    {
+        Vector256<float> At(int field) => Vector256.LoadUnsafe(ref setup[8 * field]);
+
+        var (left, bottom) = (At(TriangleSetUp.Left), At(TriangleSetUp.Bottom));
+        var (across, upwards) = (At(TriangleSetUp.Right) - left, At(TriangleSetUp.Top) - bottom);
+        var side = Vector256.Create((float)SmallSide);
+        var small = Vector256.LessThan(across, side) & Vector256.LessThan(upwards, side);
+        shows &= small.ExtractMostSignificantBits();
+        if (shows == 0) return 0;
+
+        var most = At(TriangleSetUp.MostW);
+        Span<int> pixels = stackalloc int[8];
+        Span<float> upper = stackalloc float[8], lower = stackalloc float[8];
+        most.CopyTo(upper);
+        for (var bits = shows; bits != 0; bits &= bits - 1) greatestW = Math.Max(greatestW, upper[BitOperations.TrailingZeroCount(bits)]);
+
+        ref var coveredAt = ref MemoryMarshal.GetArrayDataReference(covered);
+        ref var frontAt = ref MemoryMarshal.GetArrayDataReference(front);
+        for (var y = 0; y < SmallSide; y++)
+        {
+            var up = Vector256.Create((float)y);
+            var inRow = Vector256.GreaterThanOrEqual(upwards, up);
+            if ((inRow.ExtractMostSignificantBits() & shows) == 0) break;
+            for (var x = 0; x < SmallSide; x++)
+            {
+                var right = Vector256.Create((float)x);
+                var inBox = inRow & Vector256.GreaterThanOrEqual(across, right);
+                var bits = inBox.ExtractMostSignificantBits() & shows;
+                if (bits == 0) break;
+                var u = At(TriangleSetUp.U) + right * At(TriangleSetUp.U + 1) + up * At(TriangleSetUp.U + 2);
+                var v = At(TriangleSetUp.V) + right * At(TriangleSetUp.V + 1) + up * At(TriangleSetUp.V + 2);
+                var w = At(TriangleSetUp.W) + right * At(TriangleSetUp.W + 1) + up * At(TriangleSetUp.W + 2);
+                var inner = Vector256.MinNative(u, Vector256.MinNative(v, w));
+                bits &= Vector256.GreaterThanOrEqual(inner, At(TriangleSetUp.Outside)).ExtractMostSignificantBits();
+                if (bits == 0) continue;
+
+                var nearness = At(TriangleSetUp.Depth) + right * At(TriangleSetUp.Depth + 1) + up * At(TriangleSetUp.Depth + 2);
+                var slack = At(TriangleSetUp.Slack);
+                Vector256.MinNative(nearness + slack, most).CopyTo(upper);
+                Vector256.ConditionalSelect(Vector256.GreaterThan(inner, At(TriangleSetUp.Inside)),
+                    Vector256.MaxNative(nearness - slack, At(TriangleSetUp.LeastW)), Vector256.Create(-1f)).CopyTo(lower);
+                Vector256.ConvertToInt32((bottom + up) * Vector256.Create((float)Stride) + (left + right)).CopyTo(pixels);
+                for (; bits != 0; bits &= bits - 1)
+                {
+                    var i = BitOperations.TrailingZeroCount(bits);
+                    var (pixel, mostW, leastW) = (pixels[i], upper[i], lower[i]);
+                    ref var sure = ref Unsafe.Add(ref coveredAt, pixel);
+                    if (mostW < sure) continue;
+                    ref var before = ref Unsafe.Add(ref frontAt, pixel);
+                    if (leastW > before) (before, proposed[pixel]) = (mostW, ids[i]);
+                    else queue.Add((pixel, ids[i], mostW));
+                    if (leastW > sure) sure = leastW;
+                }
+            }
+        }
+        return shows;
+    }
+
+    /// <summary>Takes one triangle, eight pixels of a row at a time.</summary>
     /// <param name="triangle">The mesh's triangle.</param>
     /// <param name="lane">Its place in the set-up.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Cover(int triangle, int lane)
     {
         ref var s = ref setup[lane];
         float At(ref float of, int field) => Unsafe.Add(ref of, 8 * field);
 
-        var laneX = Vector256.Create(0f, 1, 2, 3, 0, 1, 2, 3);
-        var laneY = Vector256.Create(0f, 0, 0, 0, 1, 1, 1, 1);
+        var lanes = Vector256.Create(0f, 1, 2, 3, 4, 5, 6, 7);
         var (left, right) = ((int)At(ref s, TriangleSetUp.Left), (int)At(ref s, TriangleSetUp.Right));
         var (bottom, top) = ((int)At(ref s, TriangleSetUp.Bottom), (int)At(ref s, TriangleSetUp.Top));
-        var (stepU, stepV) = (At(ref s, TriangleSetUp.U + 1), At(ref s, TriangleSetUp.V + 1));
-        var (stepW, stepDepth) = (At(ref s, TriangleSetUp.W + 1), At(ref s, TriangleSetUp.Depth + 1));
-        var (upU, upV) = (At(ref s, TriangleSetUp.U + 2), At(ref s, TriangleSetUp.V + 2));
-        var (upW, upDepth) = (At(ref s, TriangleSetUp.W + 2), At(ref s, TriangleSetUp.Depth + 2));
-        var u = Vector256.Create(At(ref s, TriangleSetUp.U)) + laneX * stepU + laneY * upU;
-        var v = Vector256.Create(At(ref s, TriangleSetUp.V)) + laneX * stepV + laneY * upV;
-        var w = Vector256.Create(At(ref s, TriangleSetUp.W)) + laneX * stepW + laneY * upW;
-        var depth = Vector256.Create(At(ref s, TriangleSetUp.Depth)) + laneX * stepDepth + laneY * upDepth;
+        var upU = Vector256.Create(At(ref s, TriangleSetUp.U + 2));
+        var upV = Vector256.Create(At(ref s, TriangleSetUp.V + 2));
+        var upW = Vector256.Create(At(ref s, TriangleSetUp.W + 2));
+        var upDepth = Vector256.Create(At(ref s, TriangleSetUp.Depth + 2));
         var slack = Vector256.Create(At(ref s, TriangleSetUp.Slack));
         var most = Vector256.Create(At(ref s, TriangleSetUp.MostW));
         var least = Vector256.Create(At(ref s, TriangleSetUp.LeastW));
         var outside = Vector256.Create(At(ref s, TriangleSetUp.Outside));
         var inside = Vector256.Create(At(ref s, TriangleSetUp.Inside));
+        var name = Vector256.Create(triangle);
         greatestW = Math.Max(greatestW, most[0]);
 
         ref var coveredAt = ref MemoryMarshal.GetArrayDataReference(covered);
         ref var frontAt = ref MemoryMarshal.GetArrayDataReference(front);
         ref var proposedAt = ref MemoryMarshal.GetArrayDataReference(proposed);
-        for (var y = 0; y <= top - bottom; y += 2)
+        for (var x = 0; x <= right - left; x += 8)
         {
-            for (var x = 0; x <= right - left; x += 4)
+            var across = lanes + Vector256.Create((float)x);
+            var inBox = Vector256.LessThanOrEqual(across, Vector256.Create((float)(right - left)));
+            var u = Vector256.Create(At(ref s, TriangleSetUp.U)) + across * At(ref s, TriangleSetUp.U + 1);
+            var v = Vector256.Create(At(ref s, TriangleSetUp.V)) + across * At(ref s, TriangleSetUp.V + 1);
+            var w = Vector256.Create(At(ref s, TriangleSetUp.W)) + across * At(ref s, TriangleSetUp.W + 1);
+            var depth = Vector256.Create(At(ref s, TriangleSetUp.Depth)) + across * At(ref s, TriangleSetUp.Depth + 1);
+            var pixel = bottom * Stride + left + x;
+            for (var y = 0; y <= top - bottom; y++, pixel += Stride)
             {
-                var pixel = (bottom + y) * Stride + left + x;
-                var nearness = depth + Vector256.Create(x * stepDepth + y * upDepth);
+                var up = Vector256.Create((float)y);
+                var inner = Vector256.MinNative(Vector256.MultiplyAddEstimate(up, upU, u),
+                    Vector256.MinNative(Vector256.MultiplyAddEstimate(up, upV, v), Vector256.MultiplyAddEstimate(up, upW, w)));
+                var nearness = Vector256.MultiplyAddEstimate(up, upDepth, depth);
                 var upper = Vector256.MinNative(nearness + slack, most);
-                var sure = Load(ref coveredAt, pixel);
-                var possible = Vector256.GreaterThanOrEqual(upper, sure)
-                    & Vector256.LessThanOrEqual(laneX, Vector256.Create((float)(right - left - x)))
-                    & Vector256.LessThanOrEqual(laneY, Vector256.Create((float)(top - bottom - y)));
+                var sure = Vector256.LoadUnsafe(ref Unsafe.Add(ref coveredAt, pixel));
+                var possible = inBox & Vector256.GreaterThanOrEqual(inner, outside) & Vector256.GreaterThanOrEqual(upper, sure);
                 if (possible == Vector256<float>.Zero) continue;
 
-                var side = Vector256.MinNative(
-                    u + Vector256.Create(x * stepU + y * upU),
-                    Vector256.MinNative(v + Vector256.Create(x * stepV + y * upV), w + Vector256.Create(x * stepW + y * upW)));
-                possible &= Vector256.GreaterThanOrEqual(side, outside);
-                if (possible == Vector256<float>.Zero) continue;
-
-                var covers = possible & Vector256.GreaterThan(side, inside);
+                var covers = possible & Vector256.GreaterThan(inner, inside);
                 var lower = Vector256.MaxNative(nearness - slack, least);
-                var before = Load(ref frontAt, pixel);
+                var before = Vector256.LoadUnsafe(ref Unsafe.Add(ref frontAt, pixel));
                 var wins = covers & Vector256.GreaterThan(lower, before);
-                Store(Vector256.ConditionalSelect(covers, Vector256.MaxNative(sure, lower), sure), ref coveredAt, pixel);
-                Store(Vector256.ConditionalSelect(wins, upper, before), ref frontAt, pixel);
-                var names = Load(ref Unsafe.As<int, float>(ref proposedAt), pixel);
-                Store(Vector256.ConditionalSelect(wins, Vector256.Create(triangle).AsSingle(), names), ref Unsafe.As<int, float>(ref proposedAt), pixel);
+                Vector256.ConditionalSelect(covers, Vector256.MaxNative(sure, lower), sure).StoreUnsafe(ref Unsafe.Add(ref coveredAt, pixel));
+                Vector256.ConditionalSelect(wins, upper, before).StoreUnsafe(ref Unsafe.Add(ref frontAt, pixel));
+                Vector256.ConditionalSelect(wins.AsInt32(), name, Vector256.LoadUnsafe(ref Unsafe.Add(ref proposedAt, pixel)))
+                    .StoreUnsafe(ref Unsafe.Add(ref proposedAt, pixel));
 
                 var unsure = Vector256.AndNot(possible, wins).ExtractMostSignificantBits();
                 if (unsure != 0) Enqueue(unsure, pixel, triangle, upper);
@@ -209,12 +288,13 @@ internal sealed class TileFilter
         }
     }
 
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private void Enqueue(uint lanes, int pixel, int triangle, Vector256<float> upper)
     {
         for (; lanes != 0; lanes &= lanes - 1)
         {
             var i = BitOperations.TrailingZeroCount(lanes);
-            queue.Add((pixel + i % 4 + i / 4 * Stride, triangle, upper[i]));
+            queue.Add((pixel + i, triangle, upper[i]));
         }
     }
 
@@ -227,20 +307,9 @@ internal sealed class TileFilter
         foreach (var (pixel, triangle, mostW) in queue.Items)
         {
             if (mostW < covered[pixel]) continue;
-            exact.Add(tile.Column + pixel % Stride, tile.Row + pixel / Stride, triangle, pixel, decided);
+            exact.Add(tile.Column + pixel % Stride, tile.Row + pixel / Stride, triangle, pixel, decided, covered);
         }
-        exact.Flush(decided);
+        exact.Flush(decided, covered);
         queue.Clear();
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Load(ref float numbers, int pixel) => Vector256.Create(
-        Vector128.LoadUnsafe(ref Unsafe.Add(ref numbers, pixel)), Vector128.LoadUnsafe(ref Unsafe.Add(ref numbers, pixel + Stride)));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Store(Vector256<float> block, ref float numbers, int pixel)
-    {
-        block.GetLower().StoreUnsafe(ref Unsafe.Add(ref numbers, pixel));
-        block.GetUpper().StoreUnsafe(ref Unsafe.Add(ref numbers, pixel + Stride));
     }
 }
