@@ -34,7 +34,7 @@ public class MarginTests
             {
                 var p = screen.See(vertices[3 * (i + lane)]);
                 var (x, y, _) = screen.Project<Scalar>(p.X, p.Y, p.Z);
-                worst = Math.Max(worst, Math.Max(Math.Abs(seen.AX[lane] - x), Math.Abs(seen.AY[lane] - y)));
+                worst = Math.Max(worst, Math.Max(Math.Abs(seen.A.X[lane] - x), Math.Abs(seen.A.Y[lane] - y)));
             }
         }
         Assert.InRange(worst, screen.Margin / 16, screen.Margin);

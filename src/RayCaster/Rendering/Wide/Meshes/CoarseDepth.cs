@@ -31,22 +31,32 @@ internal sealed class CoarseDepth
         }
     }
 
-    /// <summary>Each pixel of the cells surely has a hit of at least this w; 0 if that is not sure.</summary>
+    /// <summary>Whether each pixel of some cells surely has a hit before w.</summary>
     /// <param name="cells">Cells of a whole tile.</param>
     /// <param name="firstRow">The row of that tile from which on its pixels were looked at.</param>
+    /// <param name="w">The w.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public float LeastOf(Cells cells, int firstRow)
+    public bool Hides(Cells cells, int firstRow, float w)
     {
-        var w = float.PositiveInfinity;
+        var row = Vector256.Create(float.PositiveInfinity);
         var top = Math.Min(Across - 1, (cells.Top * CellSide + CellSide - 1 - firstRow) >> 3);
         for (var y = Math.Max(0, cells.Bottom * CellSide - firstRow) >> 3; y <= top; y++)
-            for (int x = cells.Left; x <= cells.Right; x++)
-                w = Math.Min(w, least[y * Across + x]);
-        return w;
+            row = Vector256.MinNative(row, Vector256.LoadUnsafe(ref least[y * Across]));
+        var hidden = Vector256.GreaterThan(row, Vector256.Create(w)).ExtractMostSignificantBits();
+        var columns = (2u << cells.Right) - (1u << cells.Left);
+        return (hidden & columns) == columns;
     }
 
-    /// <summary>The same of all that was looked at.</summary>
-    public float Least => LeastOf(new(0, Across - 1, 0, Across - 1), 0);
+    /// <summary>Each pixel that was looked at surely has a hit of at least this w; 0 if that is not sure.</summary>
+    public float Least
+    {
+        get
+        {
+            var w = float.PositiveInfinity;
+            foreach (var cell in least) w = Math.Min(w, cell);
+            return w;
+        }
+    }
 }
 
 /// <summary>A rectangle of cells of a tile.</summary>

@@ -14,9 +14,8 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
 
     private readonly int tilesAcross = Frame.TilesOf(screen.Camera.Width);
     private readonly Vector3[] lows = new Vector3[Packet.Count], highs = new Vector3[Packet.Count];
-    private readonly double[] left = new double[Packet.Count], right = new double[Packet.Count];
-    private readonly double[] bottom = new double[Packet.Count], top = new double[Packet.Count];
-    private readonly double[] least = new double[Packet.Count], most = new double[Packet.Count], isFit = new double[Packet.Count];
+    private readonly int[] left = new int[Packet.Count], right = new int[Packet.Count], bottom = new int[Packet.Count], top = new int[Packet.Count];
+    private readonly double[] most = new double[Packet.Count];
     private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
 
     /// <summary>Groups by tile and side.</summary>
@@ -26,17 +25,18 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     public (int Left, int Right, int Bottom, int Top) Extent => extent;
 
     /// <summary>Takes triangles.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
         for (; first < end; first += Packet.Count * Group.Length)
         {
             for (var i = 0; i < Packet.Count; i++) Bound(first + i * Group.Length, Math.Min(first + (i + 1) * Group.Length, end), i);
-            Project();
+            var (fit, shows) = Project();
             for (var i = 0; i < Packet.Count && first + i * Group.Length < end; i++)
             {
-                var begin = first + i * Group.Length;
-                if (!(isFit[i] > 0)) each.Add(begin, Math.Min(begin + Group.Length, end));
-                else Place(begin, Math.Min(begin + Group.Length, end), i);
+                var (begin, bit) = (first + i * Group.Length, 1u << i);
+                if ((fit & bit) == 0) each.Add(begin, Math.Min(begin + Group.Length, end));
+                else if ((shows & bit) != 0) Place(begin, Math.Min(begin + Group.Length, end), i);
             }
         }
     }
@@ -62,7 +62,7 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     /// and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Project()
+    private (uint Fit, uint Shows) Project()
     {
         Vector3<Packet> eye = screen.Camera.Position;
         var (low, high) = (Load(lows) - eye, Load(highs) - eye);
@@ -81,41 +81,50 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
 
         // The w of a sliver may be stretched; see TriangleSetUp.
         var stretch = (x1 - x0 + (y1 - y0)) * (4 / screen.Scale);
-        (w0 * (1 - 1e-5) * ((Packet)1 - stretch)).Store(least, 0);
-        Packet.Select(stretch < 1, w1 * (1 + 1e-5) * ((Packet)1 + stretch), double.PositiveInfinity).Store(most, 0);
+        var leastW = w0 * (1 - 1e-5) * ((Packet)1 - stretch);
+        var mostW = Packet.Select(stretch < 1, w1 * (1 + 1e-5) * ((Packet)1 + stretch), double.PositiveInfinity);
+        mostW.Store(most, 0);
 
-        var guard = screen.Guard;
-        Packet.Select(
-            (nearest > half.X + half.Y + half.Z) & (w0 > 1e-29) & (w1 < 1e29)
-                & (x0 >= -guard) & (x1 <= screen.Camera.Width + guard) & (y0 >= -guard) & (y1 <= screen.Camera.Height + guard),
-            1, 0).Store(isFit, 0);
-        x0.Store(left, 0);
-        x1.Store(right, 0);
-        y0.Store(bottom, 0);
-        y1.Store(top, 0);
+        double guard = screen.Guard, width = screen.Camera.Width, height = screen.Camera.Height;
+        var fit = (nearest > half.X + half.Y + half.Z) & (w0 > 1e-29) & (w1 < 1e29)
+            & (x0 >= -guard) & (x1 <= width + guard) & (y0 >= -guard) & (y1 <= height + guard);
+        var shows = (x0 < width) & (x1 >= 0) & (y0 < height) & (y1 >= 0) & (mostW >= screen.LeastW) & (leastW <= screen.MostW);
+        Keep(left, x0, width - 1);
+        Keep(right, x1, width - 1);
+        Keep(bottom, y0, height - 1);
+        Keep(top, y1, height - 1);
+        return (fit.Lanes.ExtractMostSignificantBits(), shows.Lanes.ExtractMostSignificantBits());
     }
 
+    /// <summary>The pixels before or at places; they are in the picture where the group shows.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Keep(int[] pixels, Packet place, double last) =>
+        Packet.Select(place >= 0, Packet.Select(place < last, place, last), 0).ToInts().StoreUnsafe(ref pixels[0]);
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Place(int first, int end, int i)
     {
-        var (camera, tile) = (screen.Camera, Tile.MaxSide);
-        var (x0, x1) = (Math.Max(0, (int)Math.Ceiling(left[i])), Math.Min(camera.Width - 1, (int)Math.Floor(right[i])));
-        var (y0, y1) = (Math.Max(0, (int)Math.Ceiling(bottom[i])), Math.Min(camera.Height - 1, (int)Math.Floor(top[i])));
-        if (x0 > x1 || y0 > y1 || most[i] < screen.LeastW || least[i] > screen.MostW) return;
-        if ((x1 / tile - x0 / tile + 1) * (y1 / tile - y0 / tile + 1) > ManyTiles)
+        var (x0, x1, y0, y1) = (left[i], right[i], bottom[i], top[i]);
+        var (tileX0, tileX1, tileY0, tileY1) = (x0 / Tile.MaxSide, x1 / Tile.MaxSide, y0 / Tile.MaxSide, y1 / Tile.MaxSide);
+        if ((tileX1 - tileX0 + 1) * (tileY1 - tileY0 + 1) > ManyTiles)
         {
             each.Add(first, end);
             return;
         }
 
-        extent = (Math.Min(extent.Left, x0), Math.Max(extent.Right, x1), Math.Min(extent.Bottom, y0), Math.Max(extent.Top, y1));
-        var side = SideOf((first + end) / 2);
-        for (var y = y0 / tile; y <= y1 / tile; y++)
-            for (var x = x0 / tile; x <= x1 / tile; x++)
-                Groups.Add((2 * (y * tilesAcross + x) + side, new(first, (float)most[i],
-                    new(Cell(x0 - x * tile), Cell(x1 - x * tile), Cell(y0 - y * tile), Cell(y1 - y * tile)))));
-
-        static byte Cell(int pixel) => (byte)(Math.Clamp(pixel, 0, Tile.MaxSide - 1) / CoarseDepth.CellSide);
+        if (x0 < extent.Left) extent.Left = x0;
+        if (x1 > extent.Right) extent.Right = x1;
+        if (y0 < extent.Bottom) extent.Bottom = y0;
+        if (y1 > extent.Top) extent.Top = y1;
+        var (side, mostW) = (SideOf((first + end) / 2), (float)most[i]);
+        for (var y = tileY0; y <= tileY1; y++)
+            for (var x = tileX0; x <= tileX1; x++)
+                Groups.Add((2 * (y * tilesAcross + x) + side, new(first, mostW,
+                    new(Cell(x0 - x * Tile.MaxSide), Cell(x1 - x * Tile.MaxSide), Cell(y0 - y * Tile.MaxSide), Cell(y1 - y * Tile.MaxSide)))));
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static byte Cell(int pixel) => (byte)((uint)Math.Max(0, Math.Min(pixel, Tile.MaxSide - 1)) / CoarseDepth.CellSide);
 
     /// <summary>Which way around a triangle's corners are seen. Only the order of work depends on it.</summary>
     private int SideOf(int triangle)

@@ -18,10 +18,29 @@ internal static class Lanes
     {
         ref var index = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(indices), corner);
         ref var vertex = ref MemoryMarshal.GetArrayDataReference(vertices);
-        var (p0, p1) = (Corner(ref vertex, ref index, ref triangle, 0), Corner(ref vertex, ref index, ref triangle, 1));
-        var (p2, p3) = (Corner(ref vertex, ref index, ref triangle, 2), Corner(ref vertex, ref index, ref triangle, 3));
-        var (p4, p5) = (Corner(ref vertex, ref index, ref triangle, 4), Corner(ref vertex, ref index, ref triangle, 5));
-        var (p6, p7) = (Corner(ref vertex, ref index, ref triangle, 6), Corner(ref vertex, ref index, ref triangle, 7));
+        return Transpose(
+            Corner(ref vertex, ref index, ref triangle, 0), Corner(ref vertex, ref index, ref triangle, 1),
+            Corner(ref vertex, ref index, ref triangle, 2), Corner(ref vertex, ref index, ref triangle, 3),
+            Corner(ref vertex, ref index, ref triangle, 4), Corner(ref vertex, ref index, ref triangle, 5),
+            Corner(ref vertex, ref index, ref triangle, 6), Corner(ref vertex, ref index, ref triangle, 7));
+    }
+
+    /// <summary>The same of triangles that follow one another.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<WidePacket> GatherRun(Vector3[] vertices, int[] indices, int triangle, int corner)
+    {
+        ref var index = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(indices), 3 * triangle + corner);
+        ref var vertex = ref MemoryMarshal.GetArrayDataReference(vertices);
+        return Transpose(
+            Corner(ref vertex, ref index, 0), Corner(ref vertex, ref index, 1), Corner(ref vertex, ref index, 2), Corner(ref vertex, ref index, 3),
+            Corner(ref vertex, ref index, 4), Corner(ref vertex, ref index, 5), Corner(ref vertex, ref index, 6), Corner(ref vertex, ref index, 7));
+    }
+
+    /// <summary>Eight times a number and a point as the points of eight lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<WidePacket> Transpose(Vector256<double> p0, Vector256<double> p1, Vector256<double> p2, Vector256<double> p3,
+        Vector256<double> p4, Vector256<double> p5, Vector256<double> p6, Vector256<double> p7)
+    {
         if (!Avx512F.IsSupported)
         {
             Vector512<double> Of(int i) => Vector512.Create(p0[i], p1[i], p2[i], p3[i], p4[i], p5[i], p6[i], p7[i]);
@@ -52,6 +71,10 @@ internal static class Lanes
     private static Vector256<double> Corner(ref Vector3 vertex, ref int index, ref int triangle, int lane) =>
         NumberAndPoint(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, 3 * Unsafe.Add(ref triangle, lane))));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Corner(ref Vector3 vertex, ref int index, int lane) =>
+        NumberAndPoint(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, 3 * lane)));
+
     /// <summary>Four times a number and a point as the points of four lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<Packet> Transpose(Vector256<double> p0, Vector256<double> p1, Vector256<double> p2, Vector256<double> p3)
@@ -74,6 +97,13 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<double> NumberAndPoint(ref Vector3 point) =>
         Vector256.LoadUnsafe(ref Unsafe.Subtract(ref Unsafe.As<Vector3, double>(ref point), 1));
+
+    /// <summary>Asks the memory for something that is needed soon. The pointer is only a hint: nothing is read through it, wherever the thing may be moved.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void Fetch<T>(ref T thing) where T : struct
+    {
+        if (Sse.IsSupported) Sse.Prefetch0(Unsafe.AsPointer(ref thing));
+    }
 
     /// <summary>Eight doubles as floats.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -11,7 +11,7 @@ internal sealed class PieceCorners(Vector128<float>[] points) : Corners
 
     /// <inheritdoc/>
     public override void See(ReadOnlySpan<int> triangles, out EightTriangles seen) =>
-        seen = new(See(triangles, 0), See(triangles, 1), See(triangles, 2));
+        (seen.A, seen.B, seen.C) = (See(triangles, 0), See(triangles, 1), See(triangles, 2));
 
     private EightPoints See(ReadOnlySpan<int> triangles, int corner)
     {

@@ -20,6 +20,9 @@ internal sealed class TileFilter
     /// <summary>Triangles whose boxes have at most as many samples a side are looked at sample by sample, eight triangles at once.</summary>
     private const int SmallSide = 3;
 
+    /// <summary>How many groups are looked at before any of them is drawn, and how many of these their memory is asked for in advance.</summary>
+    private const int GroupsAtOnce = 256, Ahead = 4;
+
     private readonly ScreenSpace screen;
     private readonly ExactHits exact;
     private readonly float[] covered = new float[Size];   // a hit with at least this w is sure; 0 for none
@@ -29,6 +32,8 @@ internal sealed class TileFilter
     private readonly GrowingArray<(int Pixel, int Triangle, float MostW)> queue = new();
     private readonly float[] setup = new float[TriangleSetUp.Length];
     private readonly CoarseDepth coarse = new();
+    private EightTriangles eight;
+    private readonly WaitingTriangles waiting = new(), waitingLarge = new();
     private Tile tile;
     private bool isEmpty, hasDecided;
     private float greatestW;
@@ -82,8 +87,14 @@ internal sealed class TileFilter
         {
             var at = first + i;
             var any = N.Count == 8 ? Vector256.LoadUnsafe(ref front[at]) : Vector256.Create(Vector128.LoadUnsafe(ref front[at]), default);
-            if (any != Vector256<float>.Zero) span.Keep(i, exact.Hit<N>(span, i, ref proposed[at]), index);
-            if (hasDecided) span.Keep(i, N.Load(decided, at), index);
+            var hit = RaySpan.All<N>(double.NaN);
+            if (any != Vector256<float>.Zero) hit = exact.Hit<N>(span, i, ref proposed[at]);
+            if (hasDecided)
+            {
+                var other = N.Load(decided, at);
+                hit = N.Select(hit <= other, hit, other);
+            }
+            span.Keep(i, hit, index);
         }
     }
 
@@ -101,7 +112,7 @@ internal sealed class TileFilter
         Span<int> ids = stackalloc int[Samples];
         for (var i = 0; i < Samples; i++) ids[i] = triangles[(int)((long)i * triangles.Length / Samples)];
         set.Corners.See(ids, out var seen);
-        return Vector256.Sum(seen.AW) / Samples;
+        return Vector256.Sum(seen.A.W) / Samples;
     }
 
     /// <summary>Forgets all; beyond the tile's pixels everything is covered, so that they do not count where the least is looked for.</summary>
@@ -116,21 +127,39 @@ internal sealed class TileFilter
             covered.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
     }
 
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Add(ScreenTriangles set, ReadOnlySpan<Group> groups)
     {
         if (groups.Length == 0) return;
         if (isEmpty) Clear();
-        Span<int> ids = stackalloc int[8];
-        foreach (ref readonly var group in groups)
+        var firstRow = tile.Row % Tile.MaxSide;
+        var corners = set.Corners;
+        Span<int> seen = stackalloc int[GroupsAtOnce];
+        for (var next = 0; next < groups.Length;)
         {
-            if (group.MostW < coarse.LeastOf(group.Cells, tile.Row % Tile.MaxSide)) continue;
-            var end = Math.Min(group.First + Group.Length, set.Corners.Count);
-            for (var first = group.First; first < end; first += 8)
+            var count = 0;
+            for (; next < groups.Length && count < seen.Length; next++)
+                if (!coarse.Hides(groups[next].Cells, firstRow, groups[next].MostW))
+                    seen[count++] = groups[next].First;
+
+            // A group's indices and vertices lie anywhere; to wait for them would take longer than all that is computed.
+            for (var i = -Ahead; i < count; i++)
             {
-                var count = Math.Min(8, end - first);
-                for (var i = 0; i < 8; i++) ids[i] = first + Math.Min(i, count - 1);
-                AddEight(set, ids, count);
+                if (i + Ahead < count) corners.Fetch(seen[i + Ahead]);
+                if (i + Ahead / 2 is >= 0 and var near && near < count) corners.FetchVertices(seen[near]);
+                if (i >= 0) Add(set, seen[i]);
             }
+        }
+        AddWaiting();
+    }
+
+    private void Add(ScreenTriangles set, int group)
+    {
+        var end = Math.Min(group + Group.Length, set.Corners.Count);
+        for (var first = group; first < end; first += 8)
+        {
+            set.Corners.SeeRun(first, out eight);
+            Add(set, Vector256.Create(first) + Vector256<int>.Indices, end - first);
         }
     }
 
@@ -141,42 +170,86 @@ internal sealed class TileFilter
         Span<int> ids = stackalloc int[8];
         for (var first = 0; first < triangles.Length; first += 8)
         {
-            var count = Math.Min(8, triangles.Length - first);
-            for (var i = 0; i < 8; i++) ids[i] = triangles[first + Math.Min(i, count - 1)];
-            AddEight(set, ids, count);
+            for (var i = 0; i < 8; i++) ids[i] = triangles[Math.Min(first + i, triangles.Length - 1)];
+            set.Corners.See(ids, out eight);
+            Add(set, Vector256.Create<int>(ids), triangles.Length - first);
+        }
+        AddWaiting();
+    }
+
+    /// <summary>Takes the eight triangles that are seen, or less: those in whose boxes are samples wait.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Add(ScreenTriangles set, Vector256<int> names, int count)
+    {
+        ref readonly var t = ref eight;
+        var margin = Vector256.Create(screen.Margin);
+        var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
+        var left = Vector256.MaxNative(Vector256.Ceiling(Lanes.Least(t.A.X, t.B.X, t.C.X) - margin), column);
+        var right = Vector256.MinNative(Vector256.Floor(Lanes.Most(t.A.X, t.B.X, t.C.X) + margin), column + Vector256.Create(tile.Width - 1f));
+        var bottom = Vector256.MaxNative(Vector256.Ceiling(Lanes.Least(t.A.Y, t.B.Y, t.C.Y) - margin), row);
+        var top = Vector256.MinNative(Vector256.Floor(Lanes.Most(t.A.Y, t.B.Y, t.C.Y) + margin), row + Vector256.Create(tile.Height - 1f));
+        var shows = (Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top)).ExtractMostSignificantBits();
+        if (count < 8) shows &= (1u << count) - 1;
+        if (shows == 0) return;
+        if (set.Owners is { } owners)
+            for (var i = 0; i < 8; i++)
+                names = names.WithElement(i, owners[Math.Min(names[i], owners.Length - 1)]);
+
+        var side = Vector256.Create((float)SmallSide);
+        var small = (Vector256.LessThan(right - left, side) & Vector256.LessThan(top - bottom, side)).ExtractMostSignificantBits();
+        if ((shows & small) != 0)
+        {
+            waiting.Add(t, names, shows & small);
+            if (waiting.Count >= 8) AddSmall();
+        }
+        if ((shows & ~small) != 0)
+        {
+            waitingLarge.Add(t, names, shows & ~small);
+            if (waitingLarge.Count >= 8) AddLarge();
         }
     }
 
-    private void AddEight(ScreenTriangles set, Span<int> ids, int count)
+    private void AddWaiting()
     {
-        set.Corners.See(ids, out var seen);
-        var shows = TriangleSetUp.Of(seen, screen, tile, setup) & ((1u << count) - 1);
-        if (shows == 0) return;
-        if (set.Owners is not null)
-            for (var i = 0; i < 8; i++)
-                ids[i] = set.Owners[ids[i]];
-        for (shows &= ~CoverSmall(ids, shows); shows != 0; shows &= shows - 1)
-        {
-            var i = BitOperations.TrailingZeroCount(shows);
-            Cover(ids[i], i);
-        }
+        if (waiting.Count > 0) AddSmall();
+        if (waitingLarge.Count > 0) AddLarge();
+    }
+
+    private void AddSmall()
+    {
+        CoverSmall(waiting.Triangles, SetUp(waiting));
+        waiting.Drop();
         if (queue.Count > QueueLength) Decide();
     }
 
-    /// <summary>Takes those of eight triangles that are small, and tells which they are.</summary>
+    private void AddLarge()
+    {
+        for (var shows = SetUp(waitingLarge); shows != 0; shows &= shows - 1)
+        {
+            var i = BitOperations.TrailingZeroCount(shows);
+            Cover(waitingLarge.Triangles[i], i);
+        }
+        waitingLarge.Drop();
+        if (queue.Count > QueueLength) Decide();
+    }
+
+    private uint SetUp(WaitingTriangles eight)
+    {
+        eight.See(out var seen);
+        return TriangleSetUp.Of(seen, screen, tile, setup) & (eight.Count < 8 ? (1u << eight.Count) - 1 : 0xFF);
+    }
+
+    /// <summary>Takes eight small triangles.</summary>
     /// <param name="ids">The mesh's triangles.</param>
     /// <param name="shows">Which of them to look at.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private uint CoverSmall(ReadOnlySpan<int> ids, uint shows)
+    private void CoverSmall(ReadOnlySpan<int> ids, uint shows)
     {
         Vector256<float> At(int field) => Vector256.LoadUnsafe(ref setup[8 * field]);
 
         var (left, bottom) = (At(TriangleSetUp.Left), At(TriangleSetUp.Bottom));
         var (across, upwards) = (At(TriangleSetUp.Right) - left, At(TriangleSetUp.Top) - bottom);
-        var side = Vector256.Create((float)SmallSide);
-        var small = Vector256.LessThan(across, side) & Vector256.LessThan(upwards, side);
-        shows &= small.ExtractMostSignificantBits();
-        if (shows == 0) return 0;
+        if (shows == 0) return;
 
         var most = At(TriangleSetUp.MostW);
         Span<int> pixels = stackalloc int[8];
@@ -186,12 +259,12 @@ internal sealed class TileFilter
 
         ref var coveredAt = ref MemoryMarshal.GetArrayDataReference(covered);
         ref var frontAt = ref MemoryMarshal.GetArrayDataReference(front);
-        for (var y = 0; y < SmallSide; y++)
+        for (var y = 0; ; y++)
         {
             var up = Vector256.Create((float)y);
             var inRow = Vector256.GreaterThanOrEqual(upwards, up);
             if ((inRow.ExtractMostSignificantBits() & shows) == 0) break;
-            for (var x = 0; x < SmallSide; x++)
+            for (var x = 0; ; x++)
             {
                 var right = Vector256.Create((float)x);
                 var inBox = inRow & Vector256.GreaterThanOrEqual(across, right);
@@ -223,7 +296,6 @@ internal sealed class TileFilter
                 }
             }
         }
-        return shows;
     }
 
     /// <summary>Takes one triangle, eight pixels of a row at a time.</summary>

@@ -40,8 +40,8 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners)
         {
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
             corners.See(ids, out var t);
-            var (left, right) = (Lanes.Least(t.AX, t.BX, t.CX), Lanes.Most(t.AX, t.BX, t.CX));
-            var (bottom, top) = (Lanes.Least(t.AY, t.BY, t.CY), Lanes.Most(t.AY, t.BY, t.CY));
+            var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
+            var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
             var size = right - left + (top - bottom);
 
             // The samples within the box around the triangle. Columns and rows of a picture are exact in floats.
@@ -49,17 +49,17 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners)
             var column1 = Vector256.MinNative(Vector256.Floor(right + margin), lastColumn);
             var row0 = Vector256.MaxNative(Vector256.Ceiling(bottom - margin), zero);
             var row1 = Vector256.MinNative(Vector256.Floor(top + margin), lastRow);
-            var fit = screen.IsFit(t.AX, t.AY, t.AW) & screen.IsFit(t.BX, t.BY, t.BW) & screen.IsFit(t.CX, t.CY, t.CW);
+            var fit = screen.IsFit(t.A.X, t.A.Y, t.A.W) & screen.IsFit(t.B.X, t.B.Y, t.B.W) & screen.IsFit(t.C.X, t.C.Y, t.C.W);
             var shows = Vector256.LessThanOrEqual(column0, column1) & Vector256.LessThanOrEqual(row0, row1);
 
             // The range of w that counts; see TriangleSetUp on the stretch of the corners' w.
             var stretch = size * spread;
-            shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.AW, t.BW, t.CW) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
-            shows &= Vector256.LessThanOrEqual(Lanes.Least(t.AW, t.BW, t.CW) * (one - stretch), mostW);
+            shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.A.W, t.B.W, t.C.W) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
+            shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
 
             // Where the box holds one sample only, the sides tell whether it is beside the triangle. (The others are looked at in their tiles.)
-            var (ax, bx, cx) = (t.AX - column0, t.BX - column0, t.CX - column0);
-            var (ay, by, cy) = (t.AY - row0, t.BY - row0, t.CY - row0);
+            var (ax, bx, cx) = (t.A.X - column0, t.B.X - column0, t.C.X - column0);
+            var (ay, by, cy) = (t.A.Y - row0, t.B.Y - row0, t.C.Y - row0);
             var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
             var slack = size * (Vector256.Create(6 * screen.Margin) + size * Vector256.Create(TriangleSetUp.Roundings));
             var beside = Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
