@@ -30,13 +30,18 @@ internal sealed class TileFilter
     private readonly int[] proposed = new int[Size];      // the triangle; any where there is none
     private readonly double[] decided = new double[Size]; // the least t of the hits that had to be decided by the formula
     private readonly GrowingArray<(int Pixel, int Triangle, float MostW)> queue = new();
+    private readonly int[] pixelOfLane = new int[8];
+    private readonly float[] upperOfLane = new float[8], lowerOfLane = new float[8];
+    private readonly float[] unsureUppers = new float[Size];  // of the triangle at work: packets with pixels that are not sure
+    private readonly int[] unsurePixels = new int[Size / 8];
+    private readonly uint[] unsureLanes = new uint[Size / 8];
     private readonly float[] setup = new float[TriangleSetUp.Length];
     private readonly CoarseDepth coarse = new();
     private EightTriangles eight;
     private readonly WaitingTriangles waiting = new(), waitingLarge = new();
     private Tile tile;
     private bool isEmpty, hasDecided;
-    private float greatestW;
+    private Vector256<float> greatestW;
 
     public TileFilter(ScreenSpace screen, Vector3[] vertices, int[] indices)
     {
@@ -49,7 +54,7 @@ internal sealed class TileFilter
         this.tile = tile;
         isEmpty = true;
         hasDecided = false;
-        greatestW = 0;
+        greatestW = Vector256<float>.Zero;
         foreach (var set in sets)
         {
             // Most of what is seen of a closed mesh faces the camera with the same side; that side first, most of the other is found to be hidden.
@@ -68,7 +73,10 @@ internal sealed class TileFilter
         if (isEmpty) return Reach.None;
         Decide();
         coarse.Update(covered);
-        return new(screen.Unit / greatestW * (1 - 1e-6), coarse.Least > 0 ? screen.Unit / coarse.Least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
+        var greatest = 0f;
+        for (var i = 0; i < 8; i++) greatest = Math.Max(greatest, greatestW[i]);
+        var least = coarse.Least;
+        return new(screen.Unit / greatest * (1 - 1e-6), least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
     /// <summary>Keeps the hits of a part of a row of the tile.</summary>
@@ -217,7 +225,7 @@ internal sealed class TileFilter
 
     private void AddSmall()
     {
-        CoverSmall(waiting.Triangles, SetUp(waiting));
+        CoverSmall(ref waiting.Triangle, SetUp(waiting));
         waiting.Drop();
         if (queue.Count > QueueLength) Decide();
     }
@@ -227,7 +235,7 @@ internal sealed class TileFilter
         for (var shows = SetUp(waitingLarge); shows != 0; shows &= shows - 1)
         {
             var i = BitOperations.TrailingZeroCount(shows);
-            Cover(waitingLarge.Triangles[i], i);
+            Cover(Unsafe.Add(ref waitingLarge.Triangle, i), i);
         }
         waitingLarge.Drop();
         if (queue.Count > QueueLength) Decide();
@@ -236,67 +244,83 @@ internal sealed class TileFilter
     private uint SetUp(WaitingTriangles eight)
     {
         eight.See(out var seen);
-        return TriangleSetUp.Of(seen, screen, tile, setup) & (eight.Count < 8 ? (1u << eight.Count) - 1 : 0xFF);
+        var shows = TriangleSetUp.Of(seen, screen, tile, setup) & (eight.Count < 8 ? (1u << eight.Count) - 1 : 0xFF);
+        greatestW = Vector256.MaxNative(greatestW, Field(ref setup[0], TriangleSetUp.MostW));
+        return shows;
     }
 
-    /// <summary>Takes eight small triangles.</summary>
-    /// <param name="ids">The mesh's triangles.</param>
+    /// <summary>Takes eight small triangles, sample by sample of their boxes.</summary>
+    /// <param name="triangle">The first of the mesh's triangles, which the others follow.</param>
     /// <param name="shows">Which of them to look at.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void CoverSmall(ReadOnlySpan<int> ids, uint shows)
+    private void CoverSmall(ref int triangle, uint shows)
     {
-        Vector256<float> At(int field) => Vector256.LoadUnsafe(ref setup[8 * field]);
-
-        var (left, bottom) = (At(TriangleSetUp.Left), At(TriangleSetUp.Bottom));
-        var (across, upwards) = (At(TriangleSetUp.Right) - left, At(TriangleSetUp.Top) - bottom);
-        if (shows == 0) return;
-
-        var most = At(TriangleSetUp.MostW);
-        Span<int> pixels = stackalloc int[8];
-        Span<float> upper = stackalloc float[8], lower = stackalloc float[8];
-        most.CopyTo(upper);
-        for (var bits = shows; bits != 0; bits &= bits - 1) greatestW = Math.Max(greatestW, upper[BitOperations.TrailingZeroCount(bits)]);
-
+        ref var s = ref MemoryMarshal.GetArrayDataReference(setup);
         ref var coveredAt = ref MemoryMarshal.GetArrayDataReference(covered);
         ref var frontAt = ref MemoryMarshal.GetArrayDataReference(front);
+        ref var proposedAt = ref MemoryMarshal.GetArrayDataReference(proposed);
+        ref var pixels = ref MemoryMarshal.GetArrayDataReference(pixelOfLane);
+        ref var uppers = ref MemoryMarshal.GetArrayDataReference(upperOfLane);
+        ref var lowers = ref MemoryMarshal.GetArrayDataReference(lowerOfLane);
+        var (left, bottom) = (Field(ref s, TriangleSetUp.Left), Field(ref s, TriangleSetUp.Bottom));
+        var (across, upwards) = (Field(ref s, TriangleSetUp.Right) - left, Field(ref s, TriangleSetUp.Top) - bottom);
+        var firstPixel = Vector256.ConvertToInt32Native(bottom * Vector256.Create((float)Stride) + left);
         for (var y = 0; ; y++)
         {
             var up = Vector256.Create((float)y);
-            var inRow = Vector256.GreaterThanOrEqual(upwards, up);
-            if ((inRow.ExtractMostSignificantBits() & shows) == 0) break;
+            var inRow = shows & Vector256.GreaterThanOrEqual(upwards, up).ExtractMostSignificantBits();
+            if (inRow == 0) return;
+            var rowU = Field(ref s, TriangleSetUp.U) + up * Field(ref s, TriangleSetUp.U + 2);
+            var rowV = Field(ref s, TriangleSetUp.V) + up * Field(ref s, TriangleSetUp.V + 2);
+            var rowW = Field(ref s, TriangleSetUp.W) + up * Field(ref s, TriangleSetUp.W + 2);
             for (var x = 0; ; x++)
             {
                 var right = Vector256.Create((float)x);
-                var inBox = inRow & Vector256.GreaterThanOrEqual(across, right);
-                var bits = inBox.ExtractMostSignificantBits() & shows;
+                var bits = inRow & Vector256.GreaterThanOrEqual(across, right).ExtractMostSignificantBits();
                 if (bits == 0) break;
-                var u = At(TriangleSetUp.U) + right * At(TriangleSetUp.U + 1) + up * At(TriangleSetUp.U + 2);
-                var v = At(TriangleSetUp.V) + right * At(TriangleSetUp.V + 1) + up * At(TriangleSetUp.V + 2);
-                var w = At(TriangleSetUp.W) + right * At(TriangleSetUp.W + 1) + up * At(TriangleSetUp.W + 2);
-                var inner = Vector256.MinNative(u, Vector256.MinNative(v, w));
-                bits &= Vector256.GreaterThanOrEqual(inner, At(TriangleSetUp.Outside)).ExtractMostSignificantBits();
+                var inner = Vector256.MinNative(
+                    Vector256.MultiplyAddEstimate(right, Field(ref s, TriangleSetUp.U + 1), rowU),
+                    Vector256.MinNative(
+                        Vector256.MultiplyAddEstimate(right, Field(ref s, TriangleSetUp.V + 1), rowV),
+                        Vector256.MultiplyAddEstimate(right, Field(ref s, TriangleSetUp.W + 1), rowW)));
+                bits &= Vector256.GreaterThanOrEqual(inner, Field(ref s, TriangleSetUp.Outside)).ExtractMostSignificantBits();
                 if (bits == 0) continue;
 
-                var nearness = At(TriangleSetUp.Depth) + right * At(TriangleSetUp.Depth + 1) + up * At(TriangleSetUp.Depth + 2);
-                var slack = At(TriangleSetUp.Slack);
-                Vector256.MinNative(nearness + slack, most).CopyTo(upper);
-                Vector256.ConditionalSelect(Vector256.GreaterThan(inner, At(TriangleSetUp.Inside)),
-                    Vector256.MaxNative(nearness - slack, At(TriangleSetUp.LeastW)), Vector256.Create(-1f)).CopyTo(lower);
-                Vector256.ConvertToInt32((bottom + up) * Vector256.Create((float)Stride) + (left + right)).CopyTo(pixels);
+                var nearness = Vector256.MultiplyAddEstimate(right, Field(ref s, TriangleSetUp.Depth + 1),
+                    Vector256.MultiplyAddEstimate(up, Field(ref s, TriangleSetUp.Depth + 2), Field(ref s, TriangleSetUp.Depth)));
+                var slack = Field(ref s, TriangleSetUp.Slack);
+                var covers = Vector256.GreaterThan(inner, Field(ref s, TriangleSetUp.Inside));
+                Vector256.MinNative(nearness + slack, Field(ref s, TriangleSetUp.MostW)).StoreUnsafe(ref uppers);
+                Vector256.ConditionalSelect(covers, Vector256.MaxNative(nearness - slack, Field(ref s, TriangleSetUp.LeastW)), Vector256.Create(-1f))
+                    .StoreUnsafe(ref lowers);
+                (firstPixel + Vector256.Create(y * Stride + x)).StoreUnsafe(ref pixels);
                 for (; bits != 0; bits &= bits - 1)
                 {
                     var i = BitOperations.TrailingZeroCount(bits);
-                    var (pixel, mostW, leastW) = (pixels[i], upper[i], lower[i]);
+                    var (pixel, mostW, leastW) = (Unsafe.Add(ref pixels, i), Unsafe.Add(ref uppers, i), Unsafe.Add(ref lowers, i));
                     ref var sure = ref Unsafe.Add(ref coveredAt, pixel);
                     if (mostW < sure) continue;
                     ref var before = ref Unsafe.Add(ref frontAt, pixel);
-                    if (leastW > before) (before, proposed[pixel]) = (mostW, ids[i]);
-                    else queue.Add((pixel, ids[i], mostW));
+                    if (leastW > before)
+                    {
+                        before = mostW;
+                        Unsafe.Add(ref proposedAt, pixel) = Unsafe.Add(ref triangle, i);
+                    }
+                    else
+                    {
+                        Enqueue(pixel, Unsafe.Add(ref triangle, i), mostW);
+                    }
                     if (leastW > sure) sure = leastW;
                 }
             }
         }
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<float> Field(ref float setup, int field) => Vector256.LoadUnsafe(ref Unsafe.Add(ref setup, 8 * field));
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Enqueue(int pixel, int triangle, float mostW) => queue.Add((pixel, triangle, mostW));
 
     /// <summary>Takes one triangle, eight pixels of a row at a time.</summary>
     /// <param name="triangle">The mesh's triangle.</param>
@@ -308,8 +332,10 @@ internal sealed class TileFilter
         float At(ref float of, int field) => Unsafe.Add(ref of, 8 * field);
 
         var lanes = Vector256.Create(0f, 1, 2, 3, 4, 5, 6, 7);
-        var (left, right) = ((int)At(ref s, TriangleSetUp.Left), (int)At(ref s, TriangleSetUp.Right));
-        var (bottom, top) = ((int)At(ref s, TriangleSetUp.Bottom), (int)At(ref s, TriangleSetUp.Top));
+        int Whole(ref float of, int field) => float.ConvertToIntegerNative<int>(At(ref of, field));
+
+        var (left, right) = (Whole(ref s, TriangleSetUp.Left), Whole(ref s, TriangleSetUp.Right));
+        var (bottom, top) = (Whole(ref s, TriangleSetUp.Bottom), Whole(ref s, TriangleSetUp.Top));
         var upU = Vector256.Create(At(ref s, TriangleSetUp.U + 2));
         var upV = Vector256.Create(At(ref s, TriangleSetUp.V + 2));
         var upW = Vector256.Create(At(ref s, TriangleSetUp.W + 2));
@@ -320,7 +346,10 @@ internal sealed class TileFilter
         var outside = Vector256.Create(At(ref s, TriangleSetUp.Outside));
         var inside = Vector256.Create(At(ref s, TriangleSetUp.Inside));
         var name = Vector256.Create(triangle);
-        greatestW = Math.Max(greatestW, most[0]);
+        ref var uppers = ref MemoryMarshal.GetArrayDataReference(unsureUppers);
+        ref var pixels = ref MemoryMarshal.GetArrayDataReference(unsurePixels);
+        ref var unsureAt = ref MemoryMarshal.GetArrayDataReference(unsureLanes);
+        var count = 0;
 
         ref var coveredAt = ref MemoryMarshal.GetArrayDataReference(covered);
         ref var frontAt = ref MemoryMarshal.GetArrayDataReference(front);
@@ -355,18 +384,25 @@ internal sealed class TileFilter
                     .StoreUnsafe(ref Unsafe.Add(ref proposedAt, pixel));
 
                 var unsure = Vector256.AndNot(possible, wins).ExtractMostSignificantBits();
-                if (unsure != 0) Enqueue(unsure, pixel, triangle, upper);
+                if (unsure == 0) continue;
+                upper.StoreUnsafe(ref Unsafe.Add(ref uppers, 8 * count)); // a call here would put all that is in registers on the stack
+                (Unsafe.Add(ref unsureAt, count), Unsafe.Add(ref pixels, count)) = (unsure, pixel);
+                count++;
             }
         }
+        if (count > 0) Enqueue(count, triangle);
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Enqueue(uint lanes, int pixel, int triangle, Vector256<float> upper)
+    /// <summary>Puts a triangle's pixels that are not sure into the queue.</summary>
+    private void Enqueue(int count, int triangle)
     {
-        for (; lanes != 0; lanes &= lanes - 1)
+        for (var k = 0; k < count; k++)
         {
-            var i = BitOperations.TrailingZeroCount(lanes);
-            queue.Add((pixel + i, triangle, upper[i]));
+            for (var lanes = unsureLanes[k]; lanes != 0; lanes &= lanes - 1)
+            {
+                var i = BitOperations.TrailingZeroCount(lanes);
+                queue.Add((unsurePixels[k] + i, triangle, unsureUppers[8 * k + i]));
+            }
         }
     }
 

@@ -15,7 +15,7 @@ internal static class TriangleSetUp
     /// <summary>The samples of the box, seen from the tile's corner.</summary>
     public const int Left = 12, Right = 13, Bottom = 14, Top = 15;
 
-    /// <summary>w is known up to ± this, and lies between these.</summary>
+    /// <summary>w is known up to ± this, and lies between these; the greatest is 0 where the triangle does not show.</summary>
     public const int Slack = 16, LeastW = 17, MostW = 18;
 
     /// <summary>A sample with a side function below the first is surely outside, with all above the second surely covered.</summary>
@@ -90,7 +90,7 @@ internal static class TriangleSetUp
             Vector256.AndNot(depthRight, isSliver), Vector256.AndNot(depthUp, isSliver));
         Keep(fields, Left, left, right, bottom);
         Keep(fields, Top, top, Vector256.AndNot(depthSlack, isSliver), leastW * Vector256.Create(1 - 4e-6f));
-        Keep(fields, MostW, Vector256.ConditionalSelect(isSliver, stretchedW * Vector256.Create(1 + 4e-6f), mostW * Vector256.Create(1 + 4e-6f)),
+        Keep(fields, MostW, shows & (Vector256.ConditionalSelect(isSliver, stretchedW, mostW) * Vector256.Create(1 + 4e-6f)),
             // Which way around a sliver is seen is not known; if it is the other way, its functions are below its area's and the others' slack.
             Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack),
             Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)));

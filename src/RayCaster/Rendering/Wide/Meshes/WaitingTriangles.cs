@@ -18,8 +18,8 @@ internal sealed class WaitingTriangles
     /// <summary>How many there are: after <see cref="Add"/> fewer than sixteen.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Their numbers; of the first eight each one is a triangle even where there are fewer.</summary>
-    public ReadOnlySpan<int> Triangles => triangles;
+    /// <summary>The first one's number, which those of the others follow.</summary>
+    public ref int Triangle => ref triangles[0];
 
     /// <summary>Adds some of eight triangles, while there are fewer than eight.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
