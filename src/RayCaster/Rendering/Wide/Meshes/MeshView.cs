@@ -29,11 +29,12 @@ internal sealed class MeshView : ModelView
         }
 
         var whole = new ScreenTriangles(
-            screen, new MeshCorners(screen, vertices, indices), null, each => new GroupSorter(screen, vertices, indices, each), threads);
+            screen, new MeshCorners(screen, vertices, indices), null,
+            each => new GroupSorter(screen, vertices, indices, each), () => new Twins(vertices, indices), threads);
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
-        var clipped = new ScreenTriangles(screen, new PieceCorners(clipper.Points), clipper.Owners, null, threads);
+        var clipped = new ScreenTriangles(screen, new PieceCorners(clipper.Points), clipper.Owners, null, null, threads);
         sets = [whole, clipped];
 
         if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);

@@ -13,14 +13,15 @@ internal sealed class ScreenTriangles
     /// <param name="corners">Where the triangles' corners are seen.</param>
     /// <param name="owners">The mesh's triangle that each belongs to; null where they are the same.</param>
     /// <param name="group">Makes a sorter of groups, which gives what it does not sort to the one of triangles; null where neighbours mean nothing.</param>
+    /// <param name="twins">Makes what knows that triangles are the same; null where that is not known.</param>
     /// <param name="threads">How many threads may work.</param>
-    public ScreenTriangles(ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, GroupSorter>? group, int threads)
+    public ScreenTriangles(ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, GroupSorter>? group, Func<Twins>? twins, int threads)
     {
         (Corners, Owners) = (corners, owners);
         tilesAcross = Frame.TilesOf(screen.Camera.Width);
         var count = corners.Count;
         var sorters = new TriangleSorter[Math.Clamp(count / LeastForAThread, 1, threads)];
-        for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners);
+        for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
         var groupers = group is null ? [] : Array.ConvertAll(sorters, sorter => group(sorter));
         int First(int sorter) => sorter == sorters.Length ? count : (int)((long)count * sorter / sorters.Length) / Group.Length * Group.Length;
         InParallel(sorters.Length, i =>

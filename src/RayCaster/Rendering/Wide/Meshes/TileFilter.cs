@@ -36,6 +36,7 @@ internal sealed class TileFilter
     private readonly int[] unsurePixels = new int[Size / 8];
     private readonly uint[] unsureLanes = new uint[Size / 8];
     private readonly float[] setup = new float[TriangleSetUp.Length];
+    private readonly Twins twins;
     private readonly CoarseDepth coarse = new();
     private EightTriangles eight;
     private readonly WaitingTriangles waiting = new(), waitingLarge = new();
@@ -45,7 +46,7 @@ internal sealed class TileFilter
 
     public TileFilter(ScreenSpace screen, Vector3[] vertices, int[] indices)
     {
-        (this.screen, exact) = (screen, new(screen, vertices, indices));
+        (this.screen, exact, twins) = (screen, new(screen, vertices, indices), new(vertices, indices));
     }
 
     /// <summary>Finds the pixels' triangles.</summary>
@@ -128,6 +129,7 @@ internal sealed class TileFilter
     {
         isEmpty = false;
         coarse.Clear();
+        twins.Clear();
         covered.AsSpan().Clear();
         front.AsSpan().Clear();
         proposed.AsSpan().Clear();
@@ -320,7 +322,10 @@ internal sealed class TileFilter
     private static Vector256<float> Field(ref float setup, int field) => Vector256.LoadUnsafe(ref Unsafe.Add(ref setup, 8 * field));
 
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private void Enqueue(int pixel, int triangle, float mostW) => queue.Add((pixel, triangle, mostW));
+    private void Enqueue(int pixel, int triangle, float mostW)
+    {
+        if (!twins.HasEarlier(triangle)) queue.Add((pixel, triangle, mostW));
+    }
 
     /// <summary>Takes one triangle, eight pixels of a row at a time.</summary>
     /// <param name="triangle">The mesh's triangle.</param>
@@ -396,6 +401,7 @@ internal sealed class TileFilter
     /// <summary>Puts a triangle's pixels that are not sure into the queue.</summary>
     private void Enqueue(int count, int triangle)
     {
+        if (twins.HasEarlier(triangle)) return;
         for (var k = 0; k < count; k++)
         {
             for (var lanes = unsureLanes[k]; lanes != 0; lanes &= lanes - 1)

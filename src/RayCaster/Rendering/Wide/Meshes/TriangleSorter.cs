@@ -5,7 +5,10 @@ using System.Runtime.Intrinsics;
 namespace RayCaster;
 
 /// <summary>One thread's tool: finds the tiles of triangles, eight at a time.</summary>
-internal sealed class TriangleSorter(ScreenSpace screen, Corners corners)
+/// <param name="screen">The camera.</param>
+/// <param name="corners">Where the triangles' corners are seen.</param>
+/// <param name="twins">Knows which large triangles are there already; null where that is not known.</param>
+internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Twins? twins)
 {
     /// <summary>A triangle in more tiles than this is looked at in every tile, so that a million large ones do not need a place in each.</summary>
     private const int ManyTiles = 64;
@@ -68,7 +71,11 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners)
 
             var inRange = end - first >= 8 ? 0xFFu : (1u << (end - first)) - 1;
             var unfit = ~fit.ExtractMostSignificantBits() & inRange;
-            for (; unfit != 0; unfit &= unfit - 1) Unfit.Add(first + BitOperations.TrailingZeroCount(unfit));
+            for (; unfit != 0; unfit &= unfit - 1)
+            {
+                var i = first + BitOperations.TrailingZeroCount(unfit);
+                if (twins is null || !twins.HasEarlier(i)) Unfit.Add(i);
+            }
             var bits = shows.ExtractMostSignificantBits() & inRange;
             if (bits == 0) continue;
 
@@ -92,7 +99,9 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners)
         if (bottom < extent.Bottom) extent.Bottom = bottom;
         if (top > extent.Top) extent.Top = top;
         var (x0, x1, y0, y1) = (left / Tile.MaxSide, right / Tile.MaxSide, bottom / Tile.MaxSide, top / Tile.MaxSide);
-        if ((long)(x1 - x0 + 1) * (y1 - y0 + 1) > ManyTiles)
+        var tiles = (long)(x1 - x0 + 1) * (y1 - y0 + 1);
+        if (tiles > 1 && twins is not null && twins.HasEarlier(triangle)) return;
+        if (tiles > ManyTiles)
         {
             Large.Add(triangle);
             return;
