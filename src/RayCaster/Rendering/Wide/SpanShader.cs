@@ -9,24 +9,40 @@ internal sealed class SpanShader
 {
     private readonly Scene scene;
     private readonly Color[] colors; // the background, then the models
+    private readonly RoughShader? rough;
 
-    public SpanShader(Scene scene)
+    public SpanShader(Frame frame)
     {
-        this.scene = scene;
+        scene = frame.Scene;
         colors = new Color[scene.Models.Count + 1];
         colors[0] = scene.Background;
         for (var i = 1; i < colors.Length; i++) colors[i] = scene.Models[i - 1].Color;
+        rough = frame.IsLong ? RoughShader.For(scene, colors) : null;
     }
 
     /// <summary>Writes the pixels of a span.</summary>
     /// <param name="span">The hits.</param>
     /// <param name="rgb">Room for three bytes a pixel.</param>
+    /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    public void Shade(RaySpan span, byte[] rgb, int first, int step)
+    {
+        if (rough is not null && span.Width % RoughPacket.Count == 0) rough.Shade(span, this, rgb, first, step);
+        else
+            for (var i = 0; i < span.Length; i += span.Width, first += step)
+                Shade(span, i, rgb.AsSpan(first, 3 * span.Width));
+    }
+
+    /// <summary>Writes some pixels.</summary>
+    /// <param name="span">The hits.</param>
+    /// <param name="first">The first of the pixels in the span.</param>
+    /// <param name="rgb">Three bytes for each of the pixels.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Shade(RaySpan span, Span<byte> rgb)
+    public void Shade(RaySpan span, int first, Span<byte> rgb)
     {
         var packed = Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
         Span<byte> rest = stackalloc byte[16];
-        for (var i = 0; i < span.Length; i += Packet.Count)
+        for (var i = first; rgb.Length > 0; i += Packet.Count)
         {
             var models = span.ModelsAt<Packet>(i);
             var isMiss = models < 0;
@@ -58,6 +74,14 @@ internal sealed class SpanShader
                 rgb = rgb[Math.Min(12, rgb.Length)..];
             }
         }
+    }
+
+    /// <summary>Writes pixels that show the background.</summary>
+    /// <param name="rgb">Room for three bytes a pixel.</param>
+    public void ShadeMiss(Span<byte> rgb)
+    {
+        var (r, g, b) = scene.Background.ToBytes();
+        for (var i = 0; i + 2 < rgb.Length; i += 3) (rgb[i], rgb[i + 1], rgb[i + 2]) = (r, g, b);
     }
 
     /// <summary>The bytes of a channel of four pixels, each in an int.</summary>
