@@ -25,6 +25,9 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>The packet that begins at a place in an array.</summary>
     static abstract N Load(double[] numbers, int first);
 
+    /// <summary>A corner of triangles of a mesh, one to each lane; see <see cref="Lanes"/>.</summary>
+    static abstract Vector3<N> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner);
+
     /// <summary>Puts the packet at a place in an array.</summary>
     void Store(double[] numbers, int first);
 }

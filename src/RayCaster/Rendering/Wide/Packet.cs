@@ -90,6 +90,10 @@ internal readonly struct Packet(Vector256<double> lanes) : IPacket<Packet>
     public static Packet Load(double[] numbers, int first) => new(Vector256.LoadUnsafe(ref numbers[first]));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner) =>
+        RayCaster.Lanes.GatherFour(vertices, indices, ref triangle, corner);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
 
     /// <summary>The whole parts of numbers from 0 to 2³¹.</summary>

@@ -85,5 +85,9 @@ internal readonly struct WidePacket(Vector512<double> lanes) : IPacket<WidePacke
     public static WidePacket Load(double[] numbers, int first) => new(Vector512.LoadUnsafe(ref numbers[first]));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<WidePacket> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner) =>
+        RayCaster.Lanes.Gather(vertices, indices, ref triangle, corner);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
 }

@@ -25,13 +25,17 @@ public class MarginTests
         var random = new Random(1);
         var vertices = new Vector3[100_000];
         for (var i = 0; i < vertices.Length; i++) vertices[i] = new(random.NextDouble(), random.NextDouble(), random.NextDouble());
-        var points = screen.Project(vertices, threads: 2);
+        var corners = new MeshCorners(screen, vertices, [.. Enumerable.Range(0, vertices.Length / 3 * 3)]);
         var worst = 0.0;
-        for (var i = 0; i < vertices.Length; i++)
+        for (var i = 0; i < corners.Count; i += 8)
         {
-            var p = screen.See(vertices[i]);
-            var (x, y, _, _) = screen.Project<Scalar>(p.X, p.Y, p.Z);
-            worst = Math.Max(worst, Math.Max(Math.Abs(points[i][0] - x), Math.Abs(points[i][1] - y)));
+            corners.See([.. Enumerable.Range(i, 8).Select(triangle => Math.Min(triangle, corners.Count - 1))], out var seen);
+            for (var lane = 0; lane < Math.Min(8, corners.Count - i); lane++)
+            {
+                var p = screen.See(vertices[3 * (i + lane)]);
+                var (x, y, _) = screen.Project<Scalar>(p.X, p.Y, p.Z);
+                worst = Math.Max(worst, Math.Max(Math.Abs(seen.A.X[lane] - x), Math.Abs(seen.A.Y[lane] - y)));
+            }
         }
         Assert.InRange(worst, screen.Margin / 16, screen.Margin);
     }

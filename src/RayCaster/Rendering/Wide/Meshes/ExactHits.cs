@@ -3,48 +3,67 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster;
 
-/// <summary>Asks the triangles' formula where each of four rays hits its own triangle.</summary>
-internal sealed class ExactHits(Camera camera, Vector3[] vertices, int[] indices)
+/// <summary>Asks the triangles' formula where each ray of a packet hits its own triangle.</summary>
+internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] indices)
 {
-    private readonly double[] columns = new double[Packet.Count], rows = new double[Packet.Count], hits = new double[Packet.Count];
-    private readonly int[] triangles = new int[Packet.Count], places = new int[Packet.Count];
+    private readonly double[] columns = new double[Length], rows = new double[Length], hits = new double[Length], nearness = new double[Length];
+    private readonly int[] triangles = new int[Length], places = new int[Length];
     private int count;
 
-    /// <summary>The t of each lane's hit that counts, or NaN. A lane without a triangle (−1) is asked about that of another lane.</summary>
+    /// <summary>How many questions wait for each other.</summary>
+    private static int Length => Vector512.IsHardwareAccelerated ? WidePacket.Count : Packet.Count;
+
+    /// <summary>The t of each lane's hit that counts, or NaN.</summary>
+    /// <param name="span">The rays.</param>
+    /// <param name="pixel">The first ray of the packet.</param>
+    /// <param name="triangle">The triangle of the first lane, which those of the others follow.</param>
+    /// <typeparam name="N">The kind of packet.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Packet Hit(RaySpan span, int pixel, Vector128<int> triangleOfLane) =>
-        span.First(pixel, Cross(span.RaysAt<Packet>(pixel), triangleOfLane));
+    public N Hit<N>(RaySpan span, int pixel, ref int triangle) where N : struct, IPacket<N> =>
+        span.First(pixel, Cross(span.RaysAt<N>(pixel), ref triangle));
 
     /// <summary>Asks about a pixel and a triangle, sooner or later, and keeps the t if it is less than what stands at the place.</summary>
-    public void Add(int column, int row, int triangle, int place, double[] least)
+    /// <param name="column">The pixel's column.</param>
+    /// <param name="row">The pixel's row.</param>
+    /// <param name="triangle">The triangle.</param>
+    /// <param name="place">Where the pixel's numbers stand.</param>
+    /// <param name="least">The least t.</param>
+    /// <param name="covered">The greatest w, less what may be rounded.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Add(int column, int row, int triangle, int place, double[] least, float[] covered)
     {
         (columns[count], rows[count], triangles[count], places[count]) = (column, row, triangle, place);
-        if (++count == Packet.Count) Flush(least);
+        if (++count == Length) Flush(least, covered);
     }
 
     /// <summary>Asks about all that is left.</summary>
-    public void Flush(double[] least)
+    public void Flush(double[] least, float[] covered)
     {
         if (count == 0) return;
-        for (var i = count; i < Packet.Count; i++) (columns[i], rows[i], triangles[i]) = (columns[0], rows[0], triangles[0]);
-        var direction = camera.Direction(Packet.Load(columns, 0), Packet.Load(rows, 0));
-        var crossings = Cross(new Ray<Packet>(camera.Position, direction), Vector128.Create<int>(triangles));
-        camera.ClipRange.First(crossings, camera.ZPerT(direction)).Store(hits, 0);
+        for (var i = count; i < Length; i++) (columns[i], rows[i], triangles[i]) = (columns[0], rows[0], triangles[0]);
+        if (Vector512.IsHardwareAccelerated) Ask<WidePacket>();
+        else Ask<Packet>();
         for (var i = 0; i < count; i++)
-            if (hits[i] < least[places[i]])
-                least[places[i]] = hits[i];
+        {
+            if (!(hits[i] < least[places[i]])) continue;
+            least[places[i]] = hits[i];
+            covered[places[i]] = Math.Max(covered[places[i]], (float)nearness[i]);
+        }
         count = 0;
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // not inlined: in a caller grown too large operators, silently, become calls
-    private Crossings<Packet> Cross(in Ray<Packet> rays, Vector128<int> triangleOfLane)
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Ask<N>() where N : struct, IPacket<N>
     {
-        var any = Math.Max(Math.Max(triangleOfLane[0], triangleOfLane[1]), Math.Max(triangleOfLane[2], triangleOfLane[3]));
-        var lanes = 3 * Vector128.ConditionalSelect(Vector128.LessThan(triangleOfLane, Vector128<int>.Zero), Vector128.Create(any), triangleOfLane);
-        var (t0, t1, t2, t3) = (lanes[0], lanes[1], lanes[2], lanes[3]);
-        var a = Lanes.Gather(vertices, indices[t0], indices[t1], indices[t2], indices[t3]);
-        var b = Lanes.Gather(vertices, indices[t0 + 1], indices[t1 + 1], indices[t2 + 1], indices[t3 + 1]);
-        var c = Lanes.Gather(vertices, indices[t0 + 2], indices[t1 + 2], indices[t2 + 2], indices[t3 + 2]);
-        return Triangle.Cross(new AlongRay<Packet>(rays), a, b, c);
+        var direction = screen.Camera.Direction(N.Load(columns, 0), N.Load(rows, 0));
+        var crossings = Cross(new Ray<N>(screen.Camera.Position, direction), ref triangles[0]);
+        var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.ZPerT(direction));
+        hit.Store(hits, 0);
+        (RaySpan.All<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(nearness, 0);
     }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a caller grown too large operators, silently, become calls
+    private Crossings<N> Cross<N>(in Ray<N> rays, ref int triangle) where N : struct, IPacket<N> => Triangle.Cross(
+        new AlongRay<N>(rays),
+        N.Gather(vertices, indices, ref triangle, 0), N.Gather(vertices, indices, ref triangle, 1), N.Gather(vertices, indices, ref triangle, 2));
 }

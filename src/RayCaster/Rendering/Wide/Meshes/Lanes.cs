@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
@@ -7,64 +8,112 @@ namespace RayCaster;
 /// <summary>Moves numbers between arrays of things and lanes, where lane = thing.</summary>
 internal static class Lanes
 {
-    /// <summary>Four points, one to a lane.</summary>
+    /// <summary>A corner of each of eight triangles of a mesh whose indices are known to be right.</summary>
+    /// <param name="vertices">The corners.</param>
+    /// <param name="indices">Three for each triangle.</param>
+    /// <param name="triangle">The first of eight triangles.</param>
+    /// <param name="corner">Which corner.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<Packet> Gather(Vector3[] points, int i0, int i1, int i2, int i3)
+    public static Vector3<WidePacket> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner)
     {
-        ref readonly var a = ref points[i0];
-        ref readonly var b = ref points[i1];
-        ref readonly var c = ref points[i2];
-        ref readonly var d = ref points[i3];
-        var z = Vector256.Create(a.Z, b.Z, c.Z, d.Z);
-        if (!Avx.IsSupported)
-            return new(new(Vector256.Create(a.X, b.X, c.X, d.X)), new(Vector256.Create(a.Y, b.Y, c.Y, d.Y)), new(z));
-        var even = Vector256.Create(XY(a), XY(c));
-        var odd = Vector256.Create(XY(b), XY(d));
-        return new(new(Avx.UnpackLow(even, odd)), new(Avx.UnpackHigh(even, odd)), new(z));
+        ref var index = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(indices), corner);
+        ref var vertex = ref MemoryMarshal.GetArrayDataReference(vertices);
+        return Transpose(
+            Corner(ref vertex, ref index, ref triangle, 0), Corner(ref vertex, ref index, ref triangle, 1),
+            Corner(ref vertex, ref index, ref triangle, 2), Corner(ref vertex, ref index, ref triangle, 3),
+            Corner(ref vertex, ref index, ref triangle, 4), Corner(ref vertex, ref index, ref triangle, 5),
+            Corner(ref vertex, ref index, ref triangle, 6), Corner(ref vertex, ref index, ref triangle, 7));
     }
 
+    /// <summary>The same of triangles that follow one another.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector128<double> XY(in Vector3 point) =>
-        Vector128.LoadUnsafe(ref Unsafe.As<Vector3, double>(ref Unsafe.AsRef(in point)));
-
-    /// <summary>Four times four numbers as floats, a point to each lane; only the first <paramref name="count"/> points are kept.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Scatter(Vector128<float>[] points, int first, int count, Packet x, Packet y, Packet z, Packet w)
+    public static Vector3<WidePacket> GatherRun(Vector3[] vertices, int[] indices, int triangle, int corner)
     {
-        var (a, b, c, d) = (Narrow(x), Narrow(y), Narrow(z), Narrow(w));
-        if (Sse.IsSupported && count >= Packet.Count)
+        ref var index = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(indices), 3 * triangle + corner);
+        ref var vertex = ref MemoryMarshal.GetArrayDataReference(vertices);
+        return Transpose(
+            Corner(ref vertex, ref index, 0), Corner(ref vertex, ref index, 1), Corner(ref vertex, ref index, 2), Corner(ref vertex, ref index, 3),
+            Corner(ref vertex, ref index, 4), Corner(ref vertex, ref index, 5), Corner(ref vertex, ref index, 6), Corner(ref vertex, ref index, 7));
+    }
+
+    /// <summary>Eight times a number and a point as the points of eight lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<WidePacket> Transpose(Vector256<double> p0, Vector256<double> p1, Vector256<double> p2, Vector256<double> p3,
+        Vector256<double> p4, Vector256<double> p5, Vector256<double> p6, Vector256<double> p7)
+    {
+        if (!Avx512F.IsSupported)
         {
-            var (ab, cd) = (Sse.UnpackLow(a, b), Sse.UnpackLow(c, d));
-            points[first] = Sse.MoveLowToHigh(ab, cd);
-            points[first + 1] = Sse.MoveHighToLow(cd, ab);
-            (ab, cd) = (Sse.UnpackHigh(a, b), Sse.UnpackHigh(c, d));
-            points[first + 2] = Sse.MoveLowToHigh(ab, cd);
-            points[first + 3] = Sse.MoveHighToLow(cd, ab);
-            return;
+            Vector512<double> Of(int i) => Vector512.Create(p0[i], p1[i], p2[i], p3[i], p4[i], p5[i], p6[i], p7[i]);
+            return new(new(Of(1)), new(Of(2)), new(Of(3)));
         }
-        for (var i = 0; i < Math.Min(count, Packet.Count); i++) points[first + i] = Vector128.Create(a[i], b[i], c[i], d[i]);
+        var (p04, p15) = (Vector512.Create(p0, p4), Vector512.Create(p1, p5));
+        var (p26, p37) = (Vector512.Create(p2, p6), Vector512.Create(p3, p7));
+        var (xz01, xz23) = (Avx512F.UnpackHigh(p04, p15), Avx512F.UnpackHigh(p26, p37));
+        var (y01, y23) = (Avx512F.UnpackLow(p04, p15), Avx512F.UnpackLow(p26, p37));
+        var (even, odd) = (Vector512.Create(0L, 1, 8, 9, 4, 5, 12, 13), Vector512.Create(2L, 3, 10, 11, 6, 7, 14, 15));
+        return new(
+            new(Avx512F.PermuteVar8x64x2(xz01, even, xz23)),
+            new(Avx512F.PermuteVar8x64x2(y01, odd, y23)),
+            new(Avx512F.PermuteVar8x64x2(xz01, odd, xz23)));
     }
 
+    /// <summary>The same of four triangles.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector128<float> Narrow(Packet x) => Vector128.Narrow(x.Lanes.GetLower(), x.Lanes.GetUpper());
-
-    /// <summary>Eight points as the numbers x, y, z, w of eight lanes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static (Vector256<float> X, Vector256<float> Y, Vector256<float> Z, Vector256<float> W) Transpose(
-        Vector128<float> p0, Vector128<float> p1, Vector128<float> p2, Vector128<float> p3,
-        Vector128<float> p4, Vector128<float> p5, Vector128<float> p6, Vector128<float> p7)
+    public static Vector3<Packet> GatherFour(Vector3[] vertices, int[] indices, ref int triangle, int corner)
     {
-        if (!Avx.IsSupported)
-        {
-            Vector256<float> Of(int i) => Vector256.Create(p0[i], p1[i], p2[i], p3[i], p4[i], p5[i], p6[i], p7[i]);
-            return (Of(0), Of(1), Of(2), Of(3));
-        }
-        var (p04, p15, p26, p37) = (Vector256.Create(p0, p4), Vector256.Create(p1, p5), Vector256.Create(p2, p6), Vector256.Create(p3, p7));
-        var (xy01, xy23) = (Avx.UnpackLow(p04, p15).AsDouble(), Avx.UnpackLow(p26, p37).AsDouble());
-        var (zw01, zw23) = (Avx.UnpackHigh(p04, p15).AsDouble(), Avx.UnpackHigh(p26, p37).AsDouble());
-        return (Avx.UnpackLow(xy01, xy23).AsSingle(), Avx.UnpackHigh(xy01, xy23).AsSingle(),
-            Avx.UnpackLow(zw01, zw23).AsSingle(), Avx.UnpackHigh(zw01, zw23).AsSingle());
+        ref var index = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(indices), corner);
+        ref var vertex = ref MemoryMarshal.GetArrayDataReference(vertices);
+        return Transpose(Corner(ref vertex, ref index, ref triangle, 0), Corner(ref vertex, ref index, ref triangle, 1),
+            Corner(ref vertex, ref index, ref triangle, 2), Corner(ref vertex, ref index, ref triangle, 3));
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Corner(ref Vector3 vertex, ref int index, ref int triangle, int lane) =>
+        NumberAndPoint(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, 3 * Unsafe.Add(ref triangle, lane))));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<double> Corner(ref Vector3 vertex, ref int index, int lane) =>
+        NumberAndPoint(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, 3 * lane)));
+
+    /// <summary>Four times a number and a point as the points of four lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<Packet> Transpose(Vector256<double> p0, Vector256<double> p1, Vector256<double> p2, Vector256<double> p3)
+    {
+        if (!Avx2.IsSupported)
+        {
+            Vector256<double> Of(int i) => Vector256.Create(p0[i], p1[i], p2[i], p3[i]);
+            return new(new(Of(1)), new(Of(2)), new(Of(3)));
+        }
+        var (xz01, xz23) = (Avx.UnpackHigh(p0, p1), Avx.UnpackHigh(p2, p3));
+        var (y01, y23) = (Avx.UnpackLow(p0, p1), Avx.UnpackLow(p2, p3));
+        return new(
+            new(Avx.Permute2x128(xz01, xz23, 0x20)), new(Avx.Permute2x128(y01, y23, 0x31)), new(Avx.Permute2x128(xz01, xz23, 0x31)));
+    }
+
+    /// <summary>
+    /// The number before a point of an array, and the point, read at once. What lies before the first point of an array is the array's length, so nothing
+    /// beyond the array is read.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<double> NumberAndPoint(ref Vector3 point) =>
+        Vector256.LoadUnsafe(ref Unsafe.Subtract(ref Unsafe.As<Vector3, double>(ref point), 1));
+
+    /// <summary>Asks the memory for something that is needed soon. The pointer is only a hint: nothing is read through it, wherever the thing may be moved.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void Fetch<T>(ref T thing) where T : struct
+    {
+        if (Sse.IsSupported) Sse.Prefetch0(Unsafe.AsPointer(ref thing));
+    }
+
+    /// <summary>Eight doubles as floats.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> Narrow(WidePacket x) => Avx512F.IsSupported
+        ? Avx512F.ConvertToVector256Single(x.Lanes)
+        : Vector256.Narrow(x.Lanes.GetLower(), x.Lanes.GetUpper());
+
+    /// <inheritdoc cref="Narrow(WidePacket)"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> Narrow(Packet lower, Packet upper) => Vector256.Narrow(lower.Lanes, upper.Lanes);
 
     /// <summary>The least of three in each lane; of NaN it promises nothing.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster;
 
 /// <summary>
@@ -30,13 +28,13 @@ internal sealed class MeshView : ModelView
             return;
         }
 
-        var whole = new ScreenTriangles(screen, screen.Project(vertices, threads), indices, null, threads);
+        var whole = new ScreenTriangles(
+            screen, new MeshCorners(screen, vertices, indices), null,
+            each => new GroupSorter(screen, vertices, indices, each), () => new Twins(vertices, indices), threads);
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
-        var (pieces, corners) = (clipper.Points, new int[clipper.Points.Length]);
-        for (var i = 0; i < corners.Length; i++) corners[i] = i;
-        var clipped = new ScreenTriangles(screen, pieces, corners, clipper.Owners, threads);
+        var clipped = new ScreenTriangles(screen, new PieceCorners(clipper.Points), clipper.Owners, null, null, threads);
         sets = [whole, clipped];
 
         if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);
@@ -64,7 +62,6 @@ internal sealed class MeshView : ModelView
     }
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override void Meet(RaySpan span, int index)
     {
         if (sets.Length > 0) filter!.Meet(span, index);

@@ -85,8 +85,8 @@ internal sealed class ScreenClipper
         var first = points.Count;
         foreach (var p in polygon)
         {
-            var (x, y, w, isFit) = screen.Project<Scalar>(p.X, p.Y, p.Z);
-            if (isFit == 0)
+            var (x, y, w) = screen.Project<Scalar>(p.X, p.Y, p.Z);
+            if (!screen.IsFit(x, y, w))
             {
                 points.RemoveRange(first, points.Count - first);
                 return false;

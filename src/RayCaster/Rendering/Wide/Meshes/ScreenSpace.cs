@@ -95,39 +95,33 @@ internal sealed class ScreenSpace
         return new(p * u, p * v, -(p * w));
     }
 
-    /// <summary>Column, row and w of a point in the camera's axes; the mask tells whether they are fit for floats.</summary>
+    /// <summary>Column, row and w of a point in the camera's axes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public (N X, N Y, N W, N IsFit) Project<N>(N x, N y, N z) where N : struct, IReal<N>
+    public (N X, N Y, N W) Project<N>(N x, N y, N z) where N : struct, IReal<N>
     {
         var inverse = (N)1 / z;
-        var (column, row, nearness) = (x * inverse * Scale + CenterX, y * inverse * Scale + CenterY, (N)Unit * inverse);
-        var isFit = (nearness > 1e-30) & (nearness < 1e30)
-            & (column >= -Guard - 1) & (column <= Camera.Width + Guard + 1) & (row >= -Guard - 1) & (row <= Camera.Height + Guard + 1);
-        return (column, row, nearness, isFit);
+        return (x * inverse * Scale + CenterX, y * inverse * Scale + CenterY, (N)Unit * inverse);
     }
 
-    /// <summary>All the vertices: x, y, w and 0, or 1 for one that is not fit for floats.</summary>
-    public Vector128<float>[] Project(Vector3[] vertices, int threads)
+    /// <summary>Column, row and w of a point.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public (N X, N Y, N W) Project<N>(Vector3<N> point) where N : struct, IReal<N>
     {
-        const int LeastForAThread = 1 << 15;
-        var points = GC.AllocateUninitializedArray<Vector128<float>>(vertices.Length);
-        var parts = Math.Clamp(vertices.Length / LeastForAThread, 1, threads);
-        ScreenTriangles.InParallel(parts, i =>
-            Project(vertices, points, (int)((long)vertices.Length * i / parts), (int)((long)vertices.Length * (i + 1) / parts)));
-        return points;
+        var p = point - (Vector3<N>)origin;
+        return Project(p * (Vector3<N>)u, p * (Vector3<N>)v, -(p * (Vector3<N>)w));
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void Project(Vector3[] vertices, Vector128<float>[] points, int first, int end)
+    /// <summary>Where corners are fit for floats.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector256<float> IsFit(Vector256<float> column, Vector256<float> row, Vector256<float> nearness)
     {
-        Vector3<Packet> eye = origin, right = u, up = v, back = w;
-        for (var i = first; i < end; i += Packet.Count)
-        {
-            var last = end - 1 - i;
-            var p = Lanes.Gather(vertices, i, i + Math.Min(1, last), i + Math.Min(2, last), i + Math.Min(3, last)) - eye;
-            var (x, y, nearness, isFit) = Project(p * right, p * up, -(p * back));
-            Lanes.Scatter(points, i, last + 1,
-                Packet.Select(isFit, x, 0), Packet.Select(isFit, y, 0), Packet.Select(isFit, nearness, 1), Packet.Select(isFit, 0, 1));
-        }
+        var beyond = Vector256.Create((float)(-Guard - 1));
+        return Vector256.GreaterThan(nearness, Vector256.Create(1e-30f)) & Vector256.LessThan(nearness, Vector256.Create(1e30f))
+            & Vector256.GreaterThanOrEqual(column, beyond) & Vector256.LessThanOrEqual(column, Vector256.Create((float)(Camera.Width + Guard + 1)))
+            & Vector256.GreaterThanOrEqual(row, beyond) & Vector256.LessThanOrEqual(row, Vector256.Create((float)(Camera.Height + Guard + 1)));
     }
+
+    /// <inheritdoc cref="IsFit(Vector256{float}, Vector256{float}, Vector256{float})"/>
+    public bool IsFit(double column, double row, double nearness) =>
+        nearness is > 1e-30 and < 1e30 && column >= -Guard - 1 && column <= Camera.Width + Guard + 1 && row >= -Guard - 1 && row <= Camera.Height + Guard + 1;
 }

@@ -11,27 +11,42 @@ namespace RayCaster;
 /// </summary>
 internal sealed class TileFilter
 {
-    /// <summary>From a pixel to the one above it; there is room for blocks that stand out to the right.</summary>
-    public const int Stride = Tile.MaxSide + 8;
+    /// <summary>From a pixel to the one above it. What a packet at the end of a row holds of the next one stays as it is.</summary>
+    public const int Stride = Tile.MaxSide;
 
-    private const int Size = Stride * (Tile.MaxSide + 1);
+    private const int Size = Stride * Tile.MaxSide + 8;
     private const int QueueLength = 1 << 14;
+
+    /// <summary>Triangles whose boxes have at most as many samples a side are looked at sample by sample, eight triangles at once.</summary>
+    private const int SmallSide = 3;
+
+    /// <summary>How many groups are looked at before any of them is drawn, and how many of these their memory is asked for in advance.</summary>
+    private const int GroupsAtOnce = 256, Ahead = 4;
 
     private readonly ScreenSpace screen;
     private readonly ExactHits exact;
     private readonly float[] covered = new float[Size];   // a hit with at least this w is sure; 0 for none
     private readonly float[] front = new float[Size];     // the w of the proposed triangle is at most this; 0 where there is none
-    private readonly int[] proposed = new int[Size];      // the triangle; −1 for none
-    private readonly double[] decided = new double[Size + Packet.Count]; // the least t of the hits that had to be decided by the formula
+    private readonly int[] proposed = new int[Size];      // the triangle; any where there is none
+    private readonly double[] decided = new double[Size]; // the least t of the hits that had to be decided by the formula
     private readonly GrowingArray<(int Pixel, int Triangle, float MostW)> queue = new();
+    private readonly int[] pixelOfLane = new int[8];
+    private readonly float[] upperOfLane = new float[8], lowerOfLane = new float[8];
+    private readonly float[] unsureUppers = new float[Size];  // of the triangle at work: packets with pixels that are not sure
+    private readonly int[] unsurePixels = new int[Size / 8];
+    private readonly uint[] unsureLanes = new uint[Size / 8];
     private readonly float[] setup = new float[TriangleSetUp.Length];
+    private readonly Twins twins;
+    private readonly CoarseDepth coarse = new();
+    private EightTriangles eight;
+    private readonly WaitingTriangles waiting = new(), waitingLarge = new();
     private Tile tile;
     private bool isEmpty, hasDecided;
-    private float greatestW;
+    private Vector256<float> greatestW;
 
     public TileFilter(ScreenSpace screen, Vector3[] vertices, int[] indices)
     {
-        (this.screen, exact) = (screen, new(screen.Camera, vertices, indices));
+        (this.screen, exact, twins) = (screen, new(screen, vertices, indices), new(vertices, indices));
     }
 
     /// <summary>Finds the pixels' triangles.</summary>
@@ -40,66 +55,124 @@ internal sealed class TileFilter
         this.tile = tile;
         isEmpty = true;
         hasDecided = false;
-        greatestW = 0;
+        greatestW = Vector256<float>.Zero;
         foreach (var set in sets)
         {
             // Most of what is seen of a closed mesh faces the camera with the same side; that side first, most of the other is found to be hidden.
-            Add(set, set.Large);
-            var nearer = MeanW(set, set.Of(tile, 0)) < MeanW(set, set.Of(tile, 1)) ? 1 : 0;
+            Add(set, CollectionsMarshal.AsSpan(set.Large));
+            var nearer = MeanW(set, tile, 0) < MeanW(set, tile, 1) ? 1 : 0;
+            Add(set, set.GroupsOf(tile, nearer));
             Add(set, set.Of(tile, nearer));
+            if (!isEmpty)
+            {
+                Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
+                coarse.Update(covered);
+            }
+            Add(set, set.GroupsOf(tile, 1 - nearer));
             Add(set, set.Of(tile, 1 - nearer));
-            Add(set.SpotsOf(tile));
         }
         if (isEmpty) return Reach.None;
         Decide();
-        return new(screen.Unit / greatestW * (1 - 1e-6), Cover());
+        coarse.Update(covered);
+        var greatest = 0f;
+        for (var i = 0; i < 8; i++) greatest = Math.Max(greatest, greatestW[i]);
+        var least = coarse.Least;
+        return new(screen.Unit / greatest * (1 - 1e-6), least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
     /// <summary>Keeps the hits of a part of a row of the tile.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Meet(RaySpan span, int index)
     {
         if (isEmpty) return;
+        if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(span, index);
+        else Meet<Packet>(span, index);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Meet<N>(RaySpan span, int index) where N : struct, IPacket<N>
+    {
         var first = (span.Row - tile.Row) * Stride + span.Column - tile.Column;
-        for (var i = 0; i < span.Length; i += Packet.Count)
+        for (var i = 0; i < span.Length; i += N.Count)
         {
             var at = first + i;
-            var triangles = Vector128.LoadUnsafe(ref proposed[at]);
-            if (triangles != Vector128.Create(-1)) span.Keep(i, exact.Hit(span, i, triangles), index);
-            if (hasDecided) span.Keep(i, Packet.Load(decided, at), index);
+            var any = N.Count == 8 ? Vector256.LoadUnsafe(ref front[at]) : Vector256.Create(Vector128.LoadUnsafe(ref front[at]), default);
+            var hit = RaySpan.All<N>(double.NaN);
+            if (any != Vector256<float>.Zero) hit = exact.Hit<N>(span, i, ref proposed[at]);
+            if (hasDecided)
+            {
+                var other = N.Load(decided, at);
+                hit = N.Select(hit <= other, hit, other);
+            }
+            span.Keep(i, hit, index);
         }
     }
 
-    /// <summary>Every pixel has a sure hit that is not farther than this.</summary>
-    private double Cover()
+    private static float MeanW(ScreenTriangles set, in Tile tile, int side)
     {
-        var least = float.PositiveInfinity;
-        for (var row = 0; row < tile.Height; row++)
-        {
-            foreach (var w in covered.AsSpan(row * Stride, tile.Width)) least = Math.Min(least, w);
-            if (least == 0) return double.PositiveInfinity;
-        }
-        return screen.Unit / least * screen.LongestT * (1 + 1e-6);
-    }
-
-    private static float MeanW(ScreenTriangles set, ReadOnlySpan<int> triangles)
-    {
-        const int Samples = 16;
+        const int Samples = 8;
         var sum = 0f;
-        var step = Math.Max(1, triangles.Length / Samples);
-        for (var i = 0; i < triangles.Length; i += step) sum += set.Points[set.Indices[3 * triangles[i]]][2];
-        return sum * step / Math.Max(1, triangles.Length);
+        if (set.GroupsOf(tile, side) is { Length: > 0 } groups)
+        {
+            var step = (groups.Length + Samples - 1) / Samples;
+            for (var i = 0; i < groups.Length; i += step) sum += groups[i].MostW;
+            return sum / ((groups.Length + step - 1) / step);
+        }
+        if (set.Of(tile, side) is not { Length: > 0 } triangles) return 0;
+        Span<int> ids = stackalloc int[Samples];
+        for (var i = 0; i < Samples; i++) ids[i] = triangles[(int)((long)i * triangles.Length / Samples)];
+        set.Corners.See(ids, out var seen);
+        return Vector256.Sum(seen.A.W) / Samples;
     }
 
+    /// <summary>Forgets all; beyond the tile's pixels everything is covered, so that they do not count where the least is looked for.</summary>
     private void Clear()
     {
         isEmpty = false;
+        coarse.Clear();
+        twins.Clear();
         covered.AsSpan().Clear();
         front.AsSpan().Clear();
-        proposed.AsSpan().Fill(-1);
+        proposed.AsSpan().Clear();
+        for (var row = 0; row < Tile.MaxSide; row++)
+            covered.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Add(ScreenTriangles set, ReadOnlySpan<Group> groups)
+    {
+        if (groups.Length == 0) return;
+        if (isEmpty) Clear();
+        var firstRow = tile.Row % Tile.MaxSide;
+        var corners = set.Corners;
+        Span<int> seen = stackalloc int[GroupsAtOnce];
+        for (var next = 0; next < groups.Length;)
+        {
+            var count = 0;
+            for (; next < groups.Length && count < seen.Length; next++)
+                if (!coarse.Hides(groups[next].Cells, firstRow, groups[next].MostW))
+                    seen[count++] = groups[next].First;
+
+            // A group's indices and vertices lie anywhere; to wait for them would take longer than all that is computed.
+            for (var i = -Ahead; i < count; i++)
+            {
+                if (i + Ahead < count) corners.Fetch(seen[i + Ahead]);
+                if (i + Ahead / 2 is >= 0 and var near && near < count) corners.FetchVertices(seen[near]);
+                if (i >= 0) Add(set, seen[i]);
+            }
+        }
+        AddWaiting();
+    }
+
+    private void Add(ScreenTriangles set, int group)
+    {
+        var end = Math.Min(group + Group.Length, set.Corners.Count);
+        for (var first = group; first < end; first += 8)
+        {
+            set.Corners.SeeRun(first, out eight);
+            Add(set, Vector256.Create(first) + Vector256<int>.Indices, end - first);
+        }
+    }
+
     private void Add(ScreenTriangles set, ReadOnlySpan<int> triangles)
     {
         if (triangles.Length == 0) return;
@@ -108,113 +181,234 @@ internal sealed class TileFilter
         for (var first = 0; first < triangles.Length; first += 8)
         {
             for (var i = 0; i < 8; i++) ids[i] = triangles[Math.Min(first + i, triangles.Length - 1)];
-            var shows = TriangleSetUp.Of(new EightTriangles(set.Points, set.Indices, ids), screen, tile, setup);
-            if (triangles.Length - first < 8) shows &= (1u << (triangles.Length - first)) - 1;
-            for (; shows != 0; shows &= shows - 1)
-            {
-                var i = BitOperations.TrailingZeroCount(shows);
-                Cover(set.Owners?[ids[i]] ?? ids[i], i);
-            }
-            if (queue.Count > QueueLength) Decide();
+            set.Corners.See(ids, out eight);
+            Add(set, Vector256.Create<int>(ids), triangles.Length - first);
         }
+        AddWaiting();
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void Add(ReadOnlySpan<Spot> spots)
+    /// <summary>Takes the eight triangles that are seen, or less: those in whose boxes are samples wait.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Add(ScreenTriangles set, Vector256<int> names, int count)
     {
-        if (spots.Length == 0) return;
-        if (isEmpty) Clear();
-        var (first, end) = (tile.Row % Tile.MaxSide * Stride, tile.Height * Stride); // of a whole tile this one may have only some rows
-        foreach (ref readonly var spot in spots)
+        ref readonly var t = ref eight;
+        var margin = Vector256.Create(screen.Margin);
+        var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
+        var left = Vector256.MaxNative(Vector256.Ceiling(Lanes.Least(t.A.X, t.B.X, t.C.X) - margin), column);
+        var right = Vector256.MinNative(Vector256.Floor(Lanes.Most(t.A.X, t.B.X, t.C.X) + margin), column + Vector256.Create(tile.Width - 1f));
+        var bottom = Vector256.MaxNative(Vector256.Ceiling(Lanes.Least(t.A.Y, t.B.Y, t.C.Y) - margin), row);
+        var top = Vector256.MinNative(Vector256.Floor(Lanes.Most(t.A.Y, t.B.Y, t.C.Y) + margin), row + Vector256.Create(tile.Height - 1f));
+        var shows = (Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top)).ExtractMostSignificantBits();
+        if (count < 8) shows &= (1u << count) - 1;
+        if (shows == 0) return;
+        if (set.Owners is { } owners)
+            for (var i = 0; i < 8; i++)
+                names = names.WithElement(i, owners[Math.Min(names[i], owners.Length - 1)]);
+
+        var side = Vector256.Create((float)SmallSide);
+        var small = (Vector256.LessThan(right - left, side) & Vector256.LessThan(top - bottom, side)).ExtractMostSignificantBits();
+        if ((shows & small) != 0)
         {
-            var pixel = spot.Pixel - first;
-            if ((uint)pixel >= (uint)end || spot.MostW < covered[pixel]) continue;
-            greatestW = Math.Max(greatestW, spot.MostW);
-            if (spot.LeastW > front[pixel])
-            {
-                front[pixel] = spot.MostW;
-                proposed[pixel] = spot.Triangle;
-            }
-            else
-            {
-                queue.Add((pixel, spot.Triangle, spot.MostW));
-            }
-            covered[pixel] = Math.Max(covered[pixel], spot.LeastW);
-            if (queue.Count > QueueLength) Decide();
+            waiting.Add(t, names, shows & small);
+            if (waiting.Count >= 8) AddSmall();
+        }
+        if ((shows & ~small) != 0)
+        {
+            waitingLarge.Add(t, names, shows & ~small);
+            if (waitingLarge.Count >= 8) AddLarge();
         }
     }
 
-    /// <summary>Takes one triangle, block by block of 4 × 2 pixels.</summary>
+    private void AddWaiting()
+    {
+        if (waiting.Count > 0) AddSmall();
+        if (waitingLarge.Count > 0) AddLarge();
+    }
+
+    private void AddSmall()
+    {
+        CoverSmall(ref waiting.Triangle, SetUp(waiting));
+        waiting.Drop();
+        if (queue.Count > QueueLength) Decide();
+    }
+
+    private void AddLarge()
+    {
+        for (var shows = SetUp(waitingLarge); shows != 0; shows &= shows - 1)
+        {
+            var i = BitOperations.TrailingZeroCount(shows);
+            Cover(Unsafe.Add(ref waitingLarge.Triangle, i), i);
+        }
+        waitingLarge.Drop();
+        if (queue.Count > QueueLength) Decide();
+    }
+
+    private uint SetUp(WaitingTriangles eight)
+    {
+        eight.See(out var seen);
+        var shows = TriangleSetUp.Of(seen, screen, tile, setup) & (eight.Count < 8 ? (1u << eight.Count) - 1 : 0xFF);
+        greatestW = Vector256.MaxNative(greatestW, Field(ref setup[0], TriangleSetUp.MostW));
+        return shows;
+    }
+
+    /// <summary>Takes eight small triangles, sample by sample of their boxes.</summary>
+    /// <param name="triangle">The first of the mesh's triangles, which the others follow.</param>
+    /// <param name="shows">Which of them to look at.</param>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void CoverSmall(ref int triangle, uint shows)
+    {
+        ref var s = ref MemoryMarshal.GetArrayDataReference(setup);
+        ref var coveredAt = ref MemoryMarshal.GetArrayDataReference(covered);
+        ref var frontAt = ref MemoryMarshal.GetArrayDataReference(front);
+        ref var proposedAt = ref MemoryMarshal.GetArrayDataReference(proposed);
+        ref var pixels = ref MemoryMarshal.GetArrayDataReference(pixelOfLane);
+        ref var uppers = ref MemoryMarshal.GetArrayDataReference(upperOfLane);
+        ref var lowers = ref MemoryMarshal.GetArrayDataReference(lowerOfLane);
+        var (left, bottom) = (Field(ref s, TriangleSetUp.Left), Field(ref s, TriangleSetUp.Bottom));
+        var (across, upwards) = (Field(ref s, TriangleSetUp.Right) - left, Field(ref s, TriangleSetUp.Top) - bottom);
+        var firstPixel = Vector256.ConvertToInt32Native(bottom * Vector256.Create((float)Stride) + left);
+        for (var y = 0; ; y++)
+        {
+            var up = Vector256.Create((float)y);
+            var inRow = shows & Vector256.GreaterThanOrEqual(upwards, up).ExtractMostSignificantBits();
+            if (inRow == 0) return;
+            var rowU = Field(ref s, TriangleSetUp.U) + up * Field(ref s, TriangleSetUp.U + 2);
+            var rowV = Field(ref s, TriangleSetUp.V) + up * Field(ref s, TriangleSetUp.V + 2);
+            var rowW = Field(ref s, TriangleSetUp.W) + up * Field(ref s, TriangleSetUp.W + 2);
+            for (var x = 0; ; x++)
+            {
+                var right = Vector256.Create((float)x);
+                var bits = inRow & Vector256.GreaterThanOrEqual(across, right).ExtractMostSignificantBits();
+                if (bits == 0) break;
+                var inner = Vector256.MinNative(
+                    Vector256.MultiplyAddEstimate(right, Field(ref s, TriangleSetUp.U + 1), rowU),
+                    Vector256.MinNative(
+                        Vector256.MultiplyAddEstimate(right, Field(ref s, TriangleSetUp.V + 1), rowV),
+                        Vector256.MultiplyAddEstimate(right, Field(ref s, TriangleSetUp.W + 1), rowW)));
+                bits &= Vector256.GreaterThanOrEqual(inner, Field(ref s, TriangleSetUp.Outside)).ExtractMostSignificantBits();
+                if (bits == 0) continue;
+
+                var nearness = Vector256.MultiplyAddEstimate(right, Field(ref s, TriangleSetUp.Depth + 1),
+                    Vector256.MultiplyAddEstimate(up, Field(ref s, TriangleSetUp.Depth + 2), Field(ref s, TriangleSetUp.Depth)));
+                var slack = Field(ref s, TriangleSetUp.Slack);
+                var covers = Vector256.GreaterThan(inner, Field(ref s, TriangleSetUp.Inside));
+                Vector256.MinNative(nearness + slack, Field(ref s, TriangleSetUp.MostW)).StoreUnsafe(ref uppers);
+                Vector256.ConditionalSelect(covers, Vector256.MaxNative(nearness - slack, Field(ref s, TriangleSetUp.LeastW)), Vector256.Create(-1f))
+                    .StoreUnsafe(ref lowers);
+                (firstPixel + Vector256.Create(y * Stride + x)).StoreUnsafe(ref pixels);
+                for (; bits != 0; bits &= bits - 1)
+                {
+                    var i = BitOperations.TrailingZeroCount(bits);
+                    var (pixel, mostW, leastW) = (Unsafe.Add(ref pixels, i), Unsafe.Add(ref uppers, i), Unsafe.Add(ref lowers, i));
+                    ref var sure = ref Unsafe.Add(ref coveredAt, pixel);
+                    if (mostW < sure) continue;
+                    ref var before = ref Unsafe.Add(ref frontAt, pixel);
+                    if (leastW > before)
+                    {
+                        before = mostW;
+                        Unsafe.Add(ref proposedAt, pixel) = Unsafe.Add(ref triangle, i);
+                    }
+                    else
+                    {
+                        Enqueue(pixel, Unsafe.Add(ref triangle, i), mostW);
+                    }
+                    if (leastW > sure) sure = leastW;
+                }
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<float> Field(ref float setup, int field) => Vector256.LoadUnsafe(ref Unsafe.Add(ref setup, 8 * field));
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Enqueue(int pixel, int triangle, float mostW)
+    {
+        if (!twins.HasEarlier(triangle)) queue.Add((pixel, triangle, mostW));
+    }
+
+    /// <summary>Takes one triangle, eight pixels of a row at a time.</summary>
     /// <param name="triangle">The mesh's triangle.</param>
     /// <param name="lane">Its place in the set-up.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Cover(int triangle, int lane)
     {
         ref var s = ref setup[lane];
         float At(ref float of, int field) => Unsafe.Add(ref of, 8 * field);
 
-        var laneX = Vector256.Create(0f, 1, 2, 3, 0, 1, 2, 3);
-        var laneY = Vector256.Create(0f, 0, 0, 0, 1, 1, 1, 1);
-        var (left, right) = ((int)At(ref s, TriangleSetUp.Left), (int)At(ref s, TriangleSetUp.Right));
-        var (bottom, top) = ((int)At(ref s, TriangleSetUp.Bottom), (int)At(ref s, TriangleSetUp.Top));
-        var (stepU, stepV) = (At(ref s, TriangleSetUp.U + 1), At(ref s, TriangleSetUp.V + 1));
-        var (stepW, stepDepth) = (At(ref s, TriangleSetUp.W + 1), At(ref s, TriangleSetUp.Depth + 1));
-        var (upU, upV) = (At(ref s, TriangleSetUp.U + 2), At(ref s, TriangleSetUp.V + 2));
-        var (upW, upDepth) = (At(ref s, TriangleSetUp.W + 2), At(ref s, TriangleSetUp.Depth + 2));
-        var u = Vector256.Create(At(ref s, TriangleSetUp.U)) + laneX * stepU + laneY * upU;
-        var v = Vector256.Create(At(ref s, TriangleSetUp.V)) + laneX * stepV + laneY * upV;
-        var w = Vector256.Create(At(ref s, TriangleSetUp.W)) + laneX * stepW + laneY * upW;
-        var depth = Vector256.Create(At(ref s, TriangleSetUp.Depth)) + laneX * stepDepth + laneY * upDepth;
+        var lanes = Vector256.Create(0f, 1, 2, 3, 4, 5, 6, 7);
+        int Whole(ref float of, int field) => float.ConvertToIntegerNative<int>(At(ref of, field));
+
+        var (left, right) = (Whole(ref s, TriangleSetUp.Left), Whole(ref s, TriangleSetUp.Right));
+        var (bottom, top) = (Whole(ref s, TriangleSetUp.Bottom), Whole(ref s, TriangleSetUp.Top));
+        var upU = Vector256.Create(At(ref s, TriangleSetUp.U + 2));
+        var upV = Vector256.Create(At(ref s, TriangleSetUp.V + 2));
+        var upW = Vector256.Create(At(ref s, TriangleSetUp.W + 2));
+        var upDepth = Vector256.Create(At(ref s, TriangleSetUp.Depth + 2));
         var slack = Vector256.Create(At(ref s, TriangleSetUp.Slack));
         var most = Vector256.Create(At(ref s, TriangleSetUp.MostW));
         var least = Vector256.Create(At(ref s, TriangleSetUp.LeastW));
         var outside = Vector256.Create(At(ref s, TriangleSetUp.Outside));
         var inside = Vector256.Create(At(ref s, TriangleSetUp.Inside));
-        greatestW = Math.Max(greatestW, most[0]);
+        var name = Vector256.Create(triangle);
+        ref var uppers = ref MemoryMarshal.GetArrayDataReference(unsureUppers);
+        ref var pixels = ref MemoryMarshal.GetArrayDataReference(unsurePixels);
+        ref var unsureAt = ref MemoryMarshal.GetArrayDataReference(unsureLanes);
+        var count = 0;
 
         ref var coveredAt = ref MemoryMarshal.GetArrayDataReference(covered);
         ref var frontAt = ref MemoryMarshal.GetArrayDataReference(front);
         ref var proposedAt = ref MemoryMarshal.GetArrayDataReference(proposed);
-        for (var y = 0; y <= top - bottom; y += 2)
+        for (var x = 0; x <= right - left; x += 8)
         {
-            for (var x = 0; x <= right - left; x += 4)
+            var across = lanes + Vector256.Create((float)x);
+            var inBox = Vector256.LessThanOrEqual(across, Vector256.Create((float)(right - left)));
+            var u = Vector256.Create(At(ref s, TriangleSetUp.U)) + across * At(ref s, TriangleSetUp.U + 1);
+            var v = Vector256.Create(At(ref s, TriangleSetUp.V)) + across * At(ref s, TriangleSetUp.V + 1);
+            var w = Vector256.Create(At(ref s, TriangleSetUp.W)) + across * At(ref s, TriangleSetUp.W + 1);
+            var depth = Vector256.Create(At(ref s, TriangleSetUp.Depth)) + across * At(ref s, TriangleSetUp.Depth + 1);
+            var pixel = bottom * Stride + left + x;
+            for (var y = 0; y <= top - bottom; y++, pixel += Stride)
             {
-                var pixel = (bottom + y) * Stride + left + x;
-                var nearness = depth + Vector256.Create(x * stepDepth + y * upDepth);
+                var up = Vector256.Create((float)y);
+                var inner = Vector256.MinNative(Vector256.MultiplyAddEstimate(up, upU, u),
+                    Vector256.MinNative(Vector256.MultiplyAddEstimate(up, upV, v), Vector256.MultiplyAddEstimate(up, upW, w)));
+                var nearness = Vector256.MultiplyAddEstimate(up, upDepth, depth);
                 var upper = Vector256.MinNative(nearness + slack, most);
-                var sure = Load(ref coveredAt, pixel);
-                var possible = Vector256.GreaterThanOrEqual(upper, sure)
-                    & Vector256.LessThanOrEqual(laneX, Vector256.Create((float)(right - left - x)))
-                    & Vector256.LessThanOrEqual(laneY, Vector256.Create((float)(top - bottom - y)));
+                var sure = Vector256.LoadUnsafe(ref Unsafe.Add(ref coveredAt, pixel));
+                var possible = inBox & Vector256.GreaterThanOrEqual(inner, outside) & Vector256.GreaterThanOrEqual(upper, sure);
                 if (possible == Vector256<float>.Zero) continue;
 
-                var side = Vector256.MinNative(
-                    u + Vector256.Create(x * stepU + y * upU),
-                    Vector256.MinNative(v + Vector256.Create(x * stepV + y * upV), w + Vector256.Create(x * stepW + y * upW)));
-                possible &= Vector256.GreaterThanOrEqual(side, outside);
-                if (possible == Vector256<float>.Zero) continue;
-
-                var covers = possible & Vector256.GreaterThan(side, inside);
+                var covers = possible & Vector256.GreaterThan(inner, inside);
                 var lower = Vector256.MaxNative(nearness - slack, least);
-                var before = Load(ref frontAt, pixel);
+                var before = Vector256.LoadUnsafe(ref Unsafe.Add(ref frontAt, pixel));
                 var wins = covers & Vector256.GreaterThan(lower, before);
-                Store(Vector256.ConditionalSelect(covers, Vector256.MaxNative(sure, lower), sure), ref coveredAt, pixel);
-                Store(Vector256.ConditionalSelect(wins, upper, before), ref frontAt, pixel);
-                var names = Load(ref Unsafe.As<int, float>(ref proposedAt), pixel);
-                Store(Vector256.ConditionalSelect(wins, Vector256.Create(triangle).AsSingle(), names), ref Unsafe.As<int, float>(ref proposedAt), pixel);
+                Vector256.ConditionalSelect(covers, Vector256.MaxNative(sure, lower), sure).StoreUnsafe(ref Unsafe.Add(ref coveredAt, pixel));
+                Vector256.ConditionalSelect(wins, upper, before).StoreUnsafe(ref Unsafe.Add(ref frontAt, pixel));
+                Vector256.ConditionalSelect(wins.AsInt32(), name, Vector256.LoadUnsafe(ref Unsafe.Add(ref proposedAt, pixel)))
+                    .StoreUnsafe(ref Unsafe.Add(ref proposedAt, pixel));
 
                 var unsure = Vector256.AndNot(possible, wins).ExtractMostSignificantBits();
-                if (unsure != 0) Enqueue(unsure, pixel, triangle, upper);
+                if (unsure == 0) continue;
+                upper.StoreUnsafe(ref Unsafe.Add(ref uppers, 8 * count)); // a call here would put all that is in registers on the stack
+                (Unsafe.Add(ref unsureAt, count), Unsafe.Add(ref pixels, count)) = (unsure, pixel);
+                count++;
             }
         }
+        if (count > 0) Enqueue(count, triangle);
     }
 
-    private void Enqueue(uint lanes, int pixel, int triangle, Vector256<float> upper)
+    /// <summary>Puts a triangle's pixels that are not sure into the queue.</summary>
+    private void Enqueue(int count, int triangle)
     {
-        for (; lanes != 0; lanes &= lanes - 1)
+        if (twins.HasEarlier(triangle)) return;
+        for (var k = 0; k < count; k++)
         {
-            var i = BitOperations.TrailingZeroCount(lanes);
-            queue.Add((pixel + i % 4 + i / 4 * Stride, triangle, upper[i]));
+            for (var lanes = unsureLanes[k]; lanes != 0; lanes &= lanes - 1)
+            {
+                var i = BitOperations.TrailingZeroCount(lanes);
+                queue.Add((unsurePixels[k] + i, triangle, unsureUppers[8 * k + i]));
+            }
         }
     }
 
@@ -227,20 +421,9 @@ internal sealed class TileFilter
         foreach (var (pixel, triangle, mostW) in queue.Items)
         {
             if (mostW < covered[pixel]) continue;
-            exact.Add(tile.Column + pixel % Stride, tile.Row + pixel / Stride, triangle, pixel, decided);
+            exact.Add(tile.Column + pixel % Stride, tile.Row + pixel / Stride, triangle, pixel, decided, covered);
         }
-        exact.Flush(decided);
+        exact.Flush(decided, covered);
         queue.Clear();
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> Load(ref float numbers, int pixel) => Vector256.Create(
-        Vector128.LoadUnsafe(ref Unsafe.Add(ref numbers, pixel)), Vector128.LoadUnsafe(ref Unsafe.Add(ref numbers, pixel + Stride)));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Store(Vector256<float> block, ref float numbers, int pixel)
-    {
-        block.GetLower().StoreUnsafe(ref Unsafe.Add(ref numbers, pixel));
-        block.GetUpper().StoreUnsafe(ref Unsafe.Add(ref numbers, pixel + Stride));
     }
 }

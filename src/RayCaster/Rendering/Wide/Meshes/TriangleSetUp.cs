@@ -15,7 +15,7 @@ internal static class TriangleSetUp
     /// <summary>The samples of the box, seen from the tile's corner.</summary>
     public const int Left = 12, Right = 13, Bottom = 14, Top = 15;
 
-    /// <summary>w is known up to ± this, and lies between these.</summary>
+    /// <summary>w is known up to ± this, and lies between these; the greatest is 0 where the triangle does not show.</summary>
     public const int Slack = 16, LeastW = 17, MostW = 18;
 
     /// <summary>A sample with a side function below the first is surely outside, with all above the second surely covered.</summary>
@@ -35,8 +35,8 @@ internal static class TriangleSetUp
         var margin = Vector256.Create(screen.Margin);
         var rounding = Vector256.Create(Roundings);
         var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
-        var (ax, bx, cx) = (t.AX - column, t.BX - column, t.CX - column);
-        var (ay, by, cy) = (t.AY - row, t.BY - row, t.CY - row);
+        var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
+        var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
         var (left, right) = (Lanes.Least(ax, bx, cx), Lanes.Most(ax, bx, cx));
         var (bottom, top) = (Lanes.Least(ay, by, cy), Lanes.Most(ay, by, cy));
         var size = right - left + (top - bottom);
@@ -66,16 +66,16 @@ internal static class TriangleSetUp
 
         // A triangle with next to no area (LeastWidth) has no side functions to speak of, and the formula may put its t anywhere that its corners
         // span along the axis that the ray follows most. Of a corner s pixels beside the ray that is its depth stretched by at most √3 s / scale.
-        var (mostW, leastW) = (Lanes.Most(t.AW, t.BW, t.CW), Lanes.Least(t.AW, t.BW, t.CW));
+        var (mostW, leastW) = (Lanes.Most(t.A.W, t.B.W, t.C.W), Lanes.Least(t.A.W, t.B.W, t.C.W));
         var ratio = mostW / leastW;
         var isSliver = ~Vector256.GreaterThan(area, size * Vector256.Create(screen.LeastWidth) * ratio * ratio);
         var stretch = size * Vector256.Create((float)(4 / screen.Scale));
         var stretchedW = Vector256.ConditionalSelect(
             Vector256.LessThan(stretch, one), mostW * (one + stretch), Vector256.Create(float.MaxValue));
 
-        var depthRight = ((t.BW - t.AW) * vRight + (t.CW - t.AW) * wRight) / area;
-        var depthUp = ((t.BW - t.AW) * vUp + (t.CW - t.AW) * wUp) / area;
-        var depth = t.AW + (left - ax) * depthRight + (bottom - ay) * depthUp;
+        var depthRight = ((t.B.W - t.A.W) * vRight + (t.C.W - t.A.W) * wRight) / area;
+        var depthUp = ((t.B.W - t.A.W) * vUp + (t.C.W - t.A.W) * wUp) / area;
+        var depth = t.A.W + (left - ax) * depthRight + (bottom - ay) * depthUp;
         // Corners off by δ move the plane of w by its slope · δ; the slope itself is rounded by the area's 2⁻²⁴ size² / area; w by 2⁻²⁴ of itself.
         var slope = Vector256.Abs(depthRight) + Vector256.Abs(depthUp);
         var depthSlack = Vector256.Create(4f) * slope * (margin + rounding * size * (one + size * size / area)) + Vector256.Create(4f) * rounding * mostW;
@@ -90,7 +90,7 @@ internal static class TriangleSetUp
             Vector256.AndNot(depthRight, isSliver), Vector256.AndNot(depthUp, isSliver));
         Keep(fields, Left, left, right, bottom);
         Keep(fields, Top, top, Vector256.AndNot(depthSlack, isSliver), leastW * Vector256.Create(1 - 4e-6f));
-        Keep(fields, MostW, Vector256.ConditionalSelect(isSliver, stretchedW * Vector256.Create(1 + 4e-6f), mostW * Vector256.Create(1 + 4e-6f)),
+        Keep(fields, MostW, shows & (Vector256.ConditionalSelect(isSliver, stretchedW, mostW) * Vector256.Create(1 + 4e-6f)),
             // Which way around a sliver is seen is not known; if it is the other way, its functions are below its area's and the others' slack.
             Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack),
             Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)));

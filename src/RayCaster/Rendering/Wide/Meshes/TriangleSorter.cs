@@ -5,23 +5,19 @@ using System.Runtime.Intrinsics;
 namespace RayCaster;
 
 /// <summary>One thread's tool: finds the tiles of triangles, eight at a time.</summary>
-internal sealed class TriangleSorter(ScreenSpace screen, ScreenTriangles set)
+/// <param name="screen">The camera.</param>
+/// <param name="corners">Where the triangles' corners are seen.</param>
+/// <param name="twins">Knows which large triangles are there already; null where that is not known.</param>
+internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Twins? twins)
 {
     /// <summary>A triangle in more tiles than this is looked at in every tile, so that a million large ones do not need a place in each.</summary>
     private const int ManyTiles = 64;
 
     private readonly int tilesAcross = Frame.TilesOf(screen.Camera.Width);
-    private readonly Tile picture = new(0, 0, screen.Camera.Width, screen.Camera.Height);
-    private readonly float[] setup = new float[TriangleSetUp.Length];
-    private readonly int[] small = new int[8];  // triangles in whose box is one sample; looked at when there are eight
-    private int smallCount;
     private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
 
     /// <summary>Triangles by tile and side.</summary>
     public GrowingArray<(int Place, int Triangle)> Triangles { get; } = new();
-
-    /// <summary>Triangles of one sample by tile.</summary>
-    public GrowingArray<(int Place, Spot Spot)> Spots { get; } = new();
 
     /// <summary>Triangles that are in many tiles.</summary>
     public List<int> Large { get; } = [];
@@ -32,13 +28,13 @@ internal sealed class TriangleSorter(ScreenSpace screen, ScreenTriangles set)
     /// <summary>Where samples may be covered.</summary>
     public (int Left, int Right, int Bottom, int Top) Extent => extent;
 
-    /// <summary>Takes triangles. Those that surely cover no sample are dropped: of ten million in one picture nearly all.</summary>
+    /// <summary>Takes triangles. Those that surely cover no sample are dropped.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
         var (zero, one) = (Vector256<float>.Zero, Vector256<float>.One);
         var margin = Vector256.Create(screen.Margin);
-        var (lastColumn, lastRow) = (Vector256.Create(picture.Width - 1f), Vector256.Create(picture.Height - 1f));
+        var (lastColumn, lastRow) = (Vector256.Create(screen.Camera.Width - 1f), Vector256.Create(screen.Camera.Height - 1f));
         var spread = Vector256.Create((float)(4 / screen.Scale));
         var (leastW, mostW) = (Vector256.Create(screen.LeastW), Vector256.Create(screen.MostW));
         Span<int> ids = stackalloc int[8];
@@ -46,9 +42,9 @@ internal sealed class TriangleSorter(ScreenSpace screen, ScreenTriangles set)
         for (; first < end; first += 8)
         {
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
-            var t = new EightTriangles(set.Points, set.Indices, ids);
-            var (left, right) = (Lanes.Least(t.AX, t.BX, t.CX), Lanes.Most(t.AX, t.BX, t.CX));
-            var (bottom, top) = (Lanes.Least(t.AY, t.BY, t.CY), Lanes.Most(t.AY, t.BY, t.CY));
+            corners.See(ids, out var t);
+            var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
+            var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
             var size = right - left + (top - bottom);
 
             // The samples within the box around the triangle. Columns and rows of a picture are exact in floats.
@@ -56,33 +52,31 @@ internal sealed class TriangleSorter(ScreenSpace screen, ScreenTriangles set)
             var column1 = Vector256.MinNative(Vector256.Floor(right + margin), lastColumn);
             var row0 = Vector256.MaxNative(Vector256.Ceiling(bottom - margin), zero);
             var row1 = Vector256.MinNative(Vector256.Floor(top + margin), lastRow);
-            var unfit = Vector256.GreaterThan(t.Unfit, zero);
+            var fit = screen.IsFit(t.A.X, t.A.Y, t.A.W) & screen.IsFit(t.B.X, t.B.Y, t.B.W) & screen.IsFit(t.C.X, t.C.Y, t.C.W);
             var shows = Vector256.LessThanOrEqual(column0, column1) & Vector256.LessThanOrEqual(row0, row1);
 
             // The range of w that counts; see TriangleSetUp on the stretch of the corners' w.
             var stretch = size * spread;
-            shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.AW, t.BW, t.CW) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
-            shows &= Vector256.LessThanOrEqual(Lanes.Least(t.AW, t.BW, t.CW) * (one - stretch), mostW);
+            shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.A.W, t.B.W, t.C.W) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
+            shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
 
             // Where the box holds one sample only, the sides tell whether it is beside the triangle. (The others are looked at in their tiles.)
-            var (ax, bx, cx) = (t.AX - column0, t.BX - column0, t.CX - column0);
-            var (ay, by, cy) = (t.AY - row0, t.BY - row0, t.CY - row0);
+            var (ax, bx, cx) = (t.A.X - column0, t.B.X - column0, t.C.X - column0);
+            var (ay, by, cy) = (t.A.Y - row0, t.B.Y - row0, t.C.Y - row0);
             var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
             var slack = size * (Vector256.Create(6 * screen.Margin) + size * Vector256.Create(TriangleSetUp.Roundings));
             var beside = Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
             var single = Vector256.Equals(column0, column1) & Vector256.Equals(row0, row1);
-            shows &= ~(beside & single) & ~unfit;
+            shows &= ~(beside & single) & fit;
 
             var inRange = end - first >= 8 ? 0xFFu : (1u << (end - first)) - 1;
-            var unfitBits = unfit.ExtractMostSignificantBits() & inRange;
-            for (; unfitBits != 0; unfitBits &= unfitBits - 1) Unfit.Add(first + BitOperations.TrailingZeroCount(unfitBits));
-            var bits = shows.ExtractMostSignificantBits() & inRange;
-            var singles = bits & single.ExtractMostSignificantBits();
-            for (bits &= ~singles; singles != 0; singles &= singles - 1)
+            var unfit = ~fit.ExtractMostSignificantBits() & inRange;
+            for (; unfit != 0; unfit &= unfit - 1)
             {
-                small[smallCount++] = first + BitOperations.TrailingZeroCount(singles);
-                if (smallCount == 8) AddSpots();
+                var i = first + BitOperations.TrailingZeroCount(unfit);
+                if (twins is null || !twins.HasEarlier(i)) Unfit.Add(i);
             }
+            var bits = shows.ExtractMostSignificantBits() & inRange;
             if (bits == 0) continue;
 
             var turned = Vector256.LessThan(u + v + w, zero).ExtractMostSignificantBits();
@@ -93,17 +87,21 @@ internal sealed class TriangleSorter(ScreenSpace screen, ScreenTriangles set)
             for (; bits != 0; bits &= bits - 1)
             {
                 var i = BitOperations.TrailingZeroCount(bits);
-                AddTriangle(first + i, (int)(turned >> i) & 1, box[i], box[i + 8], box[i + 16], box[i + 24]);
+                Place(first + i, (int)(turned >> i) & 1, box[i], box[i + 8], box[i + 16], box[i + 24]);
             }
         }
-        if (smallCount > 0) AddSpots();
     }
 
-    private void AddTriangle(int triangle, int side, int left, int right, int bottom, int top)
+    private void Place(int triangle, int side, int left, int right, int bottom, int top)
     {
-        Extend(left, right, bottom, top);
+        if (left < extent.Left) extent.Left = left;
+        if (right > extent.Right) extent.Right = right;
+        if (bottom < extent.Bottom) extent.Bottom = bottom;
+        if (top > extent.Top) extent.Top = top;
         var (x0, x1, y0, y1) = (left / Tile.MaxSide, right / Tile.MaxSide, bottom / Tile.MaxSide, top / Tile.MaxSide);
-        if ((long)(x1 - x0 + 1) * (y1 - y0 + 1) > ManyTiles)
+        var tiles = (long)(x1 - x0 + 1) * (y1 - y0 + 1);
+        if (tiles > 1 && twins is not null && twins.HasEarlier(triangle)) return;
+        if (tiles > ManyTiles)
         {
             Large.Add(triangle);
             return;
@@ -111,36 +109,5 @@ internal sealed class TriangleSorter(ScreenSpace screen, ScreenTriangles set)
         for (var y = y0; y <= y1; y++)
             for (var x = x0; x <= x1; x++)
                 Triangles.Add((2 * (y * tilesAcross + x) + side, triangle));
-    }
-
-    /// <summary>Sets up the small triangles, the samples in their boxes being the first and only ones.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void AddSpots()
-    {
-        for (var i = smallCount; i < 8; i++) small[i] = small[0];
-        TriangleSetUp.Of(new EightTriangles(set.Points, set.Indices, small), screen, picture, setup);
-        for (var i = 0; i < smallCount; i++)
-        {
-            float At(int field) => setup[8 * field + i];
-            var side = Math.Min(At(TriangleSetUp.U), Math.Min(At(TriangleSetUp.V), At(TriangleSetUp.W)));
-            if (side < At(TriangleSetUp.Outside)) continue;
-            var (w, slack) = (At(TriangleSetUp.Depth), At(TriangleSetUp.Slack));
-            var mostW = Math.Min(w + slack, At(TriangleSetUp.MostW));
-            var leastW = side > At(TriangleSetUp.Inside) ? Math.Max(w - slack, At(TriangleSetUp.LeastW)) : -1;
-            var (column, row) = ((int)At(TriangleSetUp.Left), (int)At(TriangleSetUp.Bottom));
-            Extend(column, column, row, row);
-            var place = row / Tile.MaxSide * tilesAcross + column / Tile.MaxSide;
-            Spots.Add((place, new(row % Tile.MaxSide * TileFilter.Stride + column % Tile.MaxSide, set.Owners?[small[i]] ?? small[i], leastW, mostW)));
-        }
-        smallCount = 0;
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Extend(int left, int right, int bottom, int top)
-    {
-        if (left < extent.Left) extent.Left = left;
-        if (right > extent.Right) extent.Right = right;
-        if (bottom < extent.Bottom) extent.Bottom = bottom;
-        if (top > extent.Top) extent.Top = top;
     }
 }

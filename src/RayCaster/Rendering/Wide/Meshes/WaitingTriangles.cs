@@ -1,0 +1,67 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster;
+
+/// <summary>Triangles that wait until there are eight of them, since of eight that come together often only some need a further look.</summary>
+internal sealed class WaitingTriangles
+{
+    private const int Room = 16;
+
+    private static readonly int[] Orders = MakeOrders();
+
+    private readonly int[] orders = Orders; // a field of its own: code compiled early asks at each use whether a static one is there
+    private readonly float[] corners = new float[9 * Room];
+    private readonly int[] triangles = new int[Room];
+
+    /// <summary>How many there are: after <see cref="Add"/> fewer than sixteen.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>The first one's number, which those of the others follow.</summary>
+    public ref int Triangle => ref triangles[0];
+
+    /// <summary>Adds some of eight triangles, while there are fewer than eight.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public void Add(in EightTriangles t, Vector256<int> ids, uint lanes)
+    {
+        var order = Vector256.LoadUnsafe(ref orders[8 * lanes]);
+        ref var at = ref corners[Count];
+        Vector256.ShuffleNative(t.A.X, order).StoreUnsafe(ref at);
+        Vector256.ShuffleNative(t.A.Y, order).StoreUnsafe(ref Unsafe.Add(ref at, Room));
+        Vector256.ShuffleNative(t.A.W, order).StoreUnsafe(ref Unsafe.Add(ref at, 2 * Room));
+        Vector256.ShuffleNative(t.B.X, order).StoreUnsafe(ref Unsafe.Add(ref at, 3 * Room));
+        Vector256.ShuffleNative(t.B.Y, order).StoreUnsafe(ref Unsafe.Add(ref at, 4 * Room));
+        Vector256.ShuffleNative(t.B.W, order).StoreUnsafe(ref Unsafe.Add(ref at, 5 * Room));
+        Vector256.ShuffleNative(t.C.X, order).StoreUnsafe(ref Unsafe.Add(ref at, 6 * Room));
+        Vector256.ShuffleNative(t.C.Y, order).StoreUnsafe(ref Unsafe.Add(ref at, 7 * Room));
+        Vector256.ShuffleNative(t.C.W, order).StoreUnsafe(ref Unsafe.Add(ref at, 8 * Room));
+        Vector256.ShuffleNative(ids, order).StoreUnsafe(ref triangles[Count]);
+        Count += BitOperations.PopCount(lanes);
+    }
+
+    /// <summary>The first eight; where there are fewer, the others are any that were there before.</summary>
+    public void See(out EightTriangles seen) => (seen.A, seen.B, seen.C) = (Points(0), Points(3 * Room), Points(6 * Room));
+
+    private EightPoints Points(int first) => new(
+        Vector256.LoadUnsafe(ref corners[first]), Vector256.LoadUnsafe(ref corners[first + Room]), Vector256.LoadUnsafe(ref corners[first + 2 * Room]));
+
+    /// <summary>Forgets the first eight.</summary>
+    public void Drop()
+    {
+        Count = Math.Max(0, Count - 8);
+        for (var i = 0; i < corners.Length; i += Room) Vector256.LoadUnsafe(ref corners[i + 8]).StoreUnsafe(ref corners[i]);
+        Vector256.LoadUnsafe(ref triangles[8]).StoreUnsafe(ref triangles[0]);
+    }
+
+    /// <summary>For each mask of eight lanes the set ones, from the first place on.</summary>
+    private static int[] MakeOrders()
+    {
+        var orders = new int[8 << 8];
+        for (var mask = 0; mask < 1 << 8; mask++)
+            for (int lane = 0, count = 0; lane < 8; lane++)
+                if ((mask >> lane & 1) != 0)
+                    orders[8 * mask + count++] = lane;
+        return orders;
+    }
+}
