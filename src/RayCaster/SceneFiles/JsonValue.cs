@@ -9,8 +9,8 @@ namespace RayCaster;
 /// <param name="node">The value's token.</param>
 internal readonly struct JsonValue(JsonTree tree, int node)
 {
-    /// <summary>What it is; of an array or object the start token.</summary>
-    public JsonTokenType Kind => tree[node].Kind;
+    /// <summary>What it is.</summary>
+    public JsonKind Kind => tree[node].Kind;
 
     /// <summary>The place of its first byte.</summary>
     public int Start => tree[node].Start;
@@ -22,12 +22,14 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     public string AsWritten => tree.Text.Quote(Start, End);
 
     /// <summary>What an array holds: elements; what an object holds: key, value, key, value …</summary>
-    public List<JsonValue> Content
+    public JsonValue[] Content
     {
         get
         {
-            var content = new List<JsonValue>();
-            for (var i = node + 1; i < tree[node].Next; i = tree[i].Next) content.Add(new(tree, i));
+            var (count, end) = (0, tree[node].Next);
+            for (var i = node + 1; i < end; i = tree[i].Next) count++;
+            var content = new JsonValue[count];
+            for (var (i, place) = (node + 1, 0); i < end; i = tree[i].Next) content[place++] = new(tree, i);
             return content;
         }
     }
@@ -40,27 +42,31 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     {
         get
         {
-            var utf8 = tree.Text.Utf8[Start..End];
-            if (!utf8.Contains((byte)'\\')) return Encoding.UTF8.GetString(utf8[1..^1]);
-            var reader = new Utf8JsonReader(utf8);
-            reader.Read();
-            try
-            {
-                return reader.GetString()!;
-            }
-            catch (InvalidOperationException)
-            {
-                return tree.Text.Quote(Start + 1, End - 1);
-            }
+            var content = tree.Text.Utf8[(Start + 1)..(End - 1)];
+            return content.IndexOf((byte)'\\') < 0 ? Encoding.UTF8.GetString(content) : Unescaped();
         }
     }
 
     /// <summary>What it is, in words: <c>the text "45"</c>.</summary>
     public string InWords => Kind switch
     {
-        JsonTokenType.StartObject => "an object",
-        JsonTokenType.StartArray => "an array",
-        JsonTokenType.String => $"the text {AsWritten}",
+        JsonKind.Object => "an object",
+        JsonKind.Array => "an array",
+        JsonKind.Text => $"the text {AsWritten}",
         _ => AsWritten, // a number, true, false or null
     };
+
+    private string Unescaped()
+    {
+        var reader = new Utf8JsonReader(tree.Text.Utf8[Start..End]);
+        reader.Read();
+        try
+        {
+            return reader.GetString()!;
+        }
+        catch (InvalidOperationException)
+        {
+            return tree.Text.Quote(Start + 1, End - 1);
+        }
+    }
 }

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text.Json;
 
 namespace RayCaster;
 
@@ -18,7 +17,8 @@ internal sealed class SceneObject
     private readonly SceneDocument? document;
     private readonly JsonValue json;
     private readonly string path;
-    private readonly Dictionary<string, (JsonValue Key, JsonValue Value)> written = [];
+    private readonly JsonValue[] content = []; // key, value, key, value …
+    private readonly Dictionary<string, int> written = []; // where in the content the first of each key stands
     private readonly List<string> asked = [];
     private readonly List<SceneKey>? described;
     private readonly int errorsBefore;
@@ -31,12 +31,12 @@ internal sealed class SceneObject
     {
         (this.document, this.json, this.path) = (document, json, path);
         errorsBefore = document.ErrorCount;
-        var content = json.Content;
-        for (var i = 0; i < content.Count && !document.IsHopeless; i += 2)
+        content = json.Content;
+        for (var i = 0; i < content.Length && !document.IsHopeless; i += 2)
         {
             var key = content[i].Text;
-            if (written.TryAdd(key, (content[i], content[i + 1]))) continue;
-            var line = document.Text.LineOf(written[key].Key.Start);
+            if (written.TryAdd(key, i)) continue;
+            var line = document.Text.LineOf(content[written[key]].Start);
             Report(true, content[i], PathOf(Shown(key)), $" is given twice; the first is in line {line}");
         }
     }
@@ -81,7 +81,7 @@ internal sealed class SceneObject
     {
         var limits = Limits.From(least, most);
         if (Take(new(key, KeyKind.Whole, meaning, false, orElse) { Limits = limits }) is not { } value) return orElse;
-        if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
+        if (value.Kind == JsonKind.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
         {
             Report(true, value, PathOf(key), $" must be a whole number, but is {value.AsWritten}");
             return orElse;
@@ -101,7 +101,7 @@ internal sealed class SceneObject
     {
         if (Take(new(key, KeyKind.Direction, meaning, orElse is null, orElse)) is not { } value) return orElse ?? NoVector;
         var direction = VectorAt(value, key, Limits.None, "an array of three numbers [x, y, z]");
-        if (direction != Vector3.Zero) return direction;
+        if (direction.Length != 0) return direction;
         Report(true, value, PathOf(key), $" must not be {value.AsWritten}: a direction has a length");
         return NoVector;
     }
@@ -110,7 +110,7 @@ internal sealed class SceneObject
     public Vector3 Factors(string key, string meaning, double orElse)
     {
         if (Take(new(key, KeyKind.Factors, meaning, false, orElse)) is not { } value) return new(orElse, orElse, orElse);
-        if (value.Kind != JsonTokenType.Number) return VectorAt(value, key, Limits.NotZero, "a number or an array of three numbers [x, y, z]");
+        if (value.Kind != JsonKind.Number) return VectorAt(value, key, Limits.NotZero, "a number or an array of three numbers [x, y, z]");
         var factor = NumberAt(value, key, null, Limits.NotZero);
         return new(factor, factor, factor);
     }
@@ -120,7 +120,7 @@ internal sealed class SceneObject
     {
         if (Take(new(key, KeyKind.Color, meaning, false, orElse)) is not { } value) return orElse;
         const string What = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
-        if (value.Kind == JsonTokenType.String)
+        if (value.Kind == JsonKind.Text)
         {
             var text = value.Text;
             if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
@@ -145,16 +145,9 @@ internal sealed class SceneObject
     /// <summary>A text, or null where it is left out.</summary>
     public string? OptionalText(string key, string meaning) => Text(new SceneKey(key, KeyKind.Text, meaning, false));
 
-    /// <summary>One of several words; the first is the default.</summary>
-    public T Choice<T>(string key, string meaning, params (string Word, T Value)[] choices)
-    {
-        var words = Array.ConvertAll(choices, choice => choice.Word);
-        var word = Choice(new SceneKey(key, KeyKind.Choice, meaning, false, words[0]) { Choices = words });
-        foreach (var choice in choices)
-            if (choice.Word == word)
-                return choice.Value;
-        return choices[0].Value;
-    }
+    /// <summary>One of several words; the first where it is left out.</summary>
+    public string OptionalChoice(string key, string meaning, params string[] words) =>
+        Choice(new SceneKey(key, KeyKind.Choice, meaning, false, words[0]) { Choices = words }) ?? words[0];
 
     /// <summary>One of several words that must be there, or null.</summary>
     public string? Choice(string key, string meaning, string[] words) => Choice(new SceneKey(key, KeyKind.Choice, meaning, true) { Choices = words });
@@ -176,13 +169,13 @@ internal sealed class SceneObject
     public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
         if (Take(new(key, KeyKind.Objects, meaning, true)) is not { } value) yield break;
-        if (value.Kind != JsonTokenType.StartArray)
+        if (value.Kind != JsonKind.Array)
         {
             Report(true, value, PathOf(key), $" must be an array of objects in brackets [ ], but is {value.InWords}");
             yield break;
         }
         var elements = value.Content;
-        for (var i = 0; i < elements.Count && !document!.IsHopeless; i++)
+        for (var i = 0; i < elements.Length && !document!.IsHopeless; i++)
             if (AsObject(document!, elements[i], PathOf(key, i), PathOf(key, i)) is { } element)
                 yield return element;
     }
@@ -194,7 +187,7 @@ internal sealed class SceneObject
     /// <param name="name">What a message calls it.</param>
     public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string name)
     {
-        if (value.Kind == JsonTokenType.StartObject) return new(document, value, path);
+        if (value.Kind == JsonKind.Object) return new(document, value, path);
         document.Add(true, value.Start, value.End, path, $"{name} must be an object in braces {{ }}, but is {value.InWords}");
         return null;
     }
@@ -212,11 +205,11 @@ internal sealed class SceneObject
     public void Close(params IEnumerable<string> allowed)
     {
         asked.AddRange(allowed);
-        foreach (var (key, member) in written)
+        foreach (var (key, place) in written)
         {
             if (document!.IsHopeless) return;
             if (asked.Contains(key)) continue;
-            Report(true, member.Key, PathOf(Shown(key)), " is an unknown key" + RightKey(key));
+            Report(true, content[place], PathOf(Shown(key)), " is an unknown key" + RightKey(key));
         }
     }
 
@@ -229,7 +222,7 @@ internal sealed class SceneObject
         var free = asked.FindAll(known => !written.ContainsKey(known));
         if (Spelling.DidYouMean(wrong, free) is { Length: > 0 } help) return help;
         if (Spelling.Nearest(wrong, asked) is { } near && written.TryGetValue(near, out var there))
-            return $"; \"{near}\" is already there, in line {document!.Text.LineOf(there.Key.Start)}";
+            return $"; \"{near}\" is already there, in line {document!.Text.LineOf(content[there].Start)}";
         return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
     }
 
@@ -238,7 +231,7 @@ internal sealed class SceneObject
     {
         described?.Add(key);
         asked.Add(key.Name);
-        if (written.TryGetValue(key.Name, out var member)) return member.Value;
+        if (written.TryGetValue(key.Name, out var place)) return content[place + 1];
         if (key.IsRequired && document is not null)
         {
             var what = key.Choices.Length > 0 ? InWords(key.Choices) : key.Meaning;
@@ -250,7 +243,7 @@ internal sealed class SceneObject
     private string? Text(SceneKey key)
     {
         if (Take(key) is not { } value) return null;
-        if (value.Kind == JsonTokenType.String) return value.Text;
+        if (value.Kind == JsonKind.Text) return value.Text;
         Report(true, value, PathOf(key.Name), $" must be a text in double quotes, but is {value.InWords}");
         return null;
     }
@@ -259,16 +252,16 @@ internal sealed class SceneObject
     {
         var word = Text(key);
         if (word is null || Array.IndexOf(key.Choices, word) >= 0) return word;
-        var value = written[key.Name].Value;
+        var value = content[written[key.Name] + 1];
         Report(true, value, PathOf(key.Name), $" must be {InWords(key.Choices)}, but is {value.AsWritten}{Spelling.DidYouMean(word, key.Choices)}");
         return Spelling.Nearest(word, key.Choices);
     }
 
     private double NumberAt(JsonValue value, string key, int? element, Limits limits)
     {
-        if (value.Kind != JsonTokenType.Number)
+        if (value.Kind != JsonKind.Number)
         {
-            var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
+            var isQuoted = value.Kind == JsonKind.Text && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
             Report(true, value, PathOf(key, element), $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}");
             return double.NaN;
         }
@@ -284,23 +277,23 @@ internal sealed class SceneObject
 
     private Vector3 VectorAt(JsonValue value, string key, Limits limits, string what)
     {
-        if (value.Kind != JsonTokenType.StartArray)
+        if (value.Kind != JsonKind.Array)
         {
             Report(true, value, PathOf(key), $" must be {what}, but is {value.InWords}");
             return NoVector;
         }
         var elements = value.Content;
-        if (elements.Count == 3) return new(Element(0), Element(1), Element(2));
-        Report(true, value, PathOf(key), $" must be {what}, but has {elements.Count} element{(elements.Count == 1 ? "" : "s")}{DecimalComma(elements)}");
+        if (elements.Length == 3) return new(Element(0), Element(1), Element(2));
+        Report(true, value, PathOf(key), $" must be {what}, but has {elements.Length} element{(elements.Length == 1 ? "" : "s")}{DecimalComma(elements)}");
         return NoVector;
 
         double Element(int i) => NumberAt(elements[i], key, i, limits);
     }
 
     /// <summary>In [2,5, 0, 0] a whole number follows its comma without a blank: somebody may have meant 2.5.</summary>
-    private static string DecimalComma(List<JsonValue> elements)
+    private static string DecimalComma(JsonValue[] elements)
     {
-        for (var i = 1; i < elements.Count && elements.Count > 3; i++)
+        for (var i = 1; i < elements.Length && elements.Length > 3; i++)
         {
             var (whole, fraction) = (elements[i - 1], elements[i]);
             if (fraction.Start == whole.End + 1 && IsWhole(whole) && IsWhole(fraction) && fraction.Number >= 0)
@@ -308,13 +301,14 @@ internal sealed class SceneObject
         }
         return "";
 
-        static bool IsWhole(JsonValue value) => value.Kind == JsonTokenType.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
+        static bool IsWhole(JsonValue value) => value.Kind == JsonKind.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
     }
 
     private JsonValue? Place(string key, int? element)
     {
-        if (!written.TryGetValue(key, out var member)) return null;
-        return element is { } i && member.Value.Kind == JsonTokenType.StartArray ? member.Value.Content[i] : member.Value;
+        if (!written.TryGetValue(key, out var place)) return null;
+        var value = content[place + 1];
+        return element is { } i && value.Kind == JsonKind.Array ? value.Content[i] : value;
     }
 
     /// <summary>Notes a problem; where there is no value at the object's opening brace.</summary>

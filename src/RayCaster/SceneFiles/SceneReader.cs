@@ -110,10 +110,10 @@ public static class SceneReader
         var zNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, 0.01);
         var zFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", 100);
         var bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, 1e-6);
-        var clip = o.Choice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
-            ("depth", Clip.Depth), ("distance", Clip.Distance));
-        var sample = o.Choice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
-            ("corner", Sample.Corner), ("center", Sample.Center));
+        var clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+            "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth;
+        var sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+            "corner", "center") == "center" ? Sample.Center : Sample.Corner;
         o.Close();
 
         var view = target - position;
