@@ -46,7 +46,7 @@ internal sealed class CommandLine
 
         if (line.Has(Option.Help)) return line;
         foreach (var (option, _) in line.values)
-            if (!line.Command.Options.Contains(option))
+            if (!line.Command.Takes(option))
                 throw ProblemException.Usage(line.CommandName == ""
                     ? $"option '{option.Name}' belongs to a command: say which"
                     : $"option '{option.Name}' is not one of {line.CommandName}'s");

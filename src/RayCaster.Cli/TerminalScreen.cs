@@ -13,6 +13,9 @@ internal static class TerminalScreen
         !line.Has(Option.Preview) && !line.Has(Option.Color) ? ColorDepth.None // nobody wants to know, and a look at the console takes time
         : ColorDepths.Choose(line[Option.Color], Console.IsOutputRedirected, Environment.GetEnvironmentVariable);
 
+    /// <summary>Whether standard output is a terminal.</summary>
+    public static bool TakesOutput => !Console.IsOutputRedirected;
+
     /// <summary>A preview for a picture that fits into the window, with a line left for the prompt.</summary>
     /// <param name="width">Pixels in a line of the picture.</param>
     /// <param name="height">Lines of the picture.</param>

@@ -6,7 +6,7 @@ namespace RayCaster;
 /// Draws some lines of a small picture on one thread: every ray meets every model. What a <see cref="BandQueue"/> does to spare work would take longer to
 /// compile than all of that work takes.
 /// </summary>
-/// <param name="scene">What to draw: models of one formula each.</param>
+/// <param name="scene">What to draw; no meshes, which are prepared tile by tile.</param>
 internal sealed class SmallPicture(Scene scene)
 {
     /// <summary>
@@ -25,7 +25,7 @@ internal sealed class SmallPicture(Scene scene)
         var models = Math.Max(1, scene.Models.Count);
         if ((long)scene.Camera.Width * lines.Count * models >= Large) return false;
         for (var i = 0; i < scene.Models.Count; i++)
-            if (scene.Models[i].PartCount != 1)
+            if (scene.Models[i] is Mesh)
                 return false;
         return true;
     }
