@@ -24,8 +24,10 @@ internal sealed class SpanShader
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Shade(RaySpan span, Span<byte> rgb)
     {
-        var packed = Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
-        Span<byte> rest = stackalloc byte[16];
+        // Each store leaves four zeros after its twelve bytes. They fall on pixels that come next, and at last on room of our own: beyond the span
+        // another thread may be at work.
+        Span<byte> bytes = stackalloc byte[3 * RaySpan.MaxLength + 4];
+        ref var first = ref MemoryMarshal.GetReference(bytes);
         for (var i = 0; i < span.Length; i += Packet.Count)
         {
             var models = span.ModelsAt<Packet>(i);
@@ -43,21 +45,10 @@ internal sealed class SpanShader
                 b = new(Vector256.Create(a.B, c.B, d.B, e.B));
             }
             var pixels = Bytes(attenuation * r) | (Bytes(attenuation * g) << 8) | (Bytes(attenuation * b) << 16);
-            var bytes = Vector128.Shuffle(pixels.AsByte(), packed);
-
-            // Twelve bytes; the four zeros after them fall on pixels that come next, but not beyond the span, where another thread may be at work.
-            if (rgb.Length >= 16)
-            {
-                bytes.StoreUnsafe(ref MemoryMarshal.GetReference(rgb));
-                rgb = rgb[12..];
-            }
-            else
-            {
-                bytes.CopyTo(rest);
-                rest[..Math.Min(12, rgb.Length)].CopyTo(rgb);
-                rgb = rgb[Math.Min(12, rgb.Length)..];
-            }
+            Vector128.Shuffle(pixels.AsByte(), Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255))
+                .StoreUnsafe(ref first, (nuint)(3 * i));
         }
+        bytes[..rgb.Length].CopyTo(rgb);
     }
 
     /// <summary>The bytes of a channel of four pixels, each in an int.</summary>
