@@ -12,14 +12,13 @@ public static class SceneReader
     {
         try
         {
-            if (!File.Exists(path)) return Unreadable(path, NotFound(path));
-            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
             return Read(file, path, Path.GetDirectoryName(path) ?? "");
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException || (e is ArgumentException && !File.Exists(path)))
         {
-            return Unreadable(path, $"the scene file cannot be read: {e.Message}");
+            return Unreadable(path, File.Exists(path) ? $"the scene file cannot be read: {e.Message}" : NotFound(path));
         }
     }
 
