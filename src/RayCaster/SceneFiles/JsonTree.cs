@@ -36,6 +36,9 @@ internal sealed class JsonTree
     /// <summary>A token by its number in the text.</summary>
     public ref Node this[int node] => ref nodes[node];
 
+    /// <summary>What stands between the quotes of a text or key.</summary>
+    public ReadOnlySpan<byte> Written(int node) => Text.Utf8[(nodes[node].Start + 1)..(nodes[node].End - 1)];
+
     /// <summary>The token that was added last.</summary>
     public Node Last => nodes[count - 1];
 

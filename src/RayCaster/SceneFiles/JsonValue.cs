@@ -9,6 +9,10 @@ namespace RayCaster;
 /// <param name="node">The value's token.</param>
 internal readonly struct JsonValue(JsonTree tree, int node)
 {
+    private const int FewKeys = 16; // so many are compared with each other
+
+    private readonly int node = node;
+
     /// <summary>What it is.</summary>
     public JsonKind Kind => tree[node].Kind;
 
@@ -34,6 +38,77 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
+    /// <summary>The three elements of an array that has three.</summary>
+    public bool IsOfThree(out JsonValue first, out JsonValue second, out JsonValue third)
+    {
+        var (a, end) = (node + 1, tree[node].Next);
+        var b = a < end ? tree[a].Next : end;
+        var c = b < end ? tree[b].Next : end;
+        (first, second, third) = (new(tree, a), new(tree, b), new(tree, c));
+        return c < end && tree[c].Next == end;
+    }
+
+    /// <summary>The keys of an object, as they are written.</summary>
+    public IEnumerable<JsonValue> Keys
+    {
+        get
+        {
+            for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next) yield return new(tree, key);
+        }
+    }
+
+    /// <summary>The value of a key of an object, the first if there are several; null if there is none.</summary>
+    public JsonValue? Find(string name) => FindKey(name) is { } key ? new(tree, key.node + 1) : null;
+
+    /// <summary>A key of an object, the first if there are several; null if there is none.</summary>
+    public JsonValue? FindKey(string name)
+    {
+        for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next)
+            if (new JsonValue(tree, key).Is(name))
+                return new JsonValue(tree, key);
+        return null;
+    }
+
+    /// <summary>Whether an object has a key that is none of some.</summary>
+    public bool HasKeyBeyond(List<string> known)
+    {
+        for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next)
+        {
+            var i = 0;
+            while (i < known.Count && !new JsonValue(tree, key).Is(known[i])) i++;
+            if (i == known.Count) return true;
+        }
+        return false;
+    }
+
+    /// <summary>Whether an object may have a key twice: if false, it has surely not.</summary>
+    public bool MayRepeatKey
+    {
+        get
+        {
+            var (count, end) = (0, tree[node].Next);
+            for (var key = node + 1; key < end; key = tree[key + 1].Next)
+            {
+                if (++count > FewKeys || tree.Written(key).IndexOf((byte)'\\') >= 0) return true;
+                for (var before = node + 1; before < key; before = tree[before + 1].Next)
+                    if (tree.Written(before).SequenceEqual(tree.Written(key)))
+                        return true;
+            }
+            return false;
+        }
+    }
+
+    /// <summary>Whether a text or key says this, which is plain ASCII.</summary>
+    public bool Is(string text)
+    {
+        var written = tree.Written(node);
+        if (written.Length != text.Length) return written.Length > text.Length && written.IndexOf((byte)'\\') >= 0 && Text == text;
+        for (var i = 0; i < written.Length; i++)
+            if (written[i] != text[i])
+                return false;
+        return true;
+    }
+
     /// <summary>The number nearest to the one that is written; ±∞ beyond the largest.</summary>
     public double Number => double.Parse(tree.Text.Utf8[Start..End], NumberStyles.Float, CultureInfo.InvariantCulture);
 
@@ -42,7 +117,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     {
         get
         {
-            var content = tree.Text.Utf8[(Start + 1)..(End - 1)];
+            var content = tree.Written(node);
             return content.IndexOf((byte)'\\') < 0 ? Encoding.UTF8.GetString(content) : Unescaped();
         }
     }

@@ -78,7 +78,7 @@ public static class SceneReader
             document.Add(true, encoding.Start, encoding.End, "", encoding.Message);
             return null;
         }
-        if (JsonTree.Parse(document.Text, out var mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name);
+        if (JsonTree.Parse(document.Text, out var mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name: name);
         document.Add(true, mistake.Start, mistake.End, "", mistake.Message);
         return null;
     }
