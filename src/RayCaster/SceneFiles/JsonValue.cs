@@ -110,7 +110,14 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     }
 
     /// <summary>The number nearest to the one that is written; ±∞ beyond the largest.</summary>
-    public double Number => double.Parse(tree.Text.Utf8[Start..End], NumberStyles.Float, CultureInfo.InvariantCulture);
+    public double Number
+    {
+        get
+        {
+            var written = tree.Text.Utf8[Start..End];
+            return DecimalNumber.TryParseShort(written, out var number) ? number : double.Parse(written, NumberStyles.Float, CultureInfo.InvariantCulture);
+        }
+    }
 
     /// <summary>A text or key without its quotes and escapes; as written if it holds half a surrogate pair, which is no text.</summary>
     public string Text
