@@ -42,22 +42,23 @@ internal sealed class SmallPicture(Scene scene)
             var count = Math.Min(Tile.MaxSide, lines.Last + 1 - first);
             var sink = new PictureSink(shader, rgb, camera.Width, camera.Height - 1 - first);
             for (var column = 0; column < camera.Width; column += RaySpan.MaxLength)
-                Cast(column, Math.Min(RaySpan.MaxLength, camera.Width - column), camera.Height - first - count, count, sink);
+            {
+                var part = new Tile(column, camera.Height - first - count, Math.Min(RaySpan.MaxLength, camera.Width - column), count);
+                if (Vector512.IsHardwareAccelerated) Cast<WidePacket>(part, sink);
+                else Cast<Packet>(part, sink);
+            }
             linesDone?.Invoke(count);
             write(rgb.AsSpan(0, 3 * camera.Width * count));
             first += count;
         }
     }
 
-    private void Cast(int column, int width, int row, int height, PictureSink sink)
+    private void Cast<N>(in Tile part, PictureSink sink) where N : struct, IPacket<N>
     {
-        var isWide = Vector512.IsHardwareAccelerated;
-        if (isWide) span.Enter<WidePacket>(column, width);
-        else span.Enter<Packet>(column, width);
-        for (var end = row + height; row < end; row++)
+        span.Enter<N>(part.Column, part.Width);
+        for (var row = part.Row; row < part.EndRow; row++)
         {
-            if (isWide) span.Aim<WidePacket>(row);
-            else span.Aim<Packet>(row);
+            span.Aim<N>(row);
             for (var i = 0; i < views.Length; i++) views[i].Meet(span, i);
             sink.Take(span);
         }
