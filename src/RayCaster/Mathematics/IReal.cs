@@ -71,6 +71,10 @@ public interface IReal<N> where N : struct, IReal<N>
     /// <summary><paramref name="value"/> where it is a number, <paramref name="instead"/> where it is NaN.</summary>
     static virtual N Or(N value, N instead) => N.Select(value <= double.PositiveInfinity, value, instead);
 
+    /// <summary>A vector's coordinates, each divided by the same number.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    static virtual Vector3<N> Divide(Vector3<N> a, N b) => new(a.X / b, a.Y / b, a.Z / b);
+
     /// <summary>Hears what a step of a formula is called (<see cref="Naming"/>). Only a number that explains listens.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     static virtual N Named(N value, string name, string formula) => value;

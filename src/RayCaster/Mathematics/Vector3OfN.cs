@@ -37,7 +37,7 @@ public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
 
     /// <summary>Divides each coordinate.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<N> operator /(Vector3<N> a, N b) => new(a.X / b, a.Y / b, a.Z / b);
+    public static Vector3<N> operator /(Vector3<N> a, N b) => N.Divide(a, b);
 
     /// <summary>Dot product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

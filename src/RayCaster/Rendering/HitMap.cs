@@ -20,8 +20,32 @@ public sealed class HitMap(int width, int height) : ISpanSink
     /// <inheritdoc/>
     void ISpanSink.Take(RaySpan span)
     {
-        var first = (Height - 1 - span.Row) * Width + span.Column;
-        span.T[..span.Length].CopyTo(T.AsSpan(first));
-        for (var i = 0; i < span.Length; i++) Model[first + i] = span.ModelAt(i);
+        for (int i = 0, row = span.Row; i < span.Length; i += span.Width, row++)
+        {
+            var first = PlaceOf(span.Column, row);
+            span.T.Slice(i, span.Width).CopyTo(T.AsSpan(first));
+            for (var j = 0; j < span.Width; j++) Model[first + j] = span.ModelAt(i + j);
+        }
     }
+
+    /// <inheritdoc/>
+    void ISpanSink.TakeMiss(in Tile part)
+    {
+        for (var row = part.Row; row < part.EndRow; row++) T.AsSpan(PlaceOf(part.Column, row), part.Width).Fill(double.PositiveInfinity);
+        FillModels(part, -1);
+    }
+
+    /// <inheritdoc/>
+    void ISpanSink.TakeCover(CoveredPart covered, ModelView view, int index)
+    {
+        ((ICoveringView)view).Hit(covered, T, PlaceOf(covered.Part.Column, covered.Part.Row), -Width);
+        FillModels(covered.Part, index);
+    }
+
+    private void FillModels(in Tile part, int index)
+    {
+        for (var row = part.Row; row < part.EndRow; row++) Model.AsSpan(PlaceOf(part.Column, row), part.Width).Fill(index);
+    }
+
+    private int PlaceOf(int column, int row) => (Height - 1 - row) * Width + column;
 }

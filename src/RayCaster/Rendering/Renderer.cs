@@ -11,6 +11,9 @@ public sealed class Renderer(Scene scene, int? threads = null)
     /// <summary>Whether small pictures are drawn the plain way. Tests of the other way say no.</summary>
     internal bool MayBeSmall { get; init; } = true;
 
+    /// <summary>Whether it pays to compile kernels that only long work needs; found out if left out.</summary>
+    internal bool? IsLong { get; init; }
+
     /// <summary>Draws a whole picture in memory, which must not have more than 2³¹ bytes.</summary>
     public static Picture Render(Scene scene, int? threads = null)
     {
@@ -24,7 +27,8 @@ public sealed class Renderer(Scene scene, int? threads = null)
     {
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
-        Cast(new PictureSink(new(scene), picture.Rgb, picture.Width, picture.Height - 1));
+        var frame = new Frame(scene, threadCount, IsLong);
+        Cast(frame, new PictureSink(new(frame), picture.Rgb, picture.Width, picture.Height - 1));
     }
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>
@@ -40,7 +44,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
     {
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(hits));
-        Cast(hits);
+        Cast(new Frame(scene, threadCount, IsLong), hits);
     }
 
     /// <summary>Draws the picture from top to bottom, some lines at a time, so that memory does not grow with its height.</summary>
@@ -61,10 +65,9 @@ public sealed class Renderer(Scene scene, int? threads = null)
     }
 
     /// <summary>Casts all rays; this thread is one of those that do.</summary>
-    private void Cast(ISpanSink sink)
+    private void Cast(Frame frame, ISpanSink sink)
     {
-        var frame = new Frame(scene, threadCount);
-        var (across, up) = (Frame.TilesOf(camera.Width), Frame.TilesOf(camera.Height));
+        var (across, up) = (Frame.StripsOf(camera.Width), Frame.TilesOf(camera.Height));
         var next = -1;
         Exception? failure = null;
         var others = new Thread[Math.Min(threadCount, across * up) - 1];
@@ -80,8 +83,8 @@ public sealed class Renderer(Scene scene, int? threads = null)
                 var caster = new TileCaster(frame);
                 while (failure is null && Interlocked.Increment(ref next) is var i && i < across * up)
                 {
-                    var (column, row) = (i % across * Tile.MaxSide, i / across * Tile.MaxSide);
-                    caster.Cast(new(column, row, Math.Min(Tile.MaxSide, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), sink);
+                    var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
+                    caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), sink);
                 }
             }
             catch (Exception e)

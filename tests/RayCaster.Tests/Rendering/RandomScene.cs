@@ -18,6 +18,7 @@ internal static class RandomScene
         {
             var model = MakeModel(random, position);
             model.Name = $"{models.Count} ({model.GetType().Name})";
+            if (random.Next(2) == 0) model.Color = new(2 * random.NextDouble(), random.NextDouble(), random.Next(2));
             models.Add(model);
             if (random.Next(5) == 0) models.Add(model is Model<Plane> { Primitive: var plane } ? Model.Of(plane) : Model.Of(new Sphere(target, 1)));
         }

@@ -129,6 +129,16 @@ public class RendererTests
         AssertEqual(new Scene(new Camera(position, new(0.1, 0, 0), width: 150, height: 131, sample: (Sample)(seed % 2)), models), $"seed {seed}");
     }
 
+    /// <summary>Large enough for parts of all sizes that one model covers, and for bytes that floats leave in doubt.</summary>
+    [Theory]
+    [InlineData(20, 0, 0, 45)]
+    [InlineData(9, -3, 2, 70)]
+    public void TheRoomComesOutToTheBit(double x, double y, double z, double fovY)
+    {
+        var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
+        AssertEqual(room with { Camera = room.Camera.WithView(new(x, y, z), Vector3.Zero, fovY).WithSize(700, 333), Background = new(0.2, 0.4, 2) }, "the room");
+    }
+
     [Fact]
     public void OfEqualHitsTheFirstModelShows()
     {
@@ -151,18 +161,28 @@ public class RendererTests
         Assert.Throws<OperationCanceledException>(() => renderer.Draw(_ => cancellation.Cancel(), null, cancellation.Token));
     }
 
-    /// <summary>Model, bits of t and bytes of every pixel.</summary>
+    /// <summary>Model, bits of t and bytes of every pixel, drawn with little code and with all there is.</summary>
     internal static void AssertEqual(Scene scene, string what)
     {
-        var hits = new Renderer(scene).CastHits();
-        Assert.Equal(hits.T, new Renderer(scene, threads: 1).CastHits().T);
-        var picture = Renderer.Render(scene);
+        var definition = new Ray[scene.Camera.Height, scene.Camera.Width];
+        for (var row = 0; row < scene.Camera.Height; row++)
+            for (var column = 0; column < scene.Camera.Width; column++)
+                definition[row, column] = ScalarRenderer.Cast(scene, column, row);
+        AssertEqual(scene, definition, new Renderer(scene, threads: 1) { IsLong = false }, what);
+        AssertEqual(scene, definition, new Renderer(scene) { IsLong = true }, $"{what}, with kernels for long work");
+    }
+
+    private static void AssertEqual(Scene scene, Ray[,] definition, Renderer renderer, string what)
+    {
+        var hits = renderer.CastHits();
+        var picture = new Picture(hits.Width, hits.Height);
+        renderer.DrawInto(picture);
         for (var line = 0; line < hits.Height; line++)
         {
             for (var column = 0; column < hits.Width; column++)
             {
                 var row = hits.Height - 1 - line;
-                var ray = ScalarRenderer.Cast(scene, column, row);
+                var ray = definition[row, column];
                 var (t, index) = (hits.T[line * hits.Width + column], hits.Model[line * hits.Width + column]);
                 var model = index < 0 ? null : scene.Models[index];
                 var bytes = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();

@@ -5,7 +5,7 @@ namespace RayCaster;
 /// Only a few bands are in memory at a time.
 /// </summary>
 /// <remarks>
-/// Tiles are handed out one after another over all bands, so no thread waits at the end of a band. A thread that comes to a band for which there is no room
+/// Strips of tiles are handed out one after another over all bands, so no thread waits at the end of a band. A thread that comes to a band for which there is no room
 /// waits until the oldest one is written.
 /// </remarks>
 internal sealed class BandQueue
@@ -17,14 +17,14 @@ internal sealed class BandQueue
     private readonly SpanShader shader;
     private readonly Action<int>? linesDone;
     private readonly CancellationToken cancellation;
-    private readonly int rowsOfBand, tilesAcross, threadCount;
+    private readonly int rowsOfBand, stripsAcross, threadCount;
     private readonly int lowestRow, endRow;  // of the lines to draw
     private readonly long bandCount, lowestBand;
 
     private readonly byte[][] buffers;
-    private readonly int[] tilesMissing;     // of the band in each buffer
-    private long nextTile;
-    private long bandsWritten;               // guarded by the lock on buffers, as tilesMissing and failure are
+    private readonly int[] stripsMissing;     // of the band in each buffer
+    private long nextStrip;
+    private long bandsWritten;               // guarded by the lock on buffers, as stripsMissing and failure are
     private Exception? failure;
 
     /// <param name="scene">What to draw.</param>
@@ -34,19 +34,20 @@ internal sealed class BandQueue
     /// <param name="cancellation">Stops the work.</param>
     public BandQueue(Scene scene, LineRange lines, int threads, Action<int>? linesDone, CancellationToken cancellation)
     {
-        (frame, camera, shader) = (new(scene, threads), scene.Camera, new(scene));
+        (frame, camera) = (new(scene, threads), scene.Camera);
+        shader = new(frame);
         (this.linesDone, this.cancellation) = (linesDone, cancellation);
 
         // A band is a row of tiles, or of very wide pictures a half, a quarter … of one, so that no tile lies in two bands.
         for (rowsOfBand = Tile.MaxSide; rowsOfBand > 1 && 3L * camera.Width * rowsOfBand > BytesOfBand;) rowsOfBand /= 2;
-        tilesAcross = Frame.TilesOf(camera.Width);
+        stripsAcross = Frame.StripsOf(camera.Width);
         (lowestRow, endRow) = (camera.Height - 1 - lines.Last, camera.Height - lines.First);
         lowestBand = lowestRow / rowsOfBand;
         bandCount = (endRow - 1) / rowsOfBand - lowestBand + 1;
         buffers = new byte[Math.Min(bandCount, threads + 2)][];
-        tilesMissing = new int[buffers.Length];
-        for (var i = 0; i < buffers.Length; i++) (buffers[i], tilesMissing[i]) = (new byte[3 * camera.Width * rowsOfBand], tilesAcross);
-        threadCount = (int)Math.Min(threads, bandCount * tilesAcross);
+        stripsMissing = new int[buffers.Length];
+        for (var i = 0; i < buffers.Length; i++) (buffers[i], stripsMissing[i]) = (new byte[3 * camera.Width * rowsOfBand], stripsAcross);
+        threadCount = (int)Math.Min(threads, bandCount * stripsAcross);
     }
 
     /// <summary>Draws it all.</summary>
@@ -94,14 +95,14 @@ internal sealed class BandQueue
             var caster = new TileCaster(frame);
             while (true)
             {
-                var tile = Interlocked.Increment(ref nextTile) - 1;
-                var (band, column) = Math.DivRem(tile, tilesAcross);
+                var strip = Interlocked.Increment(ref nextStrip) - 1;
+                var (band, column) = Math.DivRem(strip, stripsAcross);
                 if (band >= bandCount || !WaitForRoom(band)) return;
                 var (row, height) = RowsOf(band);
-                var (left, buffer) = ((int)column * Tile.MaxSide, (int)(band % buffers.Length));
+                var (left, buffer) = ((int)column * Tile.MaxStrip, (int)(band % buffers.Length));
                 var sink = new PictureSink(shader, buffers[buffer], camera.Width, row + height - 1);
-                caster.Cast(new(left, row, Math.Min(Tile.MaxSide, camera.Width - left), height), sink);
-                TileDone(buffer, height);
+                caster.Cast(new(left, row, Math.Min(Tile.MaxStrip, camera.Width - left), height), sink);
+                StripDone(buffer, height);
             }
         }
         catch (Exception e)
@@ -120,11 +121,11 @@ internal sealed class BandQueue
         }
     }
 
-    private void TileDone(int buffer, int lines)
+    private void StripDone(int buffer, int lines)
     {
         lock (buffers)
         {
-            if (--tilesMissing[buffer] > 0) return;
+            if (--stripsMissing[buffer] > 0) return;
             Monitor.PulseAll(buffers);
         }
         linesDone?.Invoke(lines);
@@ -135,7 +136,7 @@ internal sealed class BandQueue
         var buffer = band % buffers.Length;
         lock (buffers)
         {
-            while (failure is null && tilesMissing[buffer] > 0)
+            while (failure is null && stripsMissing[buffer] > 0)
             {
                 cancellation.ThrowIfCancellationRequested();
                 Monitor.Wait(buffers, TimeSpan.FromMilliseconds(50)); // looks up now and then whether it is cancelled
@@ -150,7 +151,7 @@ internal sealed class BandQueue
     {
         lock (buffers)
         {
-            tilesMissing[band % buffers.Length] = tilesAcross;
+            stripsMissing[band % buffers.Length] = stripsAcross;
             bandsWritten = band + 1;
             Monitor.PulseAll(buffers);
         }

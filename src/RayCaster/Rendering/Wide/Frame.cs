@@ -6,16 +6,26 @@ internal sealed class Frame
     /// <summary>With fewer models a look at each of them is cheaper than a list for each tile.</summary>
     private const int FewModels = 64;
 
+    /// <summary>
+    /// Kernels that are made for one kind of shape each spare half of the time, but compiling them takes as long as casting some ten million rays. So they wait until
+    /// the pictures of this process have had this many pixels.
+    /// </summary>
+    private const long PixelsOfLongWork = 1 << 24;
+
+    private static long pixelsSoFar;
+
     private readonly int tilesAcross;
     private readonly int[] everywhere;               // models that show in a good part of the picture
     private readonly int[] starts = [], listed = []; // of tile i the models listed[starts[i]] … listed[starts[i + 1] − 1]
 
     /// <param name="scene">The scene.</param>
     /// <param name="threads">How many threads may prepare what a model needs.</param>
-    public Frame(Scene scene, int threads)
+    /// <param name="isLong">Whether the work is long; found out if left out.</param>
+    public Frame(Scene scene, int threads, bool? isLong = null)
     {
         Scene = scene;
         var camera = scene.Camera;
+        IsLong = isLong ?? Interlocked.Add(ref pixelsSoFar, (long)camera.Width * camera.Height) >= PixelsOfLongWork;
         Views = new ModelView[scene.Models.Count];
         for (var i = 0; i < Views.Length; i++) Views[i] = scene.Models[i].See(camera, threads);
 
@@ -42,6 +52,9 @@ internal sealed class Frame
         VisitTiles(order, large, (tile, i) => listed[next[tile]++] = i);
     }
 
+    /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>
+    public bool IsLong { get; }
+
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
@@ -54,13 +67,18 @@ internal sealed class Frame
     /// <summary>How many tiles lie side by side, or one upon another.</summary>
     public static int TilesOf(int pixels) => (pixels + Tile.MaxSide - 1) / Tile.MaxSide;
 
-    /// <summary>Adds the models that may show in a tile: the large ones, then the others, the nearest first.</summary>
-    public void AddModelsOf(in Tile tile, List<Candidate> candidates)
+    /// <summary>How many strips lie side by side.</summary>
+    public static int StripsOf(int pixels) => (pixels + Tile.MaxStrip - 1) / Tile.MaxStrip;
+
+    /// <summary>The models that may show anywhere.</summary>
+    public ReadOnlySpan<int> Everywhere => everywhere;
+
+    /// <summary>The others that may show in a tile, the nearest first.</summary>
+    public ReadOnlySpan<int> ListOf(in Tile tile)
     {
-        foreach (var large in everywhere) candidates.Add(new(large, Reach.Unknown));
-        if (starts.Length == 0) return;
+        if (starts.Length == 0) return [];
         var i = tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide;
-        foreach (var other in listed.AsSpan(starts[i]..starts[i + 1])) candidates.Add(new(other, Reach.Unknown));
+        return listed.AsSpan(starts[i]..starts[i + 1]);
     }
 
     /// <summary>Visits the tiles of all models that are not large.</summary>

@@ -16,18 +16,29 @@ internal abstract class ModelView
     public virtual ModelView ForThread() => this;
 
     /// <summary>Comes to a tile, before <see cref="Meet"/> is called for rows in it: between which t the model's hits lie.</summary>
-    /// <param name="rays">The tile and its rays.</param>
-    public virtual Reach Enter(TileRays rays) => Reach.Unknown;
+    /// <param name="tile">The tile.</param>
+    /// <param name="known">What is known of that already.</param>
+    public virtual Reach Enter(in Tile tile, Reach known) => known;
 
-    /// <summary>The same for a part of the tile, where the model knows more of it; not asked of one whose <see cref="Extent"/> is small.</summary>
-    /// <param name="rays">The part and its rays.</param>
-    /// <param name="whole">What was said of the whole.</param>
-    public virtual Reach Narrow(TileRays rays, Reach whole) => whole;
+    /// <summary>Tells between which t the model's hits in some parts lie; not asked of one whose <see cref="Extent"/> is small.</summary>
+    /// <param name="parts">The parts and their rays.</param>
+    /// <param name="whole">What is known of all of them.</param>
+    public virtual Reaches Narrow(FourParts parts, Reach whole) => new(whole.Least, whole.Cover);
 
     /// <summary>Keeps the hits of a span of pixels in the tile that are nearer than all before.</summary>
     /// <param name="span">The rays.</param>
     /// <param name="index">The model's place in the scene, for ties.</param>
     public abstract void Meet(RaySpan span, int index);
+}
+
+/// <summary>A view that finds the hits of a part of the picture the short way where its model surely covers the part and nothing else shows.</summary>
+internal interface ICoveringView
+{
+    /// <inheritdoc cref="CoveredPart.Hit{N, P}"/>
+    void Hit(CoveredPart covered, double[] t, int first, int step);
+
+    /// <inheritdoc cref="RoughPainter.Paint{P}(in Tile, in P, ModelView, int, byte[], int, int)"/>
+    bool Paint(RoughPainter painter, in Tile part, int index, byte[] rgb, int first, int step);
 }
 
 /// <summary>Where the hits of a model in a tile lie.</summary>

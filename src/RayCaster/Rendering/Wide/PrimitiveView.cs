@@ -5,7 +5,7 @@ namespace RayCaster;
 
 /// <summary>A primitive: its own formula over intervals tells what a tile may hit, and over packets what each pixel hits.</summary>
 /// <typeparam name="P">The kind of shape.</typeparam>
-internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
+internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : struct, IPrimitive
 {
     private readonly P primitive;
     private readonly ClipRange clip;
@@ -26,16 +26,19 @@ internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
     public override double Nearest { get; }
 
     /// <inheritdoc/>
-    public override Reach Enter(TileRays rays) => Extent.IsSmall ? new(Nearest, double.PositiveInfinity) : Range(rays);
-
-    /// <inheritdoc/>
-    public override Reach Narrow(TileRays rays, Reach whole) => Range(rays);
+    public override Reaches Narrow(FourParts parts, Reach whole)
+    {
+        var hit = clip.First(primitive.Cross(parts.Rays), parts.ZPerT);
+        return new(
+            Packet.Select(hit.IsNothing, double.PositiveInfinity, hit.Lo),
+            Packet.Select(hit.IsNothing | hit.MayBeNaN, double.PositiveInfinity, hit.Hi));
+    }
 
     /// <inheritdoc/>
     public override void Meet(RaySpan span, int index)
     {
         var (first, end) = (0, span.Length);
-        if (Extent.IsSmall) // its extent spares most of the span, at a cost that a large model would not win back
+        if (Extent.IsSmall && span.Length == span.Width) // its extent spares most of the span, at a cost that a large model would not win back
         {
             first = Math.Max(0, Extent.Column - span.Column);
             end = Math.Min(end, Extent.EndColumn - span.Column);
@@ -44,7 +47,18 @@ internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
         else Meet<Packet>(span, first / Packet.Count * Packet.Count, end, index);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
+    /// <inheritdoc/>
+    public void Hit(CoveredPart covered, double[] t, int first, int step)
+    {
+        if (Vector512.IsHardwareAccelerated) covered.Hit<WidePacket, P>(primitive, t, first, step);
+        else covered.Hit<Packet, P>(primitive, t, first, step);
+    }
+
+    /// <inheritdoc/>
+    public bool Paint(RoughPainter painter, in Tile part, int index, byte[] rgb, int first, int step) =>
+        painter.Paint(part, primitive, this, index, rgb, first, step);
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
     private void Meet<N>(RaySpan span, int first, int end, int index) where N : struct, IPacket<N>
     {
         var shape = primitive; // a local, so that its constants stay in registers
@@ -54,11 +68,5 @@ internal sealed class PrimitiveView<P> : ModelView where P : struct, IPrimitive
             if (nearest > 0 && N.All(span.NearestAt<N>(i) < RaySpan.All<N>(nearest))) continue; // hidden
             span.Keep(i, span.First(i, shape.Cross(span.RaysAt<N>(i))), index);
         }
-    }
-
-    private Reach Range(TileRays rays)
-    {
-        var hit = clip.First(primitive.Cross(rays.Rays), rays.ZPerT);
-        return hit.IsSurelyNaN ? Reach.None : new(hit.Lo, hit.MayBeNaN ? double.PositiveInfinity : hit.Hi);
     }
 }

@@ -3,35 +3,41 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>
-/// The rays of up to 64 pixels side by side in one row of a tile, and the nearest hit of each so far. Reused from span to span.
+/// The rays of up to 64 pixels side by side in one row of a tile, or of all rows of a small part, and the nearest hit of each so far. Reused from span to span.
 /// Its numbers lie in arrays, a place for each pixel, from which packets of any kind are taken; the lanes of the last packet that
 /// reach beyond the span's end are cast, too, and ignored.
 /// </summary>
-internal sealed class RaySpan(Camera camera)
+internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
 {
     /// <summary>The most pixels in a span: few enough to stay in the first-level cache, many enough to make a virtual call cheap.</summary>
     public const int MaxLength = Tile.MaxSide;
 
+    /// <summary>The most pixels of a part whose rows are cast at once; they stay in the first-level cache, too.</summary>
+    public const int MaxArea = 256;
+
     private readonly Vector3 origin = camera.Position;
     private readonly double[] acrossX = new double[MaxLength], acrossY = new double[MaxLength], acrossZ = new double[MaxLength];
-    private readonly double[] x = new double[MaxLength], y = new double[MaxLength], z = new double[MaxLength];
-    private readonly double[] zPerT = new double[MaxLength];
-    private readonly double[] t = new double[MaxLength];
-    private readonly double[] model = new double[MaxLength];
+    private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
+    private readonly double[] zPerT = new double[capacity];
+    private readonly double[] t = new double[capacity];
+    private readonly double[] model = new double[capacity];
 
     /// <summary>The first pixel's column, from the left.</summary>
     public int Column { get; private set; }
 
-    /// <summary>The pixels' row, from the bottom.</summary>
+    /// <summary>The lowest pixels' row, from the bottom.</summary>
     public int Row { get; private set; }
 
-    /// <summary>How many pixels.</summary>
+    /// <summary>How many pixels in all.</summary>
     public int Length { get; private set; }
+
+    /// <summary>How many pixels lie in a row.</summary>
+    public int Width { get; private set; }
 
     /// <summary>The t of the nearest hit of each pixel, +∞ for none; numbers beyond the span's length mean nothing.</summary>
     public ReadOnlySpan<double> T => t;
 
-    /// <summary>Which model that is, by its place in the scene; −1 for none.</summary>
+    /// <summary>The model of each pixel's nearest hit, by its place in the scene; −1 for none.</summary>
     public int ModelAt(int pixel) => (int)model[pixel];
 
     /// <summary>Comes to the columns that the next rows have in common.</summary>
@@ -41,7 +47,7 @@ internal sealed class RaySpan(Camera camera)
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Enter<N>(int column, int length) where N : struct, IPacket<N>
     {
-        (Column, Length) = (column, length);
+        (Column, Length, Width) = (column, length, length);
         for (var i = 0; i < length; i += N.Count)
         {
             var across = camera.Across(N.Sequence(column + i));
@@ -51,23 +57,29 @@ internal sealed class RaySpan(Camera camera)
         }
     }
 
-    /// <summary>Aims the rays of a row and forgets all hits.</summary>
-    /// <param name="row">The row, from the bottom.</param>
+    /// <summary>Aims the rays of a row, or of several one after another, and forgets all hits.</summary>
+    /// <param name="row">The lowest row, from the bottom.</param>
+    /// <param name="rows">How many; more than one only where a row is one of whole packets.</param>
     /// <typeparam name="N">The kind of packet to compute with.</typeparam>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Aim<N>(int row) where N : struct, IPacket<N>
+    public void Aim<N>(int row, int rows = 1) where N : struct, IPacket<N>
     {
-        Row = row;
+        (Row, Length) = (row, Width * rows);
+        for (var i = 0; i < rows; i++) AimRow<N>(row + i, i * Width);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void AimRow<N>(int row, int first) where N : struct, IPacket<N>
+    {
         var upwards = camera.Upwards(All<N>(row));
-        for (var i = 0; i < Length; i += N.Count)
+        for (var i = 0; i < Width; i += N.Count)
         {
             var direction = camera.Direction(new Vector3<N>(N.Load(acrossX, i), N.Load(acrossY, i), N.Load(acrossZ, i)), upwards);
-            direction.X.Store(x, i);
-            direction.Y.Store(y, i);
-            direction.Z.Store(z, i);
-            camera.ZPerT(direction).Store(zPerT, i);
-            All<N>(double.PositiveInfinity).Store(t, i);
-            All<N>(-1).Store(model, i);
+            direction.X.Store(x, first + i);
+            direction.Y.Store(y, first + i);
+            direction.Z.Store(z, first + i);
+            camera.ZPerT(direction).Store(zPerT, first + i);
+            All<N>(double.PositiveInfinity).Store(t, first + i);
+            All<N>(-1).Store(model, first + i);
         }
     }
 

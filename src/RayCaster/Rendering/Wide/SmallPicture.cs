@@ -17,7 +17,7 @@ internal sealed class SmallPicture(Scene scene)
 
     private readonly ModelView[] views = new ModelView[scene.Models.Count];
     private readonly RaySpan span = new(scene.Camera);
-    private readonly SpanShader shader = new(scene);
+    private readonly SpanShader shader = new(scene, isLong: false);
 
     /// <summary>Whether these lines of a scene's picture are few enough.</summary>
     public static bool IsSmall(Scene scene, LineRange lines)

@@ -9,26 +9,46 @@ internal sealed class SpanShader
 {
     private readonly Scene scene;
     private readonly Color[] colors; // the background, then the models
+    private readonly RoughShader? rough;
 
-    public SpanShader(Scene scene)
+    public SpanShader(Frame frame) : this(frame.Scene, frame.IsLong)
+    {
+    }
+
+    /// <param name="scene">What is drawn.</param>
+    /// <param name="isLong">Whether there are pixels enough that rough kernels pay.</param>
+    public SpanShader(Scene scene, bool isLong)
     {
         this.scene = scene;
         colors = new Color[scene.Models.Count + 1];
         colors[0] = scene.Background;
         for (var i = 1; i < colors.Length; i++) colors[i] = scene.Models[i - 1].Color;
+        rough = isLong ? RoughShader.For(scene, colors) : null;
     }
 
     /// <summary>Writes the pixels of a span.</summary>
     /// <param name="span">The hits.</param>
     /// <param name="rgb">Room for three bytes a pixel.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Shade(RaySpan span, Span<byte> rgb)
+    /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    public void Shade(RaySpan span, byte[] rgb, int first, int step)
     {
-        // Each store leaves four zeros after its twelve bytes. They fall on pixels that come next, and at last on room of our own: beyond the span
-        // another thread may be at work.
-        Span<byte> bytes = stackalloc byte[3 * RaySpan.MaxLength + 4];
-        ref var first = ref MemoryMarshal.GetReference(bytes);
-        for (var i = 0; i < span.Length; i += Packet.Count)
+        if (rough is not null && span.Width % RoughPacket.Count == 0) rough.Shade(span, this, rgb, first, step);
+        else
+            for (var i = 0; i < span.Length; i += span.Width, first += step)
+                Shade(span, i, rgb.AsSpan(first, 3 * span.Width));
+    }
+
+    /// <summary>Writes some pixels.</summary>
+    /// <param name="span">The hits.</param>
+    /// <param name="first">The first of the pixels in the span.</param>
+    /// <param name="rgb">Three bytes for each of the pixels.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void Shade(RaySpan span, int first, Span<byte> rgb)
+    {
+        var packed = Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
+        Span<byte> rest = stackalloc byte[16];
+        for (var i = first; rgb.Length > 0; i += Packet.Count)
         {
             var models = span.ModelsAt<Packet>(i);
             var isMiss = models < 0;
@@ -45,10 +65,29 @@ internal sealed class SpanShader
                 b = new(Vector256.Create(a.B, c.B, d.B, e.B));
             }
             var pixels = Bytes(attenuation * r) | (Bytes(attenuation * g) << 8) | (Bytes(attenuation * b) << 16);
-            Vector128.Shuffle(pixels.AsByte(), Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255))
-                .StoreUnsafe(ref first, (nuint)(3 * i));
+            var bytes = Vector128.Shuffle(pixels.AsByte(), packed);
+
+            // Twelve bytes; the four zeros after them fall on pixels that come next, but not beyond the span, where another thread may be at work.
+            if (rgb.Length >= 16)
+            {
+                bytes.StoreUnsafe(ref MemoryMarshal.GetReference(rgb));
+                rgb = rgb[12..];
+            }
+            else
+            {
+                bytes.CopyTo(rest);
+                rest[..Math.Min(12, rgb.Length)].CopyTo(rgb);
+                rgb = rgb[Math.Min(12, rgb.Length)..];
+            }
         }
-        bytes[..rgb.Length].CopyTo(rgb);
+    }
+
+    /// <summary>Writes pixels that show the background.</summary>
+    /// <param name="rgb">Room for three bytes a pixel.</param>
+    public void ShadeMiss(Span<byte> rgb)
+    {
+        var (r, g, b) = scene.Background.ToBytes();
+        for (var i = 0; i + 2 < rgb.Length; i += 3) (rgb[i], rgb[i + 1], rgb[i + 2]) = (r, g, b);
     }
 
     /// <summary>The bytes of a channel of four pixels, each in an int.</summary>

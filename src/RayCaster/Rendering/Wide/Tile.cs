@@ -10,6 +10,9 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>The most columns and rows of a tile that is worked on at once; such tiles lie at multiples of it.</summary>
     public const int MaxSide = 64;
 
+    /// <summary>The most columns of a strip: tiles side by side that a thread takes at once.</summary>
+    public const int MaxStrip = FourParts.Count * MaxSide;
+
     private const double Margin = 0.01;
 
     /// <summary>More than any picture.</summary>

@@ -19,9 +19,13 @@ internal sealed class TileCaster
     private readonly Tile[] extents;
     private readonly RaySpan[] rows = new RaySpan[LeastSide];
     private readonly double[] farthest = new double[LeastSide]; // of each row, the greatest t of the nearest hits so far
-    private readonly TileRays rays;
+    private readonly CoveredPart covered;
+    private readonly RaySpan block;
+    private readonly Predicate<Candidate> isPrimitive;
     private ISpanSink sink = null!;
-    private readonly List<Candidate>[] candidates = [[], [], []]; // of the tile, its halves and their halves
+    private readonly List<Candidate> candidates = []; // of the strip
+    private readonly FourParts[] parts;               // the strip's tiles, a tile's quarters, and a quarter's
+    private readonly List<Candidate>[][] narrowed = [[[], [], [], []], [[], [], [], []], [[], [], [], []]]; // of each of these
 
     /// <param name="frame">What all threads share.</param>
     public TileCaster(Frame frame)
@@ -30,63 +34,103 @@ internal sealed class TileCaster
         views = Array.ConvertAll(frame.Views, view => view.ForThread());
         extents = frame.Extents;
         for (var i = 0; i < rows.Length; i++) rows[i] = new(frame.Scene.Camera);
-        rays = new(frame.Scene.Camera);
+        parts = [new(frame.Scene.Camera), new(frame.Scene.Camera), new(frame.Scene.Camera)];
+        covered = new(frame);
+        block = new(frame.Scene.Camera, RaySpan.MaxArea);
+        isPrimitive = candidate => views[candidate.Index] is ICoveringView;
     }
 
-    /// <summary>Casts all rays of a tile.</summary>
-    /// <param name="tile">A tile of at most <see cref="Tile.MaxSide"/> pixels a side that does not cross a multiple of it.</param>
-    /// <param name="sink">Takes the spans.</param>
-    public void Cast(in Tile tile, ISpanSink sink)
+    /// <summary>Casts all rays of a strip.</summary>
+    /// <param name="strip">Up to four tiles side by side, each at multiples of <see cref="Tile.MaxSide"/> and at most as large.</param>
+    /// <param name="sink">Takes the hits.</param>
+    public void Cast(in Tile strip, ISpanSink sink)
     {
         this.sink = sink;
-        var list = candidates[0];
-        list.Clear();
-        frame.AddModelsOf(tile, list);
-        rays.Aim(tile);
+        candidates.Clear();
+        foreach (var i in frame.Everywhere)
+            if (extents[i].Overlaps(strip))
+                candidates.Add(new(i, new(views[i].Nearest, double.PositiveInfinity)));
+        parts[0].Split(strip);
+        Narrow(parts[0], candidates, narrowed[0]);
+        var isAlone = true;
+        for (var i = 0; i < FourParts.Count; i++) isAlone &= parts[0][i].Area == 0 || frame.ListOf(parts[0][i]).Length == 0;
+        if (isAlone && IsOneModel(parts[0], narrowed[0])) Cover(strip, narrowed[0][0][0].Index);
+        else
+            for (var i = 0; i < FourParts.Count; i++)
+                if (parts[0][i].Area > 0)
+                    Cast(parts[0][i], narrowed[0][i]);
+    }
+
+    /// <summary>Casts a tile of which only the models are known that may show anywhere.</summary>
+    private void Cast(in Tile tile, List<Candidate> list)
+    {
+        foreach (var i in frame.ListOf(tile)) list.Add(new(i, new(views[i].Nearest, double.PositiveInfinity)));
         var cover = double.PositiveInfinity;
         for (var i = 0; i < list.Count; i++)
         {
-            var reach = extents[list[i].Index].Overlaps(tile) ? views[list[i].Index].Enter(rays) : Reach.None;
+            var reach = views[list[i].Index].Enter(tile, list[i].Reach);
             cover = Math.Min(cover, reach.Cover);
             list[i] = list[i] with { Reach = reach };
         }
         DropHidden(list, cover);
-        Descend(tile, 0);
+        Descend(tile, list, 1);
     }
 
     /// <summary>Casts a part whose models are known.</summary>
-    private void Descend(in Tile part, int level)
+    private void Descend(in Tile part, List<Candidate> list, int level)
     {
-        var list = candidates[level];
-        if (list.Count <= 1 || level == candidates.Length - 1 || Math.Max(part.Width, part.Height) <= LeastSide)
+        if (list.Count == 0) sink.TakeMiss(part);
+        else if (IsCovered(list)) Cover(part, list[0].Index);
+        else if (level == parts.Length || Math.Max(part.Width, part.Height) <= LeastSide) CastRows(part, list);
+        else
         {
-            CastRows(part, list);
-            return;
+            var (quarters, lists) = (parts[level], narrowed[level]);
+            quarters.Quarter(part);
+            Narrow(quarters, list, lists);
+            if (IsOneModel(quarters, lists)) Cover(part, lists[0][0].Index);
+            else
+                for (var i = 0; i < FourParts.Count; i++)
+                    if (quarters[i].Area > 0)
+                        Descend(quarters[i], lists[i], level + 1);
         }
-        var (width, height) = (Half(part.Width), Half(part.Height));
-        Descend(new(part.Column, part.Row, width, height), list, level);
-        Descend(new(part.Column + width, part.Row, part.Width - width, height), list, level);
-        Descend(new(part.Column, part.Row + height, width, part.Height - height), list, level);
-        Descend(new(part.Column + width, part.Row + height, part.Width - width, part.Height - height), list, level);
     }
 
-    private void Descend(in Tile part, List<Candidate> whole, int level)
+    /// <summary>Finds out which models may show in which part.</summary>
+    private void Narrow(FourParts parts, List<Candidate> whole, List<Candidate>[] lists)
     {
-        if (part.Width == 0 || part.Height == 0) return;
-        rays.Aim(part);
-        var list = candidates[level + 1];
-        list.Clear();
-        var cover = double.PositiveInfinity;
+        Span<double> covers = [double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity];
+        foreach (var list in lists) list.Clear();
         foreach (var candidate in whole)
         {
             ref var extent = ref extents[candidate.Index];
-            if (!extent.Overlaps(part)) continue;
-            var reach = extent.IsSmall ? candidate.Reach : views[candidate.Index].Narrow(rays, candidate.Reach);
-            cover = Math.Min(cover, reach.Cover);
-            list.Add(candidate with { Reach = reach });
+            var reaches = extent.IsSmall ? new(candidate.Reach.Least, candidate.Reach.Cover) : views[candidate.Index].Narrow(parts, candidate.Reach);
+            for (var i = 0; i < FourParts.Count; i++)
+            {
+                if (!extent.Overlaps(parts[i])) continue;
+                var reach = reaches[i];
+                covers[i] = Math.Min(covers[i], reach.Cover);
+                lists[i].Add(candidate with { Reach = reach });
+            }
         }
-        DropHidden(list, cover);
-        Descend(part, level + 1);
+        for (var i = 0; i < FourParts.Count; i++) DropHidden(lists[i], covers[i]);
+    }
+
+    /// <summary>Whether every ray's first hit is surely one of the same model, which knows the short way.</summary>
+    private bool IsCovered(List<Candidate> list) =>
+        frame.IsLong && list.Count == 1 && list[0].Reach.Cover < double.PositiveInfinity && views[list[0].Index] is ICoveringView;
+
+    private bool IsOneModel(FourParts parts, List<Candidate>[] lists)
+    {
+        for (var i = 0; i < FourParts.Count; i++)
+            if (parts[i].Area > 0 && !(IsCovered(lists[i]) && lists[i][0].Index == lists[0][0].Index))
+                return false;
+        return true;
+    }
+
+    private void Cover(in Tile part, int index)
+    {
+        covered.Enter(part);
+        sink.TakeCover(covered, views[index], index);
     }
 
     /// <summary>Drops what does not show, or lies behind what covers all.</summary>
@@ -101,11 +145,26 @@ internal sealed class TileCaster
 
     private void CastRows(in Tile part, List<Candidate> list)
     {
+        if (list.Count <= Crowd && part.Area <= RaySpan.MaxArea && part.Width % WidePacket.Count == 0 && list.TrueForAll(isPrimitive))
+        {
+            if (Vector512.IsHardwareAccelerated) CastAtOnce<WidePacket>(part, list);
+            else CastAtOnce<Packet>(part, list);
+            return;
+        }
         var isCrowded = list.Count > Crowd && part.Height <= rows.Length;
         if (Vector512.IsHardwareAccelerated && isCrowded) CastCrowd<WidePacket>(part, list);
         else if (Vector512.IsHardwareAccelerated) CastRows<WidePacket>(part, list);
         else if (isCrowded) CastCrowd<Packet>(part, list);
         else CastRows<Packet>(part, list);
+    }
+
+    /// <summary>All rows at once: for few models in a small part.</summary>
+    private void CastAtOnce<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
+    {
+        block.Enter<N>(part.Column, part.Width);
+        block.Aim<N>(part.Row, part.Height);
+        foreach (var candidate in list) views[candidate.Index].Meet(block, candidate.Index);
+        sink.Take(block);
     }
 
     /// <summary>Row by row: for few models.</summary>
@@ -147,14 +206,4 @@ internal sealed class TileCaster
         }
         for (var i = 0; i < part.Height; i++) sink.Take(rows[i]);
     }
-
-    /// <summary>Half of a length of at least <see cref="LeastSide"/>, in whole packets.</summary>
-    private static int Half(int length) => length <= LeastSide ? length : (length / 2 + WidePacket.Count - 1) / WidePacket.Count * WidePacket.Count;
-}
-
-/// <summary>Takes what tiles come to, a span at a time, in any order and from any thread.</summary>
-internal interface ISpanSink
-{
-    /// <summary>Takes the hits of a span, before the next span is cast into it.</summary>
-    void Take(RaySpan span);
 }

@@ -73,14 +73,13 @@ public class MarginTests
     {
         var scene = new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
         var view = new MeshView(mesh.Vertices, mesh.Indices, screen).ForThread();
-        var (rays, span, wrong) = (new TileRays(camera), new RaySpan(camera), 0);
+        var (span, wrong) = (new RaySpan(camera), 0);
         for (var column = 0; column < camera.Width; column += Tile.MaxSide)
         {
             for (var row = 0; row < camera.Height; row += Tile.MaxSide)
             {
                 var tile = new Tile(column, row, Math.Min(Tile.MaxSide, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row));
-                rays.Aim(tile);
-                var reach = view.Enter(rays);
+                var reach = view.Enter(tile, Reach.Unknown);
                 span.Enter<Packet>(column, tile.Width);
                 for (var r = row; r < tile.EndRow; r++)
                 {

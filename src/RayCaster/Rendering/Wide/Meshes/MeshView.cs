@@ -56,10 +56,10 @@ internal sealed class MeshView : ModelView
     public override ModelView ForThread() => new MeshView(this);
 
     /// <inheritdoc/>
-    public override Reach Enter(TileRays rays)
+    public override Reach Enter(in Tile tile, Reach known)
     {
-        if (sets.Length == 0) return Reach.Unknown;
-        var reach = filter!.Enter(rays.Tile, sets);
+        if (sets.Length == 0) return known;
+        var reach = filter!.Enter(tile, sets);
         return hard is null ? reach : reach with { Least = 0 };
     }
 

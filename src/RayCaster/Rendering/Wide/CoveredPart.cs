@@ -1,0 +1,75 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster;
+
+/// <summary>
+/// The rays of a part of the picture that all hit one shape first: each is met as soon as it is aimed, and nothing but t is kept.
+/// </summary>
+internal sealed class CoveredPart(Frame frame)
+{
+    private readonly Camera camera = frame.Scene.Camera;
+    private readonly double[] acrossX = new double[Tile.MaxStrip], acrossY = new double[Tile.MaxStrip], acrossZ = new double[Tile.MaxStrip];
+    private readonly double[] tail = new double[WidePacket.Count];
+
+    /// <summary>The part.</summary>
+    public Tile Part { get; private set; }
+
+    /// <summary>For bytes.</summary>
+    public RoughPainter Painter => field ??= new(frame);
+
+    /// <summary>For each row on its own.</summary>
+    public RaySpan Span => field ??= new(camera);
+
+    /// <summary>Comes to a part.</summary>
+    public void Enter(in Tile part)
+    {
+        Part = part;
+        if (Vector512.IsHardwareAccelerated) Enter<WidePacket>();
+        else Enter<Packet>();
+    }
+
+    /// <summary>Writes down where the rays hit a shape that all of them hit.</summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="t">Room for the ray parameters.</param>
+    /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    /// <typeparam name="P">The kind of shape.</typeparam>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
+    public void Hit<N, P>(P shape, double[] t, int first, int step) where N : struct, IPacket<N> where P : struct, IPrimitive
+    {
+        Vector3<N> origin = camera.Position;
+        for (var row = Part.Row; row < Part.EndRow; row++, first += step)
+        {
+            var upwards = camera.Upwards(RaySpan.All<N>(row));
+            for (var i = 0; i < Part.Width; i += N.Count)
+            {
+                var across = new Vector3<N>(N.Load(acrossX, i), N.Load(acrossY, i), N.Load(acrossZ, i));
+                var direction = camera.Direction(across, upwards);
+                var hit = camera.ClipRange.First(shape.Cross(new Ray<N>(origin, direction)), camera.ZPerT(direction));
+                if (i + N.Count <= Part.Width) hit.Store(t, first + i);
+                else StoreTail(hit, t, first + i, Part.Width - i);
+            }
+        }
+    }
+
+    /// <summary>Stores the first lanes of a packet that reaches beyond the part.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void StoreTail<N>(in N hit, double[] t, int first, int count) where N : struct, IPacket<N>
+    {
+        hit.Store(tail, 0);
+        tail.AsSpan(0, count).CopyTo(t.AsSpan(first));
+    }
+
+    private void Enter<N>() where N : struct, IPacket<N>
+    {
+        for (var i = 0; i < Part.Width; i += N.Count)
+        {
+            var across = camera.Across(N.Sequence(Part.Column + i));
+            across.X.Store(acrossX, i);
+            across.Y.Store(acrossY, i);
+            across.Z.Store(acrossZ, i);
+        }
+    }
+}

@@ -1,0 +1,142 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster;
+
+/// <summary>
+/// One thread's tool: paints a part of the picture that one shape covers, in floats. Each channel's level is known up to an error that is the same for the whole
+/// part (<see cref="Rounded"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in doubles.
+/// </summary>
+internal sealed class RoughPainter(Frame frame)
+{
+    /// <summary>With a greater error too many pixels would be in doubt.</summary>
+    private const double MostError = 0.02;
+
+    /// <summary>So few pixels are in doubt that a closer look is not worth it.</summary>
+    private const double GoodError = 0.002;
+
+    private readonly Scene scene = frame.Scene;
+    private readonly Camera camera = frame.Scene.Camera;
+    private readonly Vector3 directionError = DirectionError(frame.Scene.Camera);
+    private readonly (Tile Strip, int Index, double Error)[] knownErrors = new (Tile, int, double)[8];
+    private readonly SpanShader shader = new(frame);
+    private readonly RaySpan span = new(frame.Scene.Camera);
+    private readonly float[] acrossX = new float[Tile.MaxStrip], acrossY = new float[Tile.MaxStrip], acrossZ = new float[Tile.MaxStrip];
+    private readonly ulong[] doubts = new ulong[Tile.MaxStrip * Tile.MaxSide / RoughPacket.Count]; // of each packet
+    private Tile part;
+
+    /// <summary>Writes a part's bytes, if its width is one of whole packets and the error is small enough.</summary>
+    /// <param name="part">The part, whose pixels' nearest hits are all on the shape.</param>
+    /// <param name="shape">The shape.</param>
+    /// <param name="view">Its view, for the pixels in doubt.</param>
+    /// <param name="index">Its model's place in the scene.</param>
+    /// <param name="rgb">Room for the bytes.</param>
+    /// <param name="first">The place of the lowest row's first pixel.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    /// <typeparam name="P">The kind of shape.</typeparam>
+    public bool Paint<P>(in Tile part, in P shape, ModelView view, int index, byte[] rgb, int first, int step) where P : struct, IPrimitive
+    {
+        if (part.Width % RoughPacket.Count != 0) return false;
+        this.part = part;
+        var color = scene.Models[index].Color;
+        var error = Error(shape, index, Math.Max(color.R, Math.Max(color.G, color.B))); // a lesser channel has a lesser error
+        if (!(error < MostError)) return false;
+
+        for (var i = 0; i < part.Width; i++)
+        {
+            var across = camera.Across<Scalar>(part.Column + i);
+            (acrossX[i], acrossY[i], acrossZ[i]) = ((float)across.X, (float)across.Y, (float)across.Z);
+        }
+        if (Paint(shape, color, error, rgb, first, step)) return true;
+
+        for (var i = 0; i < part.Area / RoughPacket.Count; i++)
+        {
+            if (doubts[i] == 0) continue;
+            var (row, packet) = Math.DivRem(i, part.Width / RoughPacket.Count);
+            span.Enter<WidePacket>(part.Column + packet * RoughPacket.Count, RoughPacket.Count);
+            span.Aim<WidePacket>(part.Row + row);
+            view.Meet(span, index);
+            shader.Shade(span, 0, rgb.AsSpan(first + row * step + packet * RoughPacket.Count * 3, 3 * RoughPacket.Count));
+        }
+        return true;
+    }
+
+    /// <summary>How far the level of any channel of any pixel of a part may be from the one that doubles give.</summary>
+    /// <remarks>A bound for the whole strip is mostly good enough, and then serves other parts of it, too.</remarks>
+    private double Error<P>(in P shape, int index, double channel) where P : struct, IPrimitive
+    {
+        var strip = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
+        ref var known = ref knownErrors[index % knownErrors.Length];
+        if (known.Strip != strip || known.Index != index) known = (strip, index, Error(strip, shape, channel));
+        return known.Error < GoodError ? known.Error : Error(part, shape, channel);
+    }
+
+    private double Error<P>(in Tile part, in P shape, double channel) where P : struct, IPrimitive
+    {
+        var across = camera.Across(new Interval<Scalar>(part.Column, part.EndColumn - 1));
+        var upwards = camera.Upwards(new Interval<Scalar>(part.Row, part.EndRow - 1));
+        var exact = camera.Direction(across, upwards);
+        var direction = new Vector3<Rounded>(new(exact.X, directionError.X), new(exact.Y, directionError.Y), new(exact.Z, directionError.Z));
+        var hit = camera.ClipRange.First(shape.Cross(new Ray<Rounded>(camera.Position, direction)), camera.ZPerT(direction));
+        return Color.Level(scene.Attenuation(hit) * channel).Error + RoughBytes.RoundingOfTheEnds;
+    }
+
+    /// <summary>How far the direction of any ray may be from the one in doubles.</summary>
+    private static Vector3 DirectionError(Camera camera)
+    {
+        var across = camera.Across(new Interval<Scalar>(0, camera.Width - 1));
+        var upwards = camera.Upwards(new Interval<Scalar>(0, camera.Height - 1));
+        var direction = camera.Direction(Rough(across), Rough(upwards));
+        return new(direction.X.Error, direction.Y.Error, direction.Z.Error);
+
+        static Vector3<Rounded> Rough(Vector3<Interval<Scalar>> v) => new(Rounded.From(v.X), Rounded.From(v.Y), Rounded.From(v.Z));
+    }
+
+    /// <summary>Paints it all and notes which pixels are in doubt; whether none is.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
+    private bool Paint<P>(P shape, Color color, double error, byte[] rgb, int first, int step) where P : struct, IPrimitive
+    {
+        Vector3<RoughPacket> origin = camera.Position;
+        RoughPacket red = color.R, green = color.G, blue = color.B, slack = error;
+        var allSure = RoughBytes.AllLanes;
+        var packets = part.Width / RoughPacket.Count; // in a row
+        for (var row = 0; row < part.Height; row += 2)
+        {
+            var (lower, upper) = (camera.Upwards<Scalar>(part.Row + row), camera.Upwards<Scalar>(part.Row + row + 1));
+            var upwards = new Vector3<RoughPacket>(Rows(lower.X, upper.X), Rows(lower.Y, upper.Y), Rows(lower.Z, upper.Z));
+            var hasUpper = row + 1 < part.Height;
+            ref var to = ref rgb[first + row * step];
+            for (var i = 0; i < packets; i++)
+            {
+                var at = i * RoughPacket.Count;
+                var across = new Vector3<RoughPacket>(Load(acrossX, at), Load(acrossY, at), Load(acrossZ, at));
+                var direction = camera.Direction(across, upwards);
+                var hit = camera.ClipRange.First(shape.Cross(new Ray<RoughPacket>(origin, direction)), camera.ZPerT(direction));
+                var attenuation = scene.Attenuation(hit);
+                var (r, g, b) = (Color.Level(attenuation * red), Color.Level(attenuation * green), Color.Level(attenuation * blue));
+                var (leastR, leastG, leastB) = (r - slack, g - slack, b - slack);
+                var (mostR, mostG, mostB) = (r + slack, g + slack, b + slack);
+
+                var least = RoughBytes.Packed(leastR.Lower, leastG.Lower, leastB.Lower);
+                var sure = Vector512.Equals(least, RoughBytes.Packed(mostR.Lower, mostG.Lower, mostB.Lower)).ExtractMostSignificantBits();
+                doubts[row * packets + i] = sure ^ RoughBytes.AllLanes;
+                allSure &= sure;
+                RoughBytes.Store(least, ref Unsafe.Add(ref to, 3 * at));
+                if (!hasUpper) continue;
+
+                least = RoughBytes.Packed(leastR.Upper, leastG.Upper, leastB.Upper);
+                sure = Vector512.Equals(least, RoughBytes.Packed(mostR.Upper, mostG.Upper, mostB.Upper)).ExtractMostSignificantBits();
+                doubts[(row + 1) * packets + i] = sure ^ RoughBytes.AllLanes;
+                allSure &= sure;
+                RoughBytes.Store(least, ref Unsafe.Add(ref to, step + 3 * at));
+            }
+        }
+        return allSure == RoughBytes.AllLanes;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static RoughPacket Rows(double lower, double upper) => new(Vector512.Create((float)lower), Vector512.Create((float)upper));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static RoughPacket Load(float[] numbers, int first) => RoughPacket.Of(Vector512.LoadUnsafe(ref numbers[first]));
+}
