@@ -5,7 +5,7 @@ namespace RayCaster.Cli;
 /// <summary>Joins frames into an animated PNG.</summary>
 internal sealed class AnimateCommand : Command
 {
-    public override IReadOnlyList<Option> Options { get; } = [Option.Output, Option.Fps, Option.Quiet];
+    public override Option[] Options { get; } = [Option.Output, Option.Fps, Option.Quiet];
 
     public override string Help => """
         Description:

@@ -3,7 +3,7 @@ namespace RayCaster.Cli;
 /// <summary>Says what is wrong with scene files, and what they are fit for as tests.</summary>
 internal sealed class CheckCommand : Command
 {
-    public override IReadOnlyList<Option> Options { get; } = [Option.Threads, Option.Quiet];
+    public override Option[] Options { get; } = [Option.Threads, Option.Quiet];
 
     public override string Help => """
         Description:
@@ -39,7 +39,7 @@ internal sealed class CheckCommand : Command
         var exitCode = ExitCode.Done;
         foreach (var path in line.Operands)
         {
-            var reading = Task.Run(() => SceneInput.Read(path)).WaitAsync(cancellation).GetAwaiter().GetResult();
+            var reading = Abandonable.Run(() => SceneInput.Read(path), cancellation);
             if (reading.Scene is { } scene) scenes.Add(scene);
             var unread = reading.Problems.Any(problem => problem.IsError && problem.Line == 0);
             StandardFile.WriteOutput(reading.Report());
@@ -54,7 +54,7 @@ internal sealed class CheckCommand : Command
             StandardFile.WriteOutput($"A scene has more than {SceneFitness.MostModels} models: too many to try mistakes on." + Environment.NewLine);
             return exitCode;
         }
-        var fitness = Task.Run(() => SceneFitness.Of(scenes, threads)).WaitAsync(cancellation).GetAwaiter().GetResult();
+        var fitness = Abandonable.Run(() => SceneFitness.Of(scenes, threads), cancellation);
         StandardFile.WriteOutput(FitnessReport.Text(fitness));
         return exitCode;
     }

@@ -22,7 +22,10 @@ internal abstract class Command
     };
 
     /// <summary>The options that it takes; <see cref="Option.Help"/> is one of every command's.</summary>
-    public abstract IReadOnlyList<Option> Options { get; }
+    public abstract Option[] Options { get; }
+
+    /// <summary>Whether an option is one of them.</summary>
+    public bool Takes(Option option) => Array.IndexOf(Options, option) >= 0;
 
     /// <summary>What "help" shows of it: whole lines of at most 90 characters.</summary>
     public abstract string Help { get; }

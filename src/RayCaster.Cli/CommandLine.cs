@@ -29,15 +29,15 @@ internal sealed class CommandLine
     public static CommandLine Parse(string[] arguments)
     {
         var line = new CommandLine(new DrawCommand());
-        var words = new Queue<string>(arguments);
-        while (words.TryDequeue(out var word))
+        for (var next = 0; next < arguments.Length;)
         {
+            var word = arguments[next++];
             if (word == "--")
             {
-                foreach (var operand in words) line.operands.Add(operand);
+                line.operands.AddRange(arguments.AsSpan(next));
                 break;
             }
-            if (word != "-" && word.StartsWith('-') && !IsNumber(word)) line.ReadOption(word, words);
+            if (word != "-" && word.StartsWith('-') && !IsNumber(word)) line.ReadOption(word, arguments, ref next);
             else if (line.operands.Count == 0 && line.CommandName == "" && Command.Named(word) is { } command)
                 (line.Command, line.CommandName) = (command, word);
             else
@@ -46,7 +46,7 @@ internal sealed class CommandLine
 
         if (line.Has(Option.Help)) return line;
         foreach (var (option, _) in line.values)
-            if (!line.Command.Options.Contains(option))
+            if (!line.Command.Takes(option))
                 throw ProblemException.Usage(line.CommandName == ""
                     ? $"option '{option.Name}' belongs to a command: say which"
                     : $"option '{option.Name}' is not one of {line.CommandName}'s");
@@ -93,15 +93,15 @@ internal sealed class CommandLine
     public static int? ParseCount(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count > 0 ? count : null;
 
-    private void ReadOption(string word, Queue<string> words)
+    private void ReadOption(string word, string[] arguments, ref int next)
     {
         var (name, value) = word.StartsWith("--") && word.Split('=', 2) is [var left, var right] ? (left, right) : (word, null);
         if (Option.Named(name) is not { } option) throw UnknownOption(name);
         if (values.ContainsKey(option)) throw ProblemException.Usage($"option '{option.Name}' is given twice");
         if (!option.TakesValue && value is not null)
             throw ProblemException.Usage($"option '{option.Name}' takes no value, but '{value}' is given");
-        if (option.TakesValue && value is null && !words.TryDequeue(out value))
-            throw ProblemException.Usage($"option '{option.Name}' needs a value");
+        if (option.TakesValue && value is null)
+            value = next < arguments.Length ? arguments[next++] : throw ProblemException.Usage($"option '{option.Name}' needs a value");
         values[option] = value ?? "";
     }
 

@@ -3,7 +3,7 @@ namespace RayCaster.Cli;
 /// <summary>Says whether a picture is the one that it should be.</summary>
 internal sealed class CompareCommand : Command
 {
-    public override IReadOnlyList<Option> Options { get; } =
+    public override Option[] Options { get; } =
         [Option.Scene, Option.Output, Option.Measures, Option.Json, Option.Threads];
 
     public override string Help => """

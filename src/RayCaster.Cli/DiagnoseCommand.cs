@@ -3,7 +3,7 @@ namespace RayCaster.Cli;
 /// <summary>Says which mistake makes a wrong picture.</summary>
 internal sealed class DiagnoseCommand : Command
 {
-    public override IReadOnlyList<Option> Options { get; } = [Option.Hint, Option.Json, Option.Threads];
+    public override Option[] Options { get; } = [Option.Hint, Option.Json, Option.Threads];
 
     public override string Help => """
         Description:
@@ -50,7 +50,7 @@ internal sealed class DiagnoseCommand : Command
                 "it is compared with the scene drawn in that size" + Environment.NewLine);
             scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
         }
-        var diagnosis = Task.Run(() => Diagnosis.Of(scene, picture, threads)).WaitAsync(cancellation).GetAwaiter().GetResult();
+        var diagnosis = Abandonable.Run(() => Diagnosis.Of(scene, picture, threads), cancellation);
         StandardFile.WriteOutput(line.Has(Option.Json)
             ? DiagnosisReport.Json(diagnosis)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level));

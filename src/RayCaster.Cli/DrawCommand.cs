@@ -6,7 +6,7 @@ namespace RayCaster.Cli;
 /// <summary>Reads a scene, draws it or a part of it, writes the picture.</summary>
 internal sealed class DrawCommand : Command
 {
-    public override IReadOnlyList<Option> Options { get; } =
+    public override Option[] Options { get; } =
     [
         Option.Output, Option.Format, Option.Size, Option.Rows, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress,
         Option.Map, Option.Ledger, Option.Preview, Option.Color, Option.Version,
@@ -71,11 +71,19 @@ internal sealed class DrawCommand : Command
         [] or [_] => throw ProblemException.Usage("which scene? Name a scene file, for example scenes/room.json"),
         [var word, ..] when Spelling.Nearest(word, Command.Names) is { } name =>
             throw ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
-        [var word, ..] when !File.Exists(word) && word.All(char.IsAsciiLetter) =>
+        [var word, ..] when !File.Exists(word) && IsOfLetters(word) =>
             throw ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one"),
         var scenes => throw ProblemException.Usage(
             $"one scene at a time, but there are {scenes.Count}: {string.Join(", ", scenes)}{OutputHint(scenes)}"),
     };
+
+    private static bool IsOfLetters(string word)
+    {
+        foreach (var c in word)
+            if (!char.IsAsciiLetter(c))
+                return false;
+        return true;
+    }
 
     private static string OutputHint(IReadOnlyList<string> operands) =>
         operands is [_, var second] && Path.GetExtension(second).ToLowerInvariant() is ".png" or ".ppm"

@@ -5,7 +5,7 @@ namespace RayCaster.Cli;
 /// <summary>Explains how one pixel gets its colour.</summary>
 internal sealed class ExplainCommand : Command
 {
-    public override IReadOnlyList<Option> Options { get; } = [Option.Size, Option.Reference, Option.Json, Option.Quiet];
+    public override Option[] Options { get; } = [Option.Size, Option.Reference, Option.Json, Option.Quiet];
 
     public override string Help => """
         Description:

@@ -3,7 +3,7 @@ namespace RayCaster.Cli;
 /// <summary>Shows what there is, or one command's page.</summary>
 internal sealed class HelpCommand : Command
 {
-    public override IReadOnlyList<Option> Options => [];
+    public override Option[] Options => [];
 
     public override string Help => HelpText.Full;
 

@@ -26,7 +26,7 @@ internal static class MapOutput
         var picture = numbers[..^4] + (numbers[..^4].EndsWith(ending, StringComparison.Ordinal) ? "" : ending) + ".png";
 
         if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
-        var map = Task.Run(() => MapMaker.Make(scene, kind, threads), cancellation).WaitAsync(cancellation).GetAwaiter().GetResult();
+        var map = Abandonable.Run(() => MapMaker.Make(scene, kind, threads), cancellation);
 
         using (var file = new ReplacedFile(numbers))
         {

@@ -1,17 +1,17 @@
 namespace RayCaster.Cli;
 
 /// <summary>An option of the command line. It means the same wherever a command takes it.</summary>
-/// <param name="Name">With two dashes.</param>
-/// <param name="Short">With one dash; empty if there is none. Some letters never reach us: "dotnet run" takes -c, -f, -r, -a, -p, -v and -e for itself.</param>
-/// <param name="TakesValue">Whether a value follows; otherwise it is a switch.</param>
-internal sealed record Option(string Name, string Short = "", bool TakesValue = true)
+/// <param name="name">With two dashes.</param>
+/// <param name="shortName">With one dash; empty if there is none. Some letters never reach us: "dotnet run" takes -c, -f, -r, -a, -p, -v and -e for itself.</param>
+/// <param name="takesValue">Whether a value follows; otherwise it is a switch.</param>
+internal sealed class Option(string name, string shortName = "", bool takesValue = true)
 {
     public static readonly Option Output = new("--output", "-o");
     public static readonly Option Format = new("--format");
     public static readonly Option Size = new("--size", "-s");
     public static readonly Option Rows = new("--rows");
-    public static readonly Option Resume = new("--resume", TakesValue: false);
-    public static readonly Option Missing = new("--missing", TakesValue: false);
+    public static readonly Option Resume = new("--resume", takesValue: false);
+    public static readonly Option Missing = new("--missing", takesValue: false);
     public static readonly Option Frames = new("--frames");
     public static readonly Option Keys = new("--keys");
     public static readonly Option Only = new("--only");
@@ -23,14 +23,14 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
     public static readonly Option Scene = new("--scene");
     public static readonly Option Reference = new("--reference");
     public static readonly Option Hint = new("--hint");
-    public static readonly Option Ledger = new("--ledger", TakesValue: false);
-    public static readonly Option Preview = new("--preview", TakesValue: false);
-    public static readonly Option Measures = new("--measures", TakesValue: false);
-    public static readonly Option Json = new("--json", TakesValue: false);
-    public static readonly Option Quiet = new("--quiet", "-q", TakesValue: false);
-    public static readonly Option NoProgress = new("--no-progress", TakesValue: false);
-    public static readonly Option Version = new("--version", TakesValue: false);
-    public static readonly Option Help = new("--help", "-h", TakesValue: false);
+    public static readonly Option Ledger = new("--ledger", takesValue: false);
+    public static readonly Option Preview = new("--preview", takesValue: false);
+    public static readonly Option Measures = new("--measures", takesValue: false);
+    public static readonly Option Json = new("--json", takesValue: false);
+    public static readonly Option Quiet = new("--quiet", "-q", takesValue: false);
+    public static readonly Option NoProgress = new("--no-progress", takesValue: false);
+    public static readonly Option Version = new("--version", takesValue: false);
+    public static readonly Option Help = new("--help", "-h", takesValue: false);
 
     /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
     public static readonly Option[] All =
@@ -39,6 +39,15 @@ internal sealed record Option(string Name, string Short = "", bool TakesValue = 
         Threads, Map, Color, Scene, Reference, Hint,
         Ledger, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
     ];
+
+    /// <summary>What it is called, with two dashes.</summary>
+    public string Name => name;
+
+    /// <summary>With one dash; empty if there is none.</summary>
+    public string Short => shortName;
+
+    /// <summary>Whether a value follows.</summary>
+    public bool TakesValue => takesValue;
 
     /// <summary>The option that a word names, or null.</summary>
     public static Option? Named(string word)

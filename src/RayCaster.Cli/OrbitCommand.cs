@@ -8,7 +8,7 @@ internal sealed class OrbitCommand : Command
 {
     private const int MostFrames = 1_000_000;
 
-    public override IReadOnlyList<Option> Options { get; } =
+    public override Option[] Options { get; } =
         [Option.Frames, Option.Keys, Option.Only, Option.Output, Option.Size, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress];
 
     public override string Help => """

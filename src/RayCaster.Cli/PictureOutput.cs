@@ -8,7 +8,7 @@ internal static class PictureOutput
     /// <exception cref="ProblemException">It is one.</exception>
     public static void KeepOffTerminal(string? output)
     {
-        if (output == SceneInput.Standard && !Console.IsOutputRedirected)
+        if (output == SceneInput.Standard && TerminalScreen.TakesOutput)
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
     }
@@ -27,7 +27,7 @@ internal static class PictureOutput
         if (output == SceneInput.Standard)
         {
             // Who cancels does not wait until a reader that has stopped reads on; what it has not got nobody misses.
-            Task.Run(() => StandardFile.WriteOutput(write)).WaitAsync(cancellation).GetAwaiter().GetResult();
+            Abandonable.Run(() => StandardFile.WriteOutput(write), cancellation);
             return;
         }
         using var file = new ReplacedFile(output);

@@ -14,7 +14,7 @@ internal static class SceneInput
     /// <returns>The scene, or null after its errors have been printed.</returns>
     public static Scene? Read(string path, (int Width, int Height)? size, bool quiet, CancellationToken cancellation)
     {
-        var reading = Task.Run(() => Read(path)).WaitAsync(cancellation).GetAwaiter().GetResult();
+        var reading = Abandonable.Run(() => Read(path), cancellation);
         if (reading.Scene is null || !quiet) StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
         return scene with { Camera = scene.Camera.WithSize(width, height) };

@@ -5,7 +5,7 @@ namespace RayCaster.Cli;
 /// <summary>Shows many pictures, made small, on one.</summary>
 internal sealed class SheetCommand : Command
 {
-    public override IReadOnlyList<Option> Options { get; } = [Option.Output, Option.Columns, Option.Size, Option.Quiet];
+    public override Option[] Options { get; } = [Option.Output, Option.Columns, Option.Size, Option.Quiet];
 
     public override string Help => """
         Description:

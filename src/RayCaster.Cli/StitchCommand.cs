@@ -9,7 +9,7 @@ internal sealed class StitchCommand : Command
     /// <summary>How many problems are written out.</summary>
     private const int Printed = 20;
 
-    public override IReadOnlyList<Option> Options { get; } = [Option.Output, Option.Format, Option.Missing, Option.Quiet, Option.NoProgress];
+    public override Option[] Options { get; } = [Option.Output, Option.Format, Option.Missing, Option.Quiet, Option.NoProgress];
 
     public override string Help => """
         Description:

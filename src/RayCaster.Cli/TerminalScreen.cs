@@ -11,14 +11,17 @@ internal static class TerminalScreen
     /// <exception cref="ProblemException">--color says neither auto nor always nor never.</exception>
     public static ColorDepth Colors(CommandLine line) =>
         !line.Has(Option.Preview) && !line.Has(Option.Color) ? ColorDepth.None // nobody wants to know, and a look at the console takes time
-        : ColorDepths.Choose(line[Option.Color], Console.IsOutputRedirected, Environment.GetEnvironmentVariable);
+        : ColorDepths.Choose(line[Option.Color], !TakesOutput, Environment.GetEnvironmentVariable);
+
+    /// <summary>Whether standard output is a terminal.</summary>
+    public static bool TakesOutput => !Console.IsOutputRedirected;
 
     /// <summary>A preview for a picture that fits into the window, with a line left for the prompt.</summary>
     /// <param name="width">Pixels in a line of the picture.</param>
     /// <param name="height">Lines of the picture.</param>
     public static TerminalPreview Preview(int width, int height)
     {
-        var (columns, lines) = Console.IsOutputRedirected ? (0, 0) : (Width(), Height());
+        var (columns, lines) = !TakesOutput ? (0, 0) : (Width(), Height());
         return new(width, height, columns < FewestColumns ? UsualColumns : columns, (lines < FewestLines ? UsualLines : lines) - 1);
     }
 
@@ -26,7 +29,7 @@ internal static class TerminalScreen
     /// <exception cref="ProblemException">Nobody takes it.</exception>
     public static void Show(TerminalPreview preview, ColorDepth colors)
     {
-        if (OperatingSystem.IsWindows() && !Console.IsOutputRedirected) Console.OutputEncoding = Encoding.UTF8; // for the blocks
+        if (OperatingSystem.IsWindows() && TakesOutput) Console.OutputEncoding = Encoding.UTF8; // for the blocks
         StandardFile.WriteOutput(output => output.Write(Encoding.UTF8.GetBytes(preview.Text(colors)))); // its escape codes are our own
     }
 

@@ -51,7 +51,7 @@ public static class CameraPathReader
     private static CameraPath? ReadPath(SceneObject o, Camera camera)
     {
         o.OptionalText("$schema", "Not used by the program.");
-        var isSmooth = o.Choice("interpolation", "How the camera goes from key to key: in a curve or straight.", ("smooth", true), ("linear", false));
+        var isSmooth = o.OptionalChoice("interpolation", "How the camera goes from key to key: in a curve or straight.", "smooth", "linear") == "smooth";
         var keys = new List<CameraKey>();
         foreach (var element in o.Objects("keys", "Where the camera is and when, an array of at least two."))
         {

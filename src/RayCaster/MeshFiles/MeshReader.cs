@@ -31,7 +31,7 @@ internal static class MeshReader
     {
         var pieces = new List<MeshPiece>();
         var failed = false;
-        Parallel.For(0, threads, _ =>
+        Ranges.Each(threads, threads, _ =>
         {
             try
             {

@@ -13,7 +13,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
     public static MeshData Read(MeshSource source)
     {
         var header = new PlyHeader(source);
-        return MeshReader.Read(source, () => new PlyFile(source, header));
+        return TrianglePly.Read(source, header) ?? MeshReader.Read(source, () => new PlyFile(source, header));
     }
 
     /// <summary>A block has rows of one element.</summary>

@@ -1,3 +1,5 @@
+using System.Runtime.ExceptionServices;
+
 namespace RayCaster;
 
 /// <summary>Work on the parts of a long array, side by side.</summary>
@@ -9,8 +11,25 @@ internal static class Ranges
     /// <summary>Does some pieces of work, 0 to count − 1, in any order; in order and without another thread where one is enough.</summary>
     public static void Each(int count, int threads, Action<int> work)
     {
-        if (threads > 1 && count > 1) Parallel.For(0, count, new ParallelOptions { MaxDegreeOfParallelism = threads }, work);
-        else for (var i = 0; i < count; i++) work(i);
+        var next = -1;
+        var failure = default(Exception);
+        var others = new Thread[Math.Max(0, Math.Min(threads, count) - 1)]; // plain ones: the first use of Parallel takes milliseconds
+        for (var i = 0; i < others.Length; i++) (others[i] = new(Work) { IsBackground = true, Name = "range" }).Start();
+        Work();
+        foreach (var other in others) other.Join();
+        if (failure is not null) ExceptionDispatchInfo.Throw(failure);
+
+        void Work()
+        {
+            try
+            {
+                while (Volatile.Read(ref failure) is null && Interlocked.Increment(ref next) is var i && i < count) work(i);
+            }
+            catch (Exception e)
+            {
+                Interlocked.CompareExchange(ref failure, e, null);
+            }
+        }
     }
 
     /// <summary>Does the work on each range of an array, given as start and length.</summary>

@@ -20,10 +20,14 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
     private const int HeaderBytes = 2, ChecksumBytes = 4;
     private const byte FilterUp = 2;
 
+    /// <summary>About so much goes to the compressor in one call.</summary>
+    private const int BytesAtOnce = 1 << 15;
+
     /// <summary>Level 2 of 9 takes a fraction of the default's time and hardly more room.</summary>
     private static readonly ZLibCompressionOptions options = new() { CompressionLevel = 2 };
 
-    private readonly byte[] above = new byte[lineBytes], filtered = new byte[1 + lineBytes];
+    private readonly byte[] above = new byte[lineBytes];
+    private readonly byte[] filtered = new byte[(1 + lineBytes) * Math.Min(mostLines, 1 + BytesAtOnce / lineBytes)];
     private readonly MemoryStream compressed = new();
     private byte[]? lines;
     private ZLibStream? compressor;
@@ -87,14 +91,18 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
     public void Compress(ReadOnlySpan<byte> more)
     {
         ReadOnlySpan<byte> before = above;
+        var used = 0;
         for (; !more.IsEmpty; more = more[lineBytes..])
         {
             var line = more[..lineBytes];
-            filtered[0] = FilterUp;
-            Subtract(line, before, filtered.AsSpan(1));
-            compressor!.Write(filtered);
-            FilteredBytes += filtered.Length;
+            filtered[used] = FilterUp;
+            Subtract(line, before, filtered.AsSpan(used + 1));
             before = line;
+            used += 1 + lineBytes;
+            if (used < filtered.Length && more.Length > lineBytes) continue;
+            compressor!.Write(filtered.AsSpan(0, used));
+            FilteredBytes += used;
+            used = 0;
         }
         before.CopyTo(above);
     }

@@ -1,5 +1,4 @@
 using System.Buffers.Binary;
-using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
@@ -36,7 +35,6 @@ internal static class PngChunk
     }
 
     /// <summary>CRC-32 of the polynomial 0xEDB88320 (the specification's annex D); the checksum so far goes in, 0 at first.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // it is called once, and would not be optimised before it is done
     public static uint Crc(uint crc, ReadOnlySpan<byte> data)
     {
         crc = ~crc;

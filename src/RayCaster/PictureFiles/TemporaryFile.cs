@@ -43,7 +43,7 @@ internal static class TemporaryFile
             var name = Path.GetFileName(target);
             bool? locksHold = null;
             foreach (var path in Directory.EnumerateFiles(Path.GetDirectoryName(target)!))
-                if (IsOneOf(name, Path.GetFileName(path)) && path != own && (locksHold ??= IsLocked(own)))
+                if (path != own && IsOneOf(name, Path.GetFileName(path)) && (locksHold ??= IsLocked(own)))
                     DeleteUnlessLocked(path);
         }
         catch (Exception e) when (PictureFileException.IsCausedByFile(e))

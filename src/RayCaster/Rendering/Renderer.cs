@@ -8,6 +8,9 @@ public sealed class Renderer(Scene scene, int? threads = null)
     private readonly Camera camera = scene.Camera;
     private readonly int threadCount = threads ?? Environment.ProcessorCount;
 
+    /// <summary>Whether small pictures are drawn the plain way. Tests of the other way say no.</summary>
+    internal bool MayBeSmall { get; init; } = true;
+
     /// <summary>Whether it pays to compile kernels that only long work needs; found out if left out.</summary>
     internal bool? IsLong { get; init; }
 
@@ -58,7 +61,8 @@ public sealed class Renderer(Scene scene, int? threads = null)
     {
         if (lines.First < 0 || lines.Last >= camera.Height || lines.Count < 1)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
-        new BandQueue(scene, lines, threadCount, linesDone, cancellation).WriteAll(write);
+        if (MayBeSmall && SmallPicture.IsSmall(scene, lines)) new SmallPicture(scene).Draw(lines, write, linesDone, cancellation);
+        else new BandQueue(scene, lines, threadCount, linesDone, cancellation).WriteAll(write);
     }
 
     /// <summary>Casts all rays; this thread is one of those that do.</summary>

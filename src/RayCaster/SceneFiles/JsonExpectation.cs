@@ -1,45 +1,45 @@
 using System.Text;
-using System.Text.Json;
 
 namespace RayCaster;
 
 /// <summary>
 /// Says in words why a JSON text breaks off: knows where the last good token ends and what may follow it, and looks at what does follow.
-/// Runs only when the JSON reader has refused the text.
+/// Runs only when the scanner has refused the text.
 /// </summary>
 /// <param name="tree">What was read until then.</param>
 /// <param name="open">The arrays and objects that are open there.</param>
 /// <param name="last">The last good token.</param>
 /// <param name="lastEnd">The place after it; after a key that of its colon.</param>
-internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, JsonTokenType last, int lastEnd)
+internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> open, JsonKind last, int lastEnd)
 {
     private readonly ReadOnlySpan<byte> utf8 = tree.Text.Utf8;
 
-    private bool InObject => open.Count > 0 && tree[open.Peek()].Kind == JsonTokenType.StartObject;
+    private readonly ReadOnlySpan<int> open = open;
+
+    private bool InObject => open.Length > 0 && tree[open[^1]].Kind == JsonKind.Object;
 
     /// <summary>Finds the mistake.</summary>
-    /// <param name="refusal">What the JSON reader says, for what nobody thought of.</param>
-    public JsonMistake Explain(JsonException refusal)
+    public JsonMistake Explain()
     {
         var at = SkipBlanks(lastEnd);
-        if (at == utf8.Length && last == JsonTokenType.None) return new(at, at, "the file is empty; a scene is an object in braces { }");
+        if (at == utf8.Length && last == JsonKind.None) return new(at, at, "the file is empty; a scene is an object in braces { }");
         if (at == utf8.Length) return CutOff();
 
         return last switch
         {
-            JsonTokenType.None => Value(at),
-            JsonTokenType.PropertyName => Value(at),
-            JsonTokenType.StartObject => Key(at),
-            JsonTokenType.StartArray => Value(at),
+            JsonKind.None => Value(at),
+            JsonKind.Key => Value(at),
+            JsonKind.Object => Key(at),
+            JsonKind.Array => Value(at),
             _ => AfterValue(at, lastEnd),
-        } ?? Fallback(refusal);
+        } ?? new(at, at, "this is not JSON");
     }
 
     private JsonMistake? AfterValue(int at, int valueEnd)
     {
         if (Lookalike(at) is { } lookalike) return lookalike;
         if (utf8[at] == '/') return Slash(at);
-        if (open.Count == 0) return new(at, LineEnd(at), "the scene has ended before this; a file holds one object");
+        if (open.Length == 0) return new(at, LineEnd(at), "the scene has ended before this; a file holds one object");
         if (utf8[at] == ',')
         {
             var next = SkipBlanks(at + 1);
@@ -85,7 +85,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
                 return Comment(at);
             case '/':
                 return Slash(at);
-            case >= '0' and <= '9' when last == JsonTokenType.Number:
+            case >= '0' and <= '9' when last == JsonKind.Number:
                 return new(at, TokenEnd(at), $"a key is expected here; is this a decimal comma? Write {PointForComma(at)}");
             default:
                 return new(at, TokenEnd(at), $"keys stand in double quotes: \"{Word(at)}\"");
@@ -99,14 +99,14 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
         {
             case '"':
                 return Text(at, out var end) ?? (end == utf8.Length ? CutOff() : null);
-            case '{' or '[' when open.Count == JsonTree.MaxDepth:
+            case '{' or '[' when open.Length == JsonTree.MaxDepth:
                 return new(at, at + 1, $"arrays and objects are nested deeper than {JsonTree.MaxDepth}");
             case '\'':
                 return new(at, TokenEnd(at), "texts stand in double quotes, not in single ones");
             case ',':
-                return new(at, at + 1, last == JsonTokenType.PropertyName ? "a value is missing after the colon" : "there is one comma too many");
+                return new(at, at + 1, last == JsonKind.Key ? "a value is missing after the colon" : "there is one comma too many");
             case '}' or ']':
-                return last == JsonTokenType.PropertyName ? new(at, at + 1, "a value is missing after the colon") : WrongBracket(at);
+                return last == JsonKind.Key ? new(at, at + 1, "a value is missing after the colon") : WrongBracket(at);
             case ':' or '=':
                 return new(at, at + 1, $"a value is expected here, not '{(char)utf8[at]}'");
             case '#':
@@ -216,9 +216,9 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
     private JsonMistake CutOff(string? reason = null)
     {
         var end = utf8.Length;
-        if (reason is null && open.Count > 0)
+        if (reason is null && open.Length > 0)
         {
-            var bracket = tree[open.Peek()];
+            var bracket = tree[open[^1]];
             reason = $"the {Bracket(bracket)} of line {tree.Text.LineOf(bracket.Start)} is never closed";
         }
         return new(end, end, $"the file ends too early: {reason ?? "a value is missing"}");
@@ -227,10 +227,10 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
     private JsonMistake WrongBracket(int at)
     {
         var found = (char)utf8[at];
-        if (open.Count == 0) return new(at, at + 1, $"there is a {found} but nothing that it closes");
-        var bracket = tree[open.Peek()];
+        if (open.Length == 0) return new(at, at + 1, $"there is a {found} but nothing that it closes");
+        var bracket = tree[open[^1]];
         var line = tree.Text.LineOf(bracket.Start);
-        var isPair = found == (bracket.Kind == JsonTokenType.StartObject ? '}' : ']');
+        var isPair = found == (bracket.Kind == JsonKind.Object ? '}' : ']');
         return new(at, at + 1, isPair
             ? "there is one comma too many"
             : $"the {Bracket(bracket)} of line {line} is not closed before this {found}");
@@ -242,15 +242,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, Stack<int> open, Jso
         ? new(at, at + 2, "this comment is never closed; */ is missing")
         : new(at, at + 1, "a comment starts with // or stands between /* and */");
 
-    /// <summary>What the JSON reader says, without its own count of lines.</summary>
-    private JsonMistake Fallback(JsonException refusal)
-    {
-        var at = SkipBlanks(lastEnd);
-        var count = refusal.Message.IndexOf(" LineNumber:", StringComparison.Ordinal);
-        return new(at, at, "this is not JSON: " + (count > 0 ? refusal.Message[..count] : refusal.Message));
-    }
-
-    private static string Bracket(JsonTree.Node node) => node.Kind == JsonTokenType.StartObject ? "{" : "[";
+    private static string Bracket(JsonTree.Node node) => node.Kind == JsonKind.Object ? "{" : "[";
 
     /// <summary>The place of the next byte that is neither blank nor comment; of a comment that is never closed its start.</summary>
     private int SkipBlanks(int at)

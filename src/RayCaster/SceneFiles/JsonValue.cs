@@ -9,8 +9,12 @@ namespace RayCaster;
 /// <param name="node">The value's token.</param>
 internal readonly struct JsonValue(JsonTree tree, int node)
 {
-    /// <summary>What it is; of an array or object the start token.</summary>
-    public JsonTokenType Kind => tree[node].Kind;
+    private const int FewKeys = 16; // so many are compared with each other
+
+    private readonly int node = node;
+
+    /// <summary>What it is.</summary>
+    public JsonKind Kind => tree[node].Kind;
 
     /// <summary>The place of its first byte.</summary>
     public int Start => tree[node].Start;
@@ -22,45 +26,129 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     public string AsWritten => tree.Text.Quote(Start, End);
 
     /// <summary>What an array holds: elements; what an object holds: key, value, key, value …</summary>
-    public List<JsonValue> Content
+    public JsonValue[] Content
     {
         get
         {
-            var content = new List<JsonValue>();
-            for (var i = node + 1; i < tree[node].Next; i = tree[i].Next) content.Add(new(tree, i));
+            var (count, end) = (0, tree[node].Next);
+            for (var i = node + 1; i < end; i = tree[i].Next) count++;
+            var content = new JsonValue[count];
+            for (var (i, place) = (node + 1, 0); i < end; i = tree[i].Next) content[place++] = new(tree, i);
             return content;
         }
     }
 
+    /// <summary>The three elements of an array that has three.</summary>
+    public bool IsOfThree(out JsonValue first, out JsonValue second, out JsonValue third)
+    {
+        var (a, end) = (node + 1, tree[node].Next);
+        var b = a < end ? tree[a].Next : end;
+        var c = b < end ? tree[b].Next : end;
+        (first, second, third) = (new(tree, a), new(tree, b), new(tree, c));
+        return c < end && tree[c].Next == end;
+    }
+
+    /// <summary>The keys of an object, as they are written.</summary>
+    public IEnumerable<JsonValue> Keys
+    {
+        get
+        {
+            for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next) yield return new(tree, key);
+        }
+    }
+
+    /// <summary>The value of a key of an object, the first if there are several; null if there is none.</summary>
+    public JsonValue? Find(string name) => FindKey(name) is { } key ? new(tree, key.node + 1) : null;
+
+    /// <summary>A key of an object, the first if there are several; null if there is none.</summary>
+    public JsonValue? FindKey(string name)
+    {
+        for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next)
+            if (new JsonValue(tree, key).Is(name))
+                return new JsonValue(tree, key);
+        return null;
+    }
+
+    /// <summary>Whether an object has a key that is none of some.</summary>
+    public bool HasKeyBeyond(List<string> known)
+    {
+        for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next)
+        {
+            var i = 0;
+            while (i < known.Count && !new JsonValue(tree, key).Is(known[i])) i++;
+            if (i == known.Count) return true;
+        }
+        return false;
+    }
+
+    /// <summary>Whether an object may have a key twice: if false, it has surely not.</summary>
+    public bool MayRepeatKey
+    {
+        get
+        {
+            var (count, end) = (0, tree[node].Next);
+            for (var key = node + 1; key < end; key = tree[key + 1].Next)
+            {
+                if (++count > FewKeys || tree.Written(key).IndexOf((byte)'\\') >= 0) return true;
+                for (var before = node + 1; before < key; before = tree[before + 1].Next)
+                    if (tree.Written(before).SequenceEqual(tree.Written(key)))
+                        return true;
+            }
+            return false;
+        }
+    }
+
+    /// <summary>Whether a text or key says this, which is plain ASCII.</summary>
+    public bool Is(string text)
+    {
+        var written = tree.Written(node);
+        if (written.Length != text.Length) return written.Length > text.Length && written.IndexOf((byte)'\\') >= 0 && Text == text;
+        for (var i = 0; i < written.Length; i++)
+            if (written[i] != text[i])
+                return false;
+        return true;
+    }
+
     /// <summary>The number nearest to the one that is written; ±∞ beyond the largest.</summary>
-    public double Number => double.Parse(tree.Text.Utf8[Start..End], NumberStyles.Float, CultureInfo.InvariantCulture);
+    public double Number
+    {
+        get
+        {
+            var written = tree.Text.Utf8[Start..End];
+            return DecimalNumber.TryParseShort(written, out var number) ? number : double.Parse(written, NumberStyles.Float, CultureInfo.InvariantCulture);
+        }
+    }
 
     /// <summary>A text or key without its quotes and escapes; as written if it holds half a surrogate pair, which is no text.</summary>
     public string Text
     {
         get
         {
-            var utf8 = tree.Text.Utf8[Start..End];
-            if (!utf8.Contains((byte)'\\')) return Encoding.UTF8.GetString(utf8[1..^1]);
-            var reader = new Utf8JsonReader(utf8);
-            reader.Read();
-            try
-            {
-                return reader.GetString()!;
-            }
-            catch (InvalidOperationException)
-            {
-                return tree.Text.Quote(Start + 1, End - 1);
-            }
+            var content = tree.Written(node);
+            return content.IndexOf((byte)'\\') < 0 ? Encoding.UTF8.GetString(content) : Unescaped();
         }
     }
 
     /// <summary>What it is, in words: <c>the text "45"</c>.</summary>
     public string InWords => Kind switch
     {
-        JsonTokenType.StartObject => "an object",
-        JsonTokenType.StartArray => "an array",
-        JsonTokenType.String => $"the text {AsWritten}",
+        JsonKind.Object => "an object",
+        JsonKind.Array => "an array",
+        JsonKind.Text => $"the text {AsWritten}",
         _ => AsWritten, // a number, true, false or null
     };
+
+    private string Unescaped()
+    {
+        var reader = new Utf8JsonReader(tree.Text.Utf8[Start..End]);
+        reader.Read();
+        try
+        {
+            return reader.GetString()!;
+        }
+        catch (InvalidOperationException)
+        {
+            return tree.Text.Quote(Start + 1, End - 1);
+        }
+    }
 }

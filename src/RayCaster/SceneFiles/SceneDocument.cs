@@ -10,7 +10,7 @@ internal sealed class SceneDocument(SourceText text, string folder)
 
     private const int LongestMessage = 2000; // a mesh file's path may stand in it, as long as somebody likes
     private readonly List<Finding> findings = [];
-    private readonly Dictionary<string, (MeshData? Mesh, MeshFileException? Refusal)> meshes = [];
+    private Dictionary<string, (MeshData? Mesh, MeshFileException? Refusal)>? meshes; // few scenes name one
 
     /// <summary>How many errors were found so far.</summary>
     public int ErrorCount { get; private set; }
@@ -33,6 +33,7 @@ internal sealed class SceneDocument(SourceText text, string folder)
     /// <summary>The problems in the order of the text.</summary>
     public Problem[] Problems()
     {
+        if (findings.Count == 0) return [];
         // By hand rather than by LINQ, whose first use costs milliseconds; the number keeps the order of problems of one place.
         var order = new (int Start, int Number)[findings.Count];
         for (var i = 0; i < order.Length; i++) order[i] = (findings[i].Start, i);
@@ -53,6 +54,7 @@ internal sealed class SceneDocument(SourceText text, string folder)
     public MeshData Mesh(string file)
     {
         var path = Path.Combine(folder, file.Replace('\\', '/'));
+        meshes ??= [];
         if (!meshes.TryGetValue(path, out var known)) meshes.Add(path, known = Read(path));
         return known.Mesh ?? throw known.Refusal!;
     }
@@ -69,5 +71,5 @@ internal sealed class SceneDocument(SourceText text, string folder)
         }
     }
 
-    private readonly record struct Finding(bool IsError, int Start, int End, string Path, string Message);
+    private sealed record Finding(bool IsError, int Start, int End, string Path, string Message);
 }

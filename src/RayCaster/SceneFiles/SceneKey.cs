@@ -37,20 +37,25 @@ internal sealed record SceneKey(string Name, KeyKind Kind, string Meaning, bool 
 /// <param name="Least">No number is less.</param>
 /// <param name="Most">No number is greater.</param>
 /// <param name="IsOpen">Whether these two are themselves refused.</param>
-/// <param name="Words">How a message says it: "must be …".</param>
-internal sealed record Limits(double Least, double Most, bool IsOpen, string Words)
+internal sealed record Limits(double Least, double Most, bool IsOpen)
 {
-    public static readonly Limits None = new(double.NegativeInfinity, double.PositiveInfinity, false, "a number");
-    public static readonly Limits Positive = new(0, double.PositiveInfinity, true, "greater than 0");
-    public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false, "at least 0");
-    public static readonly Limits NotZero = new(double.NegativeInfinity, double.PositiveInfinity, false, "other than 0") { IsZeroRefused = true };
+    public static readonly Limits None = new(double.NegativeInfinity, double.PositiveInfinity, false) { Words = "a number" };
+    public static readonly Limits Positive = new(0, double.PositiveInfinity, true) { Words = "greater than 0" };
+    public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false) { Words = "at least 0" };
+    public static readonly Limits NotZero = new(double.NegativeInfinity, double.PositiveInfinity, false) { Words = "other than 0", IsZeroRefused = true };
 
     /// <summary>Numbers between two that are refused themselves.</summary>
-    public static Limits Between(double least, double most) =>
-        new(least, most, true, FormattableString.Invariant($"greater than {least} and less than {most}"));
+    public static Limits Between(double least, double most) => new(least, most, true);
 
     /// <summary>Numbers from one to another, both included.</summary>
-    public static Limits From(double least, double most) => new(least, most, false, FormattableString.Invariant($"from {least} to {most}"));
+    public static Limits From(double least, double most) => new(least, most, false);
+
+    /// <summary>How a message says it: "must be …".</summary>
+    public string Words
+    {
+        get => field ?? FormattableString.Invariant(IsOpen ? $"greater than {Least} and less than {Most}" : (FormattableString)$"from {Least} to {Most}");
+        private init;
+    }
 
     /// <summary>Whether 0 is refused although it lies between the limits.</summary>
     public bool IsZeroRefused { get; private init; }

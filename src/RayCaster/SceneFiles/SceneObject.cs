@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text.Json;
 
 namespace RayCaster;
 
@@ -18,27 +17,21 @@ internal sealed class SceneObject
     private readonly SceneDocument? document;
     private readonly JsonValue json;
     private readonly string path;
-    private readonly Dictionary<string, (JsonValue Key, JsonValue Value)> written = [];
-    private readonly List<string> asked = [];
+    private readonly int? index; // in an array of that path
+    private readonly List<string> asked = new(8);
     private readonly List<SceneKey>? described;
     private readonly int errorsBefore;
 
     /// <summary>An object in a text. Notes the keys that stand in it twice; the first counts.</summary>
     /// <param name="document">The scene file.</param>
     /// <param name="json">The object.</param>
-    /// <param name="path">Its path, empty for the scene itself.</param>
-    public SceneObject(SceneDocument document, JsonValue json, string path)
+    /// <param name="path">Its path, empty for the scene itself; of the element of an array that of the array.</param>
+    /// <param name="index">Its place in the array.</param>
+    public SceneObject(SceneDocument document, JsonValue json, string path, int? index)
     {
-        (this.document, this.json, this.path) = (document, json, path);
+        (this.document, this.json, this.path, this.index) = (document, json, path, index);
         errorsBefore = document.ErrorCount;
-        var content = json.Content;
-        for (var i = 0; i < content.Count && !document.IsHopeless; i += 2)
-        {
-            var key = content[i].Text;
-            if (written.TryAdd(key, (content[i], content[i + 1]))) continue;
-            var line = document.Text.LineOf(written[key].Key.Start);
-            Report(true, content[i], PathOf(Shown(key)), $" is given twice; the first is in line {line}");
-        }
+        if (json.MayRepeatKey) RefuseRepeatedKeys(document);
     }
 
     private SceneObject(List<SceneKey> described) => (this.described, path) = (described, "");
@@ -58,11 +51,11 @@ internal sealed class SceneObject
     }
 
     /// <summary>Whether a key is written in the file.</summary>
-    public bool Has(string key) => written.ContainsKey(key);
+    public bool Has(string key) => document is not null && json.Find(key) is not null;
 
     /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>
     public string PathOf(string key, int? element = null) =>
-        (path.Length > 0 ? $"{path}.{key}" : key) + (element is { } i ? $"[{i}]" : "");
+        (path.Length > 0 ? $"{path}{(index is { } place ? $"[{place}]" : "")}.{key}" : key) + (element is { } i ? $"[{i}]" : "");
 
     /// <summary>Any number.</summary>
     public double Number(string key, string meaning, double? orElse = null) => Number(key, meaning, Limits.None, orElse);
@@ -71,17 +64,19 @@ internal sealed class SceneObject
     public double Positive(string key, string meaning, double? orElse = null) => Number(key, meaning, Limits.Positive, orElse);
 
     /// <summary>A number within limits.</summary>
-    public double Number(string key, string meaning, Limits limits, double? orElse = null) =>
-        Take(new(key, KeyKind.Number, meaning, orElse is null, orElse) { Limits = limits }) is { } value
-            ? NumberAt(value, key, null, limits)
-            : orElse ?? double.NaN;
+    public double Number(string key, string meaning, Limits limits, double? orElse = null)
+    {
+        described?.Add(new(key, KeyKind.Number, meaning, orElse is null, orElse) { Limits = limits });
+        return Take(key, meaning, orElse is null) is { } value ? NumberAt(value, key, null, limits) : orElse ?? double.NaN;
+    }
 
     /// <summary>A whole number from <paramref name="least"/> to <paramref name="most"/>; the default in place of an erroneous one.</summary>
     public int Whole(string key, string meaning, int least, int most, int orElse)
     {
         var limits = Limits.From(least, most);
-        if (Take(new(key, KeyKind.Whole, meaning, false, orElse) { Limits = limits }) is not { } value) return orElse;
-        if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
+        described?.Add(new(key, KeyKind.Whole, meaning, false, orElse) { Limits = limits });
+        if (Take(key, meaning, false) is not { } value) return orElse;
+        if (value.Kind == JsonKind.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
         {
             Report(true, value, PathOf(key), $" must be a whole number, but is {value.AsWritten}");
             return orElse;
@@ -91,17 +86,21 @@ internal sealed class SceneObject
     }
 
     /// <summary>Three numbers.</summary>
-    public Vector3 Vector(string key, string meaning, Vector3? orElse = null) =>
-        Take(new(key, KeyKind.Vector, meaning, orElse is null, orElse)) is { } value
+    public Vector3 Vector(string key, string meaning, Vector3? orElse = null)
+    {
+        described?.Add(new(key, KeyKind.Vector, meaning, orElse is null, orElse));
+        return Take(key, meaning, orElse is null) is { } value
             ? VectorAt(value, key, Limits.None, "an array of three numbers [x, y, z]")
             : orElse ?? NoVector;
+    }
 
     /// <summary>A vector of any length but zero.</summary>
     public Vector3 Direction(string key, string meaning, Vector3? orElse = null)
     {
-        if (Take(new(key, KeyKind.Direction, meaning, orElse is null, orElse)) is not { } value) return orElse ?? NoVector;
+        described?.Add(new(key, KeyKind.Direction, meaning, orElse is null, orElse));
+        if (Take(key, meaning, orElse is null) is not { } value) return orElse ?? NoVector;
         var direction = VectorAt(value, key, Limits.None, "an array of three numbers [x, y, z]");
-        if (direction != Vector3.Zero) return direction;
+        if (direction.Length != 0) return direction;
         Report(true, value, PathOf(key), $" must not be {value.AsWritten}: a direction has a length");
         return NoVector;
     }
@@ -109,8 +108,9 @@ internal sealed class SceneObject
     /// <summary>A factor for each axis, or one for all; none of them 0.</summary>
     public Vector3 Factors(string key, string meaning, double orElse)
     {
-        if (Take(new(key, KeyKind.Factors, meaning, false, orElse)) is not { } value) return new(orElse, orElse, orElse);
-        if (value.Kind != JsonTokenType.Number) return VectorAt(value, key, Limits.NotZero, "a number or an array of three numbers [x, y, z]");
+        described?.Add(new(key, KeyKind.Factors, meaning, false, orElse));
+        if (Take(key, meaning, false) is not { } value) return new(orElse, orElse, orElse);
+        if (value.Kind != JsonKind.Number) return VectorAt(value, key, Limits.NotZero, "a number or an array of three numbers [x, y, z]");
         var factor = NumberAt(value, key, null, Limits.NotZero);
         return new(factor, factor, factor);
     }
@@ -118,9 +118,10 @@ internal sealed class SceneObject
     /// <summary>A colour: three numbers of at least 0, or a text like <c>"#ff8800"</c>.</summary>
     public Color Color(string key, string meaning, Color orElse)
     {
-        if (Take(new(key, KeyKind.Color, meaning, false, orElse)) is not { } value) return orElse;
+        described?.Add(new(key, KeyKind.Color, meaning, false, orElse));
+        if (Take(key, meaning, false) is not { } value) return orElse;
         const string What = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
-        if (value.Kind == JsonTokenType.String)
+        if (value.Kind == JsonKind.Text)
         {
             var text = value.Text;
             if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
@@ -136,28 +137,21 @@ internal sealed class SceneObject
     /// <summary>A text that must be there and must not be empty, or null.</summary>
     public string? Text(string key, string meaning)
     {
-        var text = Text(new SceneKey(key, KeyKind.Text, meaning, true));
+        var text = Text(key, meaning, true);
         if (text is not "") return text;
         Refuse(key, $" must not be empty");
         return null;
     }
 
     /// <summary>A text, or null where it is left out.</summary>
-    public string? OptionalText(string key, string meaning) => Text(new SceneKey(key, KeyKind.Text, meaning, false));
+    public string? OptionalText(string key, string meaning) => Text(key, meaning, false);
 
-    /// <summary>One of several words; the first is the default.</summary>
-    public T Choice<T>(string key, string meaning, params (string Word, T Value)[] choices)
-    {
-        var words = Array.ConvertAll(choices, choice => choice.Word);
-        var word = Choice(new SceneKey(key, KeyKind.Choice, meaning, false, words[0]) { Choices = words });
-        foreach (var choice in choices)
-            if (choice.Word == word)
-                return choice.Value;
-        return choices[0].Value;
-    }
+    /// <summary>One of several words; the first where it is left out.</summary>
+    public string OptionalChoice(string key, string meaning, params string[] words) =>
+        Choice(key, meaning, words[0], words) ?? words[0];
 
     /// <summary>One of several words that must be there, or null.</summary>
-    public string? Choice(string key, string meaning, string[] words) => Choice(new SceneKey(key, KeyKind.Choice, meaning, true) { Choices = words });
+    public string? Choice(string key, string meaning, string[] words) => Choice(key, meaning, null, words);
 
     /// <summary>An object, or null where there is none.</summary>
     public SceneObject? Object(string key, string meaning)
@@ -165,37 +159,39 @@ internal sealed class SceneObject
         if (described is not null)
         {
             var describing = Describing(out var members);
-            Take(new(key, KeyKind.Object, meaning, true) { Members = members });
+            described.Add(new(key, KeyKind.Object, meaning, true) { Members = members });
             return describing;
         }
-        if (Take(new(key, KeyKind.Object, meaning, true)) is not { } value) return null;
-        return AsObject(document!, value, PathOf(key), PathOf(key));
+        return Take(key, meaning, true) is { } value ? AsObject(document!, value, PathOf(key)) : null;
     }
 
     /// <summary>An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none.</summary>
     public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
-        if (Take(new(key, KeyKind.Objects, meaning, true)) is not { } value) yield break;
-        if (value.Kind != JsonTokenType.StartArray)
+        described?.Add(new(key, KeyKind.Objects, meaning, true));
+        if (Take(key, meaning, true) is not { } value) yield break;
+        if (value.Kind != JsonKind.Array)
         {
             Report(true, value, PathOf(key), $" must be an array of objects in brackets [ ], but is {value.InWords}");
             yield break;
         }
-        var elements = value.Content;
-        for (var i = 0; i < elements.Count && !document!.IsHopeless; i++)
-            if (AsObject(document!, elements[i], PathOf(key, i), PathOf(key, i)) is { } element)
+        var (elements, whole) = (value.Content, PathOf(key));
+        for (var i = 0; i < elements.Length && !document!.IsHopeless; i++)
+            if (AsObject(document!, elements[i], whole, i) is { } element)
                 yield return element;
     }
 
     /// <summary>An object, or null and a problem.</summary>
     /// <param name="document">The scene file.</param>
     /// <param name="value">What should be an object.</param>
-    /// <param name="path">Its path.</param>
-    /// <param name="name">What a message calls it.</param>
-    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string name)
+    /// <param name="path">Its path, empty for the outermost; of the element of an array that of the array.</param>
+    /// <param name="index">Its place in the array.</param>
+    /// <param name="name">What a message calls it, if not by its path.</param>
+    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, int? index = null, string? name = null)
     {
-        if (value.Kind == JsonTokenType.StartObject) return new(document, value, path);
-        document.Add(true, value.Start, value.End, path, $"{name} must be an object in braces {{ }}, but is {value.InWords}");
+        if (value.Kind == JsonKind.Object) return new(document, value, path, index);
+        if (index is not null) path += $"[{index}]";
+        document.Add(true, value.Start, value.End, path, $"{name ?? path} must be an object in braces {{ }}, but is {value.InWords}");
         return null;
     }
 
@@ -211,12 +207,26 @@ internal sealed class SceneObject
     /// <param name="allowed">Keys that are right although nobody has asked for them.</param>
     public void Close(params IEnumerable<string> allowed)
     {
+        if (document is null) return;
         asked.AddRange(allowed);
-        foreach (var (key, member) in written)
+        if (!json.HasKeyBeyond(asked)) return;
+        var refused = new HashSet<string>(); // each once, though it may be there twice
+        foreach (var key in json.Keys)
         {
-            if (document!.IsHopeless) return;
-            if (asked.Contains(key)) continue;
-            Report(true, member.Key, PathOf(Shown(key)), " is an unknown key" + RightKey(key));
+            if (document.IsHopeless) return;
+            if (asked.Contains(key.Text) || !refused.Add(key.Text)) continue;
+            Report(true, key, PathOf(Shown(key.Text)), " is an unknown key" + RightKey(key.Text));
+        }
+    }
+
+    private void RefuseRepeatedKeys(SceneDocument document)
+    {
+        var lines = new Dictionary<string, int>();
+        foreach (var key in json.Keys)
+        {
+            if (document.IsHopeless) return;
+            if (lines.TryAdd(key.Text, document.Text.LineOf(key.Start))) continue;
+            Report(true, key, PathOf(Shown(key.Text)), $" is given twice; the first is in line {lines[key.Text]}");
         }
     }
 
@@ -226,49 +236,53 @@ internal sealed class SceneObject
     /// <summary>Which key somebody may have meant: first of those that are missing, then of those that are there already.</summary>
     private string RightKey(string wrong)
     {
-        var free = asked.FindAll(known => !written.ContainsKey(known));
+        var free = asked.FindAll(known => !Has(known));
         if (Spelling.DidYouMean(wrong, free) is { Length: > 0 } help) return help;
-        if (Spelling.Nearest(wrong, asked) is { } near && written.TryGetValue(near, out var there))
-            return $"; \"{near}\" is already there, in line {document!.Text.LineOf(there.Key.Start)}";
+        if (Spelling.Nearest(wrong, asked) is { } near && json.FindKey(near) is { } there)
+            return $"; \"{near}\" is already there, in line {document!.Text.LineOf(there.Start)}";
         return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
     }
 
     /// <summary>The value of a key, or null if it is not written, which is a problem where it is required.</summary>
-    private JsonValue? Take(SceneKey key)
+    private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
     {
-        described?.Add(key);
-        asked.Add(key.Name);
-        if (written.TryGetValue(key.Name, out var member)) return member.Value;
-        if (key.IsRequired && document is not null)
-        {
-            var what = key.Choices.Length > 0 ? InWords(key.Choices) : key.Meaning;
-            document.Add(true, json.Start, json.Start + 1, PathOf(key.Name), $"{PathOf(key.Name)} is missing: {what}");
-        }
-        return null;
+        if (document is null) return null;
+        asked.Add(key);
+        var value = json.Find(key);
+        if (value is null && isRequired)
+            document.Add(true, json.Start, json.Start + 1, PathOf(key), $"{PathOf(key)} is missing: {(words is null ? meaning : InWords(words))}");
+        return value;
     }
 
-    private string? Text(SceneKey key)
+    private string? Text(string key, string meaning, bool isRequired)
     {
-        if (Take(key) is not { } value) return null;
-        if (value.Kind == JsonTokenType.String) return value.Text;
-        Report(true, value, PathOf(key.Name), $" must be a text in double quotes, but is {value.InWords}");
-        return null;
+        described?.Add(new(key, KeyKind.Text, meaning, isRequired));
+        return Take(key, meaning, isRequired) is { } value && IsText(value, key) ? value.Text : null;
     }
 
-    private string? Choice(SceneKey key)
+    private bool IsText(JsonValue value, string key)
     {
-        var word = Text(key);
-        if (word is null || Array.IndexOf(key.Choices, word) >= 0) return word;
-        var value = written[key.Name].Value;
-        Report(true, value, PathOf(key.Name), $" must be {InWords(key.Choices)}, but is {value.AsWritten}{Spelling.DidYouMean(word, key.Choices)}");
-        return Spelling.Nearest(word, key.Choices);
+        if (value.Kind == JsonKind.Text) return true;
+        Report(true, value, PathOf(key), $" must be a text in double quotes, but is {value.InWords}");
+        return false;
+    }
+
+    private string? Choice(string key, string meaning, string? orElse, string[] words)
+    {
+        described?.Add(new(key, KeyKind.Choice, meaning, orElse is null, orElse) { Choices = words });
+        if (Take(key, meaning, orElse is null, words) is not { } value || !IsText(value, key)) return null;
+        foreach (var word in words)
+            if (value.Is(word))
+                return word;
+        Report(true, value, PathOf(key), $" must be {InWords(words)}, but is {value.AsWritten}{Spelling.DidYouMean(value.Text, words)}");
+        return Spelling.Nearest(value.Text, words);
     }
 
     private double NumberAt(JsonValue value, string key, int? element, Limits limits)
     {
-        if (value.Kind != JsonTokenType.Number)
+        if (value.Kind != JsonKind.Number)
         {
-            var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
+            var isQuoted = value.Kind == JsonKind.Text && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
             Report(true, value, PathOf(key, element), $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}");
             return double.NaN;
         }
@@ -284,23 +298,22 @@ internal sealed class SceneObject
 
     private Vector3 VectorAt(JsonValue value, string key, Limits limits, string what)
     {
-        if (value.Kind != JsonTokenType.StartArray)
+        if (value.Kind != JsonKind.Array)
         {
             Report(true, value, PathOf(key), $" must be {what}, but is {value.InWords}");
             return NoVector;
         }
+        if (value.IsOfThree(out var x, out var y, out var z))
+            return new(NumberAt(x, key, 0, limits), NumberAt(y, key, 1, limits), NumberAt(z, key, 2, limits));
         var elements = value.Content;
-        if (elements.Count == 3) return new(Element(0), Element(1), Element(2));
-        Report(true, value, PathOf(key), $" must be {what}, but has {elements.Count} element{(elements.Count == 1 ? "" : "s")}{DecimalComma(elements)}");
+        Report(true, value, PathOf(key), $" must be {what}, but has {elements.Length} element{(elements.Length == 1 ? "" : "s")}{DecimalComma(elements)}");
         return NoVector;
-
-        double Element(int i) => NumberAt(elements[i], key, i, limits);
     }
 
     /// <summary>In [2,5, 0, 0] a whole number follows its comma without a blank: somebody may have meant 2.5.</summary>
-    private static string DecimalComma(List<JsonValue> elements)
+    private static string DecimalComma(JsonValue[] elements)
     {
-        for (var i = 1; i < elements.Count && elements.Count > 3; i++)
+        for (var i = 1; i < elements.Length && elements.Length > 3; i++)
         {
             var (whole, fraction) = (elements[i - 1], elements[i]);
             if (fraction.Start == whole.End + 1 && IsWhole(whole) && IsWhole(fraction) && fraction.Number >= 0)
@@ -308,13 +321,13 @@ internal sealed class SceneObject
         }
         return "";
 
-        static bool IsWhole(JsonValue value) => value.Kind == JsonTokenType.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
+        static bool IsWhole(JsonValue value) => value.Kind == JsonKind.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
     }
 
     private JsonValue? Place(string key, int? element)
     {
-        if (!written.TryGetValue(key, out var member)) return null;
-        return element is { } i && member.Value.Kind == JsonTokenType.StartArray ? member.Value.Content[i] : member.Value;
+        if (document is null || json.Find(key) is not { } value) return null;
+        return element is { } i && value.Kind == JsonKind.Array ? value.Content[i] : value;
     }
 
     /// <summary>Notes a problem; where there is no value at the object's opening brace.</summary>

@@ -12,14 +12,13 @@ public static class SceneReader
     {
         try
         {
-            if (!File.Exists(path)) return Unreadable(path, NotFound(path));
-            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
             return Read(file, path, Path.GetDirectoryName(path) ?? "");
         }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException || (e is ArgumentException && !File.Exists(path)))
         {
-            return Unreadable(path, $"the scene file cannot be read: {e.Message}");
+            return Unreadable(path, File.Exists(path) ? $"the scene file cannot be read: {e.Message}" : NotFound(path));
         }
     }
 
@@ -79,7 +78,7 @@ public static class SceneReader
             document.Add(true, encoding.Start, encoding.End, "", encoding.Message);
             return null;
         }
-        if (JsonTree.Parse(document.Text, out var mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name);
+        if (JsonTree.Parse(document.Text, out var mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name: name);
         document.Add(true, mistake.Start, mistake.End, "", mistake.Message);
         return null;
     }
@@ -110,10 +109,10 @@ public static class SceneReader
         var zNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, 0.01);
         var zFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", 100);
         var bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, 1e-6);
-        var clip = o.Choice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
-            ("depth", Clip.Depth), ("distance", Clip.Distance));
-        var sample = o.Choice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
-            ("corner", Sample.Corner), ("center", Sample.Center));
+        var clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+            "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth;
+        var sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+            "corner", "center") == "center" ? Sample.Center : Sample.Corner;
         o.Close();
 
         var view = target - position;

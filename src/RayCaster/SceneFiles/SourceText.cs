@@ -1,4 +1,5 @@
 using System.Buffers;
+using System.Runtime.InteropServices;
 using System.Text;
 
 namespace RayCaster;
@@ -9,6 +10,7 @@ namespace RayCaster;
 internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 {
     private const int LongestExcerpt = 120;
+    private readonly ArraySegment<byte> bytes = MemoryMarshal.TryGetArray(utf8, out var array) ? array : utf8.ToArray();
     private int[]? lineStarts;
     private (int Offset, int Column) last = (0, 1); // the place asked for last: of a long line with many problems only the way from there is walked
 
@@ -16,7 +18,7 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
     public string Name => name;
 
     /// <summary>The text.</summary>
-    public ReadOnlySpan<byte> Utf8 => utf8.Span;
+    public ReadOnlySpan<byte> Utf8 => new(bytes.Array, bytes.Offset, bytes.Count);
 
     /// <summary>A part of the text as written, shortened if it is long.</summary>
     public string Quote(int start, int end)

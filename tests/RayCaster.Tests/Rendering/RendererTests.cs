@@ -39,17 +39,22 @@ public class RendererTests
     }
 
     [Theory]
-    [InlineData(1, 1)]
-    [InlineData(1, 3000)]
-    [InlineData(3000, 1)]
-    [InlineData(65, 3)]
-    public void PicturesOfAnyShapeAreDrawnInParts(int width, int height)
+    [InlineData(1, 1, true)]
+    [InlineData(1, 3000, true)]
+    [InlineData(3000, 1, true)]
+    [InlineData(65, 3, true)]
+    [InlineData(65, 130, true)]
+    [InlineData(1, 1, false)]
+    [InlineData(1, 3000, false)]
+    [InlineData(3000, 1, false)]
+    [InlineData(65, 3, false)]
+    public void PicturesOfAnyShapeAreDrawnInParts(int width, int height, bool mayBeSmall)
     {
         var scene = RandomScene.Make(new Random(5));
         scene = scene with { Camera = scene.Camera.WithSize(width, height) };
         var bytes = new List<byte>();
         var lines = 0;
-        new Renderer(scene).Draw(part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
+        new Renderer(scene) { MayBeSmall = mayBeSmall }.Draw(part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, bytes);
         Assert.Equal(height, lines);
     }
@@ -76,9 +81,11 @@ public class RendererTests
     }
 
     [Theory]
-    [InlineData(1)]
-    [InlineData(2)]
-    public void SomeLinesAreThoseOfTheWholePicture(int seed)
+    [InlineData(1, true)]
+    [InlineData(2, true)]
+    [InlineData(1, false)]
+    [InlineData(2, false)]
+    public void SomeLinesAreThoseOfTheWholePicture(int seed, bool mayBeSmall)
     {
         var random = new Random(seed);
         for (var i = 0; i < 40; i++)
@@ -89,7 +96,7 @@ public class RendererTests
             var first = random.Next(height);
             var lines = new LineRange(first, random.Next(first, height));
             var bytes = new List<byte>();
-            new Renderer(scene).Draw(lines, part => bytes.AddRange(part));
+            new Renderer(scene) { MayBeSmall = mayBeSmall }.Draw(lines, part => bytes.AddRange(part));
             Assert.Equal(whole[(3 * width * first)..(3 * width * (lines.Last + 1))], bytes);
         }
     }
@@ -153,12 +160,14 @@ public class RendererTests
         Assert.Equal((byte)0, Renderer.Render(With(blue, red))[4, 4].R);
     }
 
-    [Fact]
-    public void CancellingStopsTheWork()
+    [Theory]
+    [InlineData(500, 100000)]
+    [InlineData(10, 200)]
+    public void CancellingStopsTheWork(int width, int height)
     {
         var scene = RandomScene.Make(new Random(5));
         using var cancellation = new CancellationTokenSource();
-        var renderer = new Renderer(scene with { Camera = scene.Camera.WithSize(500, 100000) });
+        var renderer = new Renderer(scene with { Camera = scene.Camera.WithSize(width, height) });
         Assert.Throws<OperationCanceledException>(() => renderer.Draw(_ => cancellation.Cancel(), null, cancellation.Token));
     }
 

@@ -11,13 +11,19 @@ internal sealed class SpanShader
     private readonly Color[] colors; // the background, then the models
     private readonly RoughShader? rough;
 
-    public SpanShader(Frame frame)
+    public SpanShader(Frame frame) : this(frame.Scene, frame.IsLong)
     {
-        scene = frame.Scene;
+    }
+
+    /// <param name="scene">What is drawn.</param>
+    /// <param name="isLong">Whether there are pixels enough that rough kernels pay.</param>
+    public SpanShader(Scene scene, bool isLong)
+    {
+        this.scene = scene;
         colors = new Color[scene.Models.Count + 1];
         colors[0] = scene.Background;
         for (var i = 1; i < colors.Length; i++) colors[i] = scene.Models[i - 1].Color;
-        rough = frame.IsLong ? RoughShader.For(scene, colors) : null;
+        rough = isLong ? RoughShader.For(scene, colors) : null;
     }
 
     /// <summary>Writes the pixels of a span.</summary>

@@ -4,61 +4,59 @@ using System.Runtime.Intrinsics;
 namespace RayCaster;
 
 /// <summary>Eight doubles: a <see cref="Packet"/> for machines that compute with eight at once.</summary>
-/// <param name="lanes">The numbers; as a mask all bits of a lane set for true, none for false.</param>
-[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly struct WidePacket(Vector512<double> lanes) : IPacket<WidePacket>
+internal struct WidePacket : IPacket<WidePacket>
 {
-    public readonly Vector512<double> Lanes = lanes;
+    public Vector512<double> Lanes;
 
     public static int Count => Vector512<double>.Count;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static implicit operator WidePacket(double value) => new(Vector512.Create(value));
+    public static implicit operator WidePacket(double value) => new() { Lanes = Vector512.Create(value) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator +(WidePacket a, WidePacket b) => new(a.Lanes + b.Lanes);
+    public static WidePacket operator +(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes + b.Lanes };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator -(WidePacket a, WidePacket b) => new(a.Lanes - b.Lanes);
+    public static WidePacket operator -(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes - b.Lanes };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator -(WidePacket a) => new(-a.Lanes);
+    public static WidePacket operator -(WidePacket a) => new() { Lanes = -a.Lanes };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator *(WidePacket a, WidePacket b) => new(a.Lanes * b.Lanes);
+    public static WidePacket operator *(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes * b.Lanes };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator /(WidePacket a, WidePacket b) => new(a.Lanes / b.Lanes);
+    public static WidePacket operator /(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes / b.Lanes };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator <(WidePacket a, WidePacket b) => new(Vector512.LessThan(a.Lanes, b.Lanes));
+    public static WidePacket operator <(WidePacket a, WidePacket b) => new() { Lanes = Vector512.LessThan(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator >(WidePacket a, WidePacket b) => new(Vector512.GreaterThan(a.Lanes, b.Lanes));
+    public static WidePacket operator >(WidePacket a, WidePacket b) => new() { Lanes = Vector512.GreaterThan(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator <=(WidePacket a, WidePacket b) => new(Vector512.LessThanOrEqual(a.Lanes, b.Lanes));
+    public static WidePacket operator <=(WidePacket a, WidePacket b) => new() { Lanes = Vector512.LessThanOrEqual(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator >=(WidePacket a, WidePacket b) => new(Vector512.GreaterThanOrEqual(a.Lanes, b.Lanes));
+    public static WidePacket operator >=(WidePacket a, WidePacket b) => new() { Lanes = Vector512.GreaterThanOrEqual(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator &(WidePacket a, WidePacket b) => new(a.Lanes & b.Lanes);
+    public static WidePacket operator &(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes & b.Lanes };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator |(WidePacket a, WidePacket b) => new(a.Lanes | b.Lanes);
+    public static WidePacket operator |(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes | b.Lanes };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Sqrt(WidePacket x) => new(Vector512.Sqrt(x.Lanes));
+    public static WidePacket Sqrt(WidePacket x) => new() { Lanes = Vector512.Sqrt(x.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Min(WidePacket a, WidePacket b) => new(Vector512.Min(a.Lanes, b.Lanes));
+    public static WidePacket Min(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Min(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Max(WidePacket a, WidePacket b) => new(Vector512.Max(a.Lanes, b.Lanes));
+    public static WidePacket Max(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Max(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) => new(Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes));
+    public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) => new() { Lanes = Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
     public static WidePacket If(WidePacket mask, WidePacket value) => Select(mask, value, double.NaN);
@@ -67,7 +65,7 @@ internal readonly struct WidePacket(Vector512<double> lanes) : IPacket<WidePacke
     public static Vector3<WidePacket> Divide(Vector3<WidePacket> a, WidePacket b) => new(a.X / b, a.Y / b, a.Z / b);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Equal(WidePacket a, WidePacket b) => new(Vector512.Equals(a.Lanes, b.Lanes));
+    public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool All(WidePacket mask) => mask.Lanes.ExtractMostSignificantBits() == (1UL << Vector512<double>.Count) - 1;
@@ -76,18 +74,18 @@ internal readonly struct WidePacket(Vector512<double> lanes) : IPacket<WidePacke
     public static uint Bits(WidePacket mask) => (uint)mask.Lanes.ExtractMostSignificantBits();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static double Greatest(WidePacket a) => Packet.Greatest(new(Vector256.Max(a.Lanes.GetLower(), a.Lanes.GetUpper())));
+    public static double Greatest(WidePacket a) => Packet.Greatest(new() { Lanes = Vector256.Max(a.Lanes.GetLower(), a.Lanes.GetUpper()) });
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Sequence(int first) => new(Vector512.Create((double)first) + Vector512.Create(0.0, 1, 2, 3, 4, 5, 6, 7));
+    public static WidePacket Sequence(int first) => new() { Lanes = Vector512.Create((double)first) + Vector512.Create(0.0, 1, 2, 3, 4, 5, 6, 7) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Load(double[] numbers, int first) => new(Vector512.LoadUnsafe(ref numbers[first]));
+    public static WidePacket Load(double[] numbers, int first) => new() { Lanes = Vector512.LoadUnsafe(ref numbers[first]) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<WidePacket> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner) =>
         RayCaster.Lanes.Gather(vertices, indices, ref triangle, corner);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
+    public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
 }
