@@ -13,7 +13,7 @@ internal sealed class SmallPicture(Scene scene)
     /// How many rays times models make a picture large. A million take a millisecond; the start of threads, tiles and intervals costs 40 milliseconds of
     /// processor time.
     /// </summary>
-    private const long Large = 16_000_000;
+    private const long Large = 32_000_000;
 
     private readonly ModelView[] views = new ModelView[scene.Models.Count];
     private readonly RaySpan span = new(scene.Camera);

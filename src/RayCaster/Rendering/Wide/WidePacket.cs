@@ -8,6 +8,9 @@ internal struct WidePacket : IPacket<WidePacket>
 {
     public Vector512<double> Lanes;
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public WidePacket(Vector512<double> lanes) => Lanes = lanes;
+
     public static int Count => Vector512<double>.Count;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
