@@ -42,6 +42,9 @@ public sealed class HitMap(int width, int height) : ISpanSink
         FillModels(covered.Part, index);
     }
 
+    /// <inheritdoc/>
+    bool ISpanSink.TryTake(in Tile tile, ModelView view, int index) => false;
+
     private void FillModels(in Tile part, int index)
     {
         for (var row = part.Row; row < part.EndRow; row++) Model.AsSpan(PlaceOf(part.Column, row), part.Width).Fill(index);

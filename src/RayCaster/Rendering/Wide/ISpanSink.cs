@@ -14,4 +14,10 @@ internal interface ISpanSink
     /// <param name="view">The model's view, which is a covering one.</param>
     /// <param name="index">The model's place in the scene.</param>
     void TakeCover(CoveredPart covered, ModelView view, int index);
+
+    /// <summary>Is offered a tile in which one model alone may show; whether it takes it without the hits.</summary>
+    /// <param name="tile">The tile.</param>
+    /// <param name="view">The model's view, which has come to the tile.</param>
+    /// <param name="index">The model's place in the scene.</param>
+    bool TryTake(in Tile tile, ModelView view, int index);
 }

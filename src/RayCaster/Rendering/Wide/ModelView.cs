@@ -41,6 +41,18 @@ internal interface ICoveringView
     bool Paint(RoughPainter painter, in Tile part, int index, byte[] rgb, int first, int step);
 }
 
+/// <summary>A view that can paint a tile in which nothing but its model may show, mostly without asking where exactly the rays hit it.</summary>
+internal interface IPaintingView
+{
+    /// <summary>Writes the bytes of the tile that was entered last; false if it does not suit.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="index">The model's place in it.</param>
+    /// <param name="rgb">Room for the bytes.</param>
+    /// <param name="first">The place of the lowest row's first pixel.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    bool Paint(Scene scene, int index, byte[] rgb, int first, int step);
+}
+
 /// <summary>Where the hits of a model in a tile lie.</summary>
 /// <param name="Least">No hit is nearer; +∞ if there is none.</param>
 /// <param name="Cover">Every pixel of the tile surely has a hit that is not farther; +∞ if that is not sure.</param>

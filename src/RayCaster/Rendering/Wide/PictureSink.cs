@@ -31,6 +31,10 @@ internal sealed class PictureSink(SpanShader shader, byte[] rgb, int width, int 
         }
     }
 
+    /// <inheritdoc/>
+    public bool TryTake(in Tile tile, ModelView view, int index) =>
+        view is IPaintingView painting && painting.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
+
     private void TakeRows<N>(RaySpan span, in Tile part, ModelView view, int index) where N : struct, IPacket<N>
     {
         span.Enter<N>(part.Column, part.Width);

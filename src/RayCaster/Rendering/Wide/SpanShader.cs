@@ -7,7 +7,6 @@ namespace RayCaster;
 /// <summary>Turns the hits of spans into bytes: the formulas of <see cref="Scene.Shade"/> and <see cref="Color.ToBytes"/> for four pixels at once.</summary>
 internal sealed class SpanShader
 {
-    private readonly Scene scene;
     private readonly Color[] colors; // the background, then the models
     private readonly RoughShader? rough;
 
@@ -19,12 +18,15 @@ internal sealed class SpanShader
     /// <param name="isLong">Whether there are pixels enough that rough kernels pay.</param>
     public SpanShader(Scene scene, bool isLong)
     {
-        this.scene = scene;
+        Scene = scene;
         colors = new Color[scene.Models.Count + 1];
         colors[0] = scene.Background;
         for (var i = 1; i < colors.Length; i++) colors[i] = scene.Models[i - 1].Color;
         rough = isLong ? RoughShader.For(scene, colors) : null;
     }
+
+    /// <summary>What is drawn.</summary>
+    public Scene Scene { get; }
 
     /// <summary>Writes the pixels of a span.</summary>
     /// <param name="span">The hits.</param>
@@ -52,7 +54,7 @@ internal sealed class SpanShader
         {
             var models = span.ModelsAt<Packet>(i);
             var isMiss = models < 0;
-            var attenuation = Packet.Select(isMiss, 1, scene.Attenuation(span.NearestAt<Packet>(i))); // 1 leaves the background as it is
+            var attenuation = Packet.Select(isMiss, 1, Scene.Attenuation(span.NearestAt<Packet>(i))); // 1 leaves the background as it is
             ref var a = ref colors[(int)models.Lanes[0] + 1];
             Packet r = a.R, g = a.G, b = a.B;
             if (!Packet.All(Packet.Equal(models, models.Lanes[0])))
@@ -86,7 +88,7 @@ internal sealed class SpanShader
     /// <param name="rgb">Room for three bytes a pixel.</param>
     public void ShadeMiss(Span<byte> rgb)
     {
-        var (r, g, b) = scene.Background.ToBytes();
+        var (r, g, b) = Scene.Background.ToBytes();
         for (var i = 0; i + 2 < rgb.Length; i += 3) (rgb[i], rgb[i + 1], rgb[i + 2]) = (r, g, b);
     }
 

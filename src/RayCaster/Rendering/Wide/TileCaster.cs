@@ -74,7 +74,7 @@ internal sealed class TileCaster
         }
         DropHidden(list, cover);
         if (crowd?.IsFor(tile) == true) crowd.Cast(tile, list.Count > 0 ? Meet : null, sink);
-        else Descend(tile, list, 1);
+        else if (!(frame.IsLong && list.Count == 1 && sink.TryTake(tile, views[list[0].Index], places[list[0].Index]))) Descend(tile, list, 1);
 
         void Meet(RaySpan span)
         {

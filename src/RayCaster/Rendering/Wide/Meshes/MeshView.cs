@@ -5,7 +5,7 @@ namespace RayCaster;
 /// each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and where, the
 /// triangle's formula decides.
 /// </summary>
-internal sealed class MeshView : ModelView
+internal sealed class MeshView : ModelView, IPaintingView
 {
     private readonly ScreenSpace screen;
     private readonly Vector3[] vertices;
@@ -13,6 +13,7 @@ internal sealed class MeshView : ModelView
     private readonly ScreenTriangles[] sets = []; // the triangles, and the pieces of those that had to be clipped
     private readonly Hierarchy? hard;             // over those for which the filter knows nothing
     private readonly TileFilter? filter;          // one thread's
+    private MeshPainter? painter;
 
     /// <param name="vertices">The corners.</param>
     /// <param name="indices">Three for each triangle.</param>
@@ -67,6 +68,14 @@ internal sealed class MeshView : ModelView
         if (sets.Length > 0) filter!.Meet(span, index);
         if (hard is null) return;
         for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), index);
+    }
+
+    /// <inheritdoc/>
+    public bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
+    {
+        if (hard is not null) return false;
+        painter ??= new(screen, scene, index);
+        return painter.IsSupported && filter!.Paint(painter, rgb, first, step);
     }
 
     private static Tile ExtentOf((int Left, int Right, int Bottom, int Top) a, (int Left, int Right, int Bottom, int Top) b)

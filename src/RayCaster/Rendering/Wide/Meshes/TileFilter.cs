@@ -107,6 +107,21 @@ internal sealed class TileFilter
         }
     }
 
+    /// <summary>Writes the bytes of the tile, in which nothing but the mesh may show; false if its width does not suit.</summary>
+    public bool Paint(MeshPainter painter, byte[] rgb, int first, int step)
+    {
+        if (tile.Width % RoughPacket.Count != 0) return false;
+        painter.Paint(tile, covered, front, hasDecided ? decided : null, rgb, first, step);
+        foreach (var pixel in painter.Doubts.Items)
+        {
+            if (!hasDecided) decided[pixel] = double.PositiveInfinity;
+            if (front[pixel] > 0) exact.Add(tile.Column + pixel % Stride, tile.Row + pixel / Stride, proposed[pixel], pixel, decided, covered);
+        }
+        exact.Flush(decided, covered);
+        foreach (var pixel in painter.Doubts.Items) painter.Write(pixel, decided[pixel]);
+        return true;
+    }
+
     private static float MeanW(ScreenTriangles set, in Tile tile, int side)
     {
         const int Samples = 8;
