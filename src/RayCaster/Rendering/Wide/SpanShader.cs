@@ -8,6 +8,7 @@ namespace RayCaster;
 internal sealed class SpanShader
 {
     private readonly Color[] colors; // the background, then the models
+    private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
     private readonly RoughShader? rough;
 
     public SpanShader(Frame frame) : this(frame.Scene, frame.IsLong)
@@ -22,6 +23,8 @@ internal sealed class SpanShader
         colors = new Color[scene.Models.Count + 1];
         colors[0] = scene.Background;
         for (var i = 1; i < colors.Length; i++) colors[i] = scene.Models[i - 1].Color;
+        var (r, g, b) = scene.Background.ToBytes();
+        for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
         rough = isLong ? RoughShader.For(scene, colors) : null;
     }
 
@@ -88,8 +91,8 @@ internal sealed class SpanShader
     /// <param name="rgb">Room for three bytes a pixel.</param>
     public void ShadeMiss(Span<byte> rgb)
     {
-        var (r, g, b) = Scene.Background.ToBytes();
-        for (var i = 0; i + 2 < rgb.Length; i += 3) (rgb[i], rgb[i + 1], rgb[i + 2]) = (r, g, b);
+        for (; rgb.Length > missed.Length; rgb = rgb[missed.Length..]) missed.CopyTo(rgb);
+        missed.AsSpan(0, rgb.Length).CopyTo(rgb);
     }
 
     /// <summary>The bytes of a channel of four pixels, each in an int.</summary>

@@ -22,7 +22,6 @@ internal sealed class MeshPainter
     private readonly ScreenSpace screen;
     private readonly Model model;
     private readonly Vector512<int> background;
-    private readonly double error;
     private readonly float[] squares = new float[Tile.MaxSide]; // of the columns' slopes
     private readonly ulong[] doubts = new ulong[Tile.MaxSide * Tile.MaxSide / RoughPacket.Count]; // of each packet
     private Tile tile;
@@ -40,18 +39,21 @@ internal sealed class MeshPainter
         // Beyond this t there is no light, whatever the rounding.
         var most = 2 * scene.Camera.Reach;
         var light = scene.Attenuation(new Rounded(new(0, most), most * Roundings));
-        error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + RoughBytes.RoundingOfTheEnds;
+        Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + RoughBytes.RoundingOfTheEnds;
         // Floats hold any t that matters. U, V and W are at right angles up to some 1e-16 times the slope of a ray.
-        IsSupported = RoughBytes.IsSupported && error < MostError && screen.Unit is > 1e-30 and < 1e30 && screen.LongestT < 1e4;
+        IsSupported = RoughBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30 && screen.LongestT < 1e4;
     }
 
     /// <summary>Whether machine and scene suit it.</summary>
     public bool IsSupported { get; }
 
+    /// <summary>How far a level may be from the one that doubles give for the same w.</summary>
+    public double Error { get; init; }
+
     /// <summary>The pixels that the last painting left in doubt, by their places in the tile.</summary>
     public GrowingArray<int> Doubts { get; } = new();
 
-    /// <summary>Writes the bytes of a tile whose rows are rows of whole packets.</summary>
+    /// <summary>Writes the bytes of a tile.</summary>
     /// <param name="tile">The tile.</param>
     /// <param name="covered">The least w that a pixel's hit may have, row by row of <see cref="TileFilter.Stride"/>.</param>
     /// <param name="front">The greatest; 0 where there is no hit.</param>
@@ -66,7 +68,7 @@ internal sealed class MeshPainter
         Paint(covered, front, decided);
 
         Doubts.Clear();
-        var packets = tile.Width / RoughPacket.Count;
+        var packets = (tile.Width + RoughPacket.Count - 1) / RoughPacket.Count;
         for (var i = 0; i < packets * tile.Height; i++)
         {
             for (var lanes = doubts[i]; lanes != 0; lanes &= lanes - 1)
@@ -89,7 +91,7 @@ internal sealed class MeshPainter
     private void Paint(float[] covered, float[] front, double[]? decided)
     {
         RoughPacket red = model.Color.R, green = model.Color.G, blue = model.Color.B;
-        var (unit, slack) = (Vector512.Create((float)screen.Unit), Vector512.Create((float)error));
+        var (unit, slack) = (Vector512.Create((float)screen.Unit), Vector512.Create((float)Error));
         var packet = 0;
         for (var row = 0; row < tile.Height; row++)
         {
@@ -105,7 +107,9 @@ internal sealed class MeshPainter
                 var least = RoughBytes.Packed(r.Upper - slack, g.Upper - slack, b.Upper - slack);
                 var most = RoughBytes.Packed(r.Lower + slack, g.Lower + slack, b.Lower + slack);
                 var isMiss = Vector512.Equals(ends.Lower, Vector512<float>.Zero).AsInt32();
-                RoughBytes.Store(Vector512.ConditionalSelect(isMiss, background, least), ref Unsafe.Add(ref to, 3 * i));
+                var pixels = Vector512.ConditionalSelect(isMiss, background, least);
+                if (i + RoughPacket.Count <= tile.Width) RoughBytes.Store(pixels, ref Unsafe.Add(ref to, 3 * i));
+                else StoreTail(pixels, rgb.AsSpan(first + row * step + 3 * i, 3 * (tile.Width - i)));
 
                 var doubt = (Vector512.Equals(least, most) | isMiss).ExtractMostSignificantBits() ^ RoughBytes.AllLanes;
                 if (decided is not null)
@@ -113,6 +117,15 @@ internal sealed class MeshPainter
                 doubts[packet] = doubt;
             }
         }
+    }
+
+    /// <summary>Stores the first pixels of a packet that reaches beyond the tile, where the filter knows of no hits.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static void StoreTail(in Vector512<int> pixels, Span<byte> rgb)
+    {
+        Span<byte> bytes = stackalloc byte[3 * RoughPacket.Count];
+        RoughBytes.Store(pixels, ref bytes[0]);
+        bytes[..rgb.Length].CopyTo(rgb);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

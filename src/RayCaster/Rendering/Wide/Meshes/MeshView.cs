@@ -75,7 +75,8 @@ internal sealed class MeshView : ModelView, IPaintingView
     {
         if (hard is not null) return false;
         painter ??= new(screen, scene, index);
-        return painter.IsSupported && filter!.Paint(painter, rgb, first, step);
+        if (painter.IsSupported) filter!.Paint(painter, rgb, first, step);
+        return painter.IsSupported;
     }
 
     private static Tile ExtentOf((int Left, int Right, int Bottom, int Top) a, (int Left, int Right, int Bottom, int Top) b)

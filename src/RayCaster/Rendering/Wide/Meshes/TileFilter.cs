@@ -107,10 +107,9 @@ internal sealed class TileFilter
         }
     }
 
-    /// <summary>Writes the bytes of the tile, in which nothing but the mesh may show; false if its width does not suit.</summary>
-    public bool Paint(MeshPainter painter, byte[] rgb, int first, int step)
+    /// <summary>Writes the bytes of the tile, in which nothing but the mesh may show.</summary>
+    public void Paint(MeshPainter painter, byte[] rgb, int first, int step)
     {
-        if (tile.Width % RoughPacket.Count != 0) return false;
         painter.Paint(tile, covered, front, hasDecided ? decided : null, rgb, first, step);
         foreach (var pixel in painter.Doubts.Items)
         {
@@ -119,7 +118,6 @@ internal sealed class TileFilter
         }
         exact.Flush(decided, covered);
         foreach (var pixel in painter.Doubts.Items) painter.Write(pixel, decided[pixel]);
-        return true;
     }
 
     private static float MeanW(ScreenTriangles set, in Tile tile, int side)
