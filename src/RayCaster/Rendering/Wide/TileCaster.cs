@@ -74,12 +74,20 @@ internal sealed class TileCaster
         }
         DropHidden(list, cover);
         if (crowd?.IsFor(tile) == true) crowd.Cast(tile, list.Count > 0 ? Meet : null, sink);
-        else if (!(frame.IsLong && list.Count == 1 && sink.TryTake(tile, views[list[0].Index], places[list[0].Index]))) Descend(tile, list, 1);
+        else if (list.Count == 1 && views[list[0].Index] is IPaintingView) CastAlone(tile, list);
+        else Descend(tile, list, 1);
 
         void Meet(RaySpan span)
         {
             foreach (var candidate in list) views[candidate.Index].Meet(span, places[candidate.Index]);
         }
+    }
+
+    /// <summary>Casts a tile in which one model alone may show, of which halving the tile would tell no more.</summary>
+    private void CastAlone(in Tile tile, List<Candidate> list)
+    {
+        var only = list[0].Index;
+        if (!(frame.IsLong && sink.TryTake(tile, views[only], places[only]))) CastRows(tile, list);
     }
 
     /// <summary>Casts a part whose models are known.</summary>
