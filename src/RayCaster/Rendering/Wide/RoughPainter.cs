@@ -27,6 +27,7 @@ internal sealed class RoughPainter(Frame frame)
 
     /// <summary>Writes a part's bytes, if its width is one of whole packets and the error is small enough.</summary>
     /// <param name="part">The part, whose pixels' nearest hits are all on the shape.</param>
+    /// <param name="isNear">Whether each is surely the shape's first crossing.</param>
     /// <param name="shape">The shape.</param>
     /// <param name="view">Its view, for the pixels in doubt.</param>
     /// <param name="index">Its model's place in the scene.</param>
@@ -34,7 +35,7 @@ internal sealed class RoughPainter(Frame frame)
     /// <param name="first">The place of the lowest row's first pixel.</param>
     /// <param name="step">From a pixel's place to that of the one above it.</param>
     /// <typeparam name="P">The kind of shape.</typeparam>
-    public bool Paint<P>(in Tile part, in P shape, ModelView view, int index, byte[] rgb, int first, int step) where P : struct, IPrimitive
+    public bool Paint<P>(in Tile part, bool isNear, in P shape, ModelView view, int index, byte[] rgb, int first, int step) where P : struct, IPrimitive
     {
         if (part.Width % RoughPacket.Count != 0) return false;
         this.part = part;
@@ -47,7 +48,7 @@ internal sealed class RoughPainter(Frame frame)
             var across = camera.Across<Scalar>(part.Column + i);
             (acrossX[i], acrossY[i], acrossZ[i]) = ((float)across.X, (float)across.Y, (float)across.Z);
         }
-        if (Paint(shape, color, error, rgb, first, step)) return true;
+        if (Paint(shape, isNear, color, error, rgb, first, step)) return true;
 
         for (var i = 0; i < part.Area / RoughPacket.Count; i++)
         {
@@ -94,7 +95,7 @@ internal sealed class RoughPainter(Frame frame)
 
     /// <summary>Paints it all and notes which pixels are in doubt; whether none is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private bool Paint<P>(P shape, Color color, double error, byte[] rgb, int first, int step) where P : struct, IPrimitive
+    private bool Paint<P>(P shape, bool isNear, Color color, double error, byte[] rgb, int first, int step) where P : struct, IPrimitive
     {
         Vector3<RoughPacket> origin = camera.Position;
         RoughPacket red = color.R, green = color.G, blue = color.B, slack = error;
@@ -111,7 +112,8 @@ internal sealed class RoughPainter(Frame frame)
                 var at = i * RoughPacket.Count;
                 var across = new Vector3<RoughPacket>(Load(acrossX, at), Load(acrossY, at), Load(acrossZ, at));
                 var direction = camera.Direction(across, upwards);
-                var hit = camera.ClipRange.First(shape.Cross(new Ray<RoughPacket>(origin, direction)), camera.ZPerT(direction));
+                var crossings = shape.Cross(new Ray<RoughPacket>(origin, direction));
+                var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
                 var attenuation = scene.Attenuation(hit);
                 var (r, g, b) = (Color.Level(attenuation * red), Color.Level(attenuation * green), Color.Level(attenuation * blue));
                 var (leastR, leastG, leastB) = (r - slack, g - slack, b - slack);
