@@ -17,8 +17,9 @@ internal sealed class RoughPainter(Frame frame)
 
     private readonly Scene scene = frame.Scene;
     private readonly Camera camera = frame.Scene.Camera;
-    private readonly Vector3 directionError = DirectionError(frame.Scene.Camera);
-    private readonly (Tile Strip, int Index, double Error)[] knownErrors = new (Tile, int, double)[8];
+    private Tile strip; // that of the part
+    private Vector3 directionError; // in the strip
+    private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
     private readonly SpanShader shader = new(frame);
     private readonly RaySpan span = new(frame.Scene.Camera);
     private readonly float[] acrossX = new float[Tile.MaxStrip], acrossY = new float[Tile.MaxStrip], acrossZ = new float[Tile.MaxStrip];
@@ -66,9 +67,15 @@ internal sealed class RoughPainter(Frame frame)
     /// <remarks>A bound for the whole strip is mostly good enough, and then serves other parts of it, too.</remarks>
     private double Error<P>(in P shape, int index, double channel) where P : struct, IPrimitive
     {
-        var strip = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
+        var current = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
+        if (strip != current)
+        {
+            strip = current;
+            directionError = DirectionError();
+            Array.Fill(knownErrors, (-1, 0));
+        }
         ref var known = ref knownErrors[index % knownErrors.Length];
-        if (known.Strip != strip || known.Index != index) known = (strip, index, Error(strip, shape, channel));
+        if (known.Index != index) known = (index, Error(strip, shape, channel));
         return known.Error < GoodError ? known.Error : Error(part, shape, channel);
     }
 
@@ -82,11 +89,11 @@ internal sealed class RoughPainter(Frame frame)
         return Color.Level(scene.Attenuation(hit) * channel).Error + RoughBytes.RoundingOfTheEnds;
     }
 
-    /// <summary>How far the direction of any ray may be from the one in doubles.</summary>
-    private static Vector3 DirectionError(Camera camera)
+    /// <summary>How far the direction of any ray of the strip may be from the one in doubles.</summary>
+    private Vector3 DirectionError()
     {
-        var across = camera.Across(new Interval<Scalar>(0, camera.Width - 1));
-        var upwards = camera.Upwards(new Interval<Scalar>(0, camera.Height - 1));
+        var across = camera.Across(new Interval<Scalar>(strip.Column, strip.EndColumn - 1));
+        var upwards = camera.Upwards(new Interval<Scalar>(strip.Row, strip.EndRow - 1));
         var direction = camera.Direction(Rough(across), Rough(upwards));
         return new(direction.X.Error, direction.Y.Error, direction.Z.Error);
 
