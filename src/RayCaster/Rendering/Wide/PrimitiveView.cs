@@ -28,10 +28,13 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
     /// <inheritdoc/>
     public override Reaches Narrow(FourParts parts, Reach whole)
     {
-        var hit = clip.First(primitive.Cross(parts.Rays), parts.ZPerT);
+        var crossings = primitive.Cross(parts.Rays);
+        var nearCounts = clip.Counts(crossings.Near, parts.ZPerT);
+        var hit = clip.First(crossings, parts.ZPerT, nearCounts);
         return new(
             Packet.Select(hit.IsNothing, double.PositiveInfinity, hit.Lo),
-            Packet.Select(hit.IsNothing | hit.MayBeNaN, double.PositiveInfinity, hit.Hi));
+            Packet.Select(hit.IsNothing | hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
+            nearCounts.Lo);
     }
 
     /// <inheritdoc/>
@@ -55,8 +58,8 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
     }
 
     /// <inheritdoc/>
-    public bool Paint(RoughPainter painter, in Tile part, int index, byte[] rgb, int first, int step) =>
-        painter.Paint(part, primitive, this, index, rgb, first, step);
+    public bool Paint(CoveredPart covered, int index, byte[] rgb, int first, int step) =>
+        covered.Painter.Paint(covered.Part, covered.IsNear, primitive, this, index, rgb, first, step);
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
     private void Meet<N>(RaySpan span, int first, int end, int index) where N : struct, IPacket<N>
