@@ -66,7 +66,7 @@ internal sealed class MeshView : ModelView
     {
         if (sets.Length > 0) filter!.Meet(span, index);
         if (hard is null) return;
-        for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), index);
+        for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), RaySpan.All<Packet>(index));
     }
 
     private static Tile ExtentOf((int Left, int Right, int Bottom, int Top) a, (int Left, int Right, int Bottom, int Top) b)
