@@ -8,7 +8,7 @@ namespace RayCaster;
 internal sealed class SpanShader
 {
     private readonly Scene scene;
-    private readonly Color[] colors; // the background, then the models
+    private readonly Color[]? colors; // the background, then the models; null where the few pixels in doubt ask the models themselves
     private readonly RoughShader? rough;
 
     public SpanShader(Frame frame) : this(frame.Scene, frame.IsLong)
@@ -20,10 +20,11 @@ internal sealed class SpanShader
     public SpanShader(Scene scene, bool isLong)
     {
         this.scene = scene;
+        rough = isLong ? RoughShader.For(scene) : null;
+        if (rough is not null) return;
         colors = new Color[scene.Models.Count + 1];
         colors[0] = scene.Background;
         for (var i = 1; i < colors.Length; i++) colors[i] = scene.Models[i - 1].Color;
-        rough = isLong ? RoughShader.For(scene, colors) : null;
     }
 
     /// <summary>Writes the pixels of a span.</summary>
@@ -53,13 +54,13 @@ internal sealed class SpanShader
             var models = span.ModelsAt<Packet>(i);
             var isMiss = models < 0;
             var attenuation = Packet.Select(isMiss, 1, scene.Attenuation(span.NearestAt<Packet>(i))); // 1 leaves the background as it is
-            ref var a = ref colors[(int)models.Lanes[0] + 1];
+            var a = ColorOf((int)models.Lanes[0]);
             Packet r = a.R, g = a.G, b = a.B;
             if (!Packet.All(Packet.Equal(models, models.Lanes[0])))
             {
-                ref var c = ref colors[(int)models.Lanes[1] + 1];
-                ref var d = ref colors[(int)models.Lanes[2] + 1];
-                ref var e = ref colors[(int)models.Lanes[3] + 1];
+                var c = ColorOf((int)models.Lanes[1]);
+                var d = ColorOf((int)models.Lanes[2]);
+                var e = ColorOf((int)models.Lanes[3]);
                 r = new(Vector256.Create(a.R, c.R, d.R, e.R));
                 g = new(Vector256.Create(a.G, c.G, d.G, e.G));
                 b = new(Vector256.Create(a.B, c.B, d.B, e.B));
@@ -89,6 +90,10 @@ internal sealed class SpanShader
         var (r, g, b) = scene.Background.ToBytes();
         for (var i = 0; i + 2 < rgb.Length; i += 3) (rgb[i], rgb[i + 1], rgb[i + 2]) = (r, g, b);
     }
+
+    /// <summary>A model's colour; that of the background for −1.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Color ColorOf(int model) => colors is not null ? colors[model + 1] : model < 0 ? scene.Background : scene.Models[model].Color;
 
     /// <summary>The bytes of a channel of four pixels, each in an int.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
