@@ -16,7 +16,7 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
         Extent = Tile.Everywhere;
         if (primitive is not IBounded bounded) return;
         var bounds = bounded.Bounds.PaddedFrom(camera.Position);
-        (Extent, Nearest) = (Tile.Of(bounds, camera), bounds.Distance);
+        (Extent, Nearest) = (Tile.Of(bounds, camera), bounds.LeastT);
     }
 
     /// <inheritdoc/>
