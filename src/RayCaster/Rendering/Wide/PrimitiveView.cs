@@ -16,7 +16,7 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
         Extent = Tile.Everywhere;
         if (primitive is not IBounded bounded) return;
         var bounds = bounded.Bounds.PaddedFrom(camera.Position);
-        (Extent, Nearest) = (Tile.Of(bounds, camera), bounds.Distance);
+        (Extent, Nearest) = (Tile.Of(bounds, camera), bounds.LeastT);
     }
 
     /// <inheritdoc/>
@@ -41,7 +41,7 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
     public override void Meet(RaySpan span, int index)
     {
         var (first, end) = (0, span.Length);
-        if (Extent.IsSmall && span.Length == span.Width) // its extent spares most of the span, at a cost that a large model would not win back
+        if (Extent.IsSmall && span.Rows == 1) // its extent spares most of the span, at a cost that a large model would not win back
         {
             first = Math.Max(0, Extent.Column - span.Column);
             end = Math.Min(end, Extent.EndColumn - span.Column);
@@ -69,7 +69,7 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
         for (var i = first; i < end; i += N.Count)
         {
             if (nearest > 0 && N.All(span.NearestAt<N>(i) < RaySpan.All<N>(nearest))) continue; // hidden
-            span.Keep(i, span.First(i, shape.Cross(span.RaysAt<N>(i))), index);
+            span.Keep(i, span.First(i, shape.Cross(span.RaysAt<N>(i))), RaySpan.All<N>(index));
         }
     }
 }
