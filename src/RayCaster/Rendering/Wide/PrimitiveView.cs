@@ -61,15 +61,18 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
     public bool Paint(CoveredPart covered, int index, byte[] rgb, int first, int step) =>
         covered.Painter.Paint(covered.Part, covered.IsNear, primitive, this, index, rgb, first, step);
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
     private void Meet<N>(RaySpan span, int first, int end, int index) where N : struct, IPacket<N>
     {
+        if (Nearest > 0 && span.Hides<N>(first, end, Nearest)) return;
+        Cross<N>(span, first, end);
+        span.KeepNoted<N>(first, end, index);
+    }
+
+    /// <summary>Only the formula is compiled for each kind of shape; what is done with its result is the span's.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
+    private void Cross<N>(RaySpan span, int first, int end) where N : struct, IPacket<N>
+    {
         var shape = primitive; // a local, so that its constants stay in registers
-        var nearest = Nearest;
-        for (var i = first; i < end; i += N.Count)
-        {
-            if (nearest > 0 && N.All(span.NearestAt<N>(i) < RaySpan.All<N>(nearest))) continue; // hidden
-            span.Keep(i, span.First(i, shape.Cross(span.RaysAt<N>(i))), RaySpan.All<N>(index));
-        }
+        for (var i = first; i < end; i += N.Count) span.Note(i, shape.Cross(span.RaysAt<N>(i)));
     }
 }

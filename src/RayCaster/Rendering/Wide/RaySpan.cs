@@ -20,6 +20,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     private readonly double[] acrossX = new double[MaxLength], acrossY = new double[MaxLength], acrossZ = new double[MaxLength];
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
     private readonly double[] zPerT = new double[capacity];
+    private readonly double[] near = new double[capacity], far = new double[capacity]; // the crossings with one model
     private readonly double[] t = new double[capacity];
     private readonly double[] model = new double[capacity];
 
@@ -125,6 +126,36 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     {
         hits.Store(t, pixel);
         models.Store(model, pixel);
+    }
+
+    /// <summary>Whether all hits so far of some pixels are nearer than a model can be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public bool Hides<N>(int first, int end, double nearest) where N : struct, IPacket<N>
+    {
+        var nearestOfModel = All<N>(nearest);
+        for (var i = first; i < end; i += N.Count)
+            if (!N.All(NearestAt<N>(i) < nearestOfModel))
+                return false;
+        return true;
+    }
+
+    /// <summary>Notes the crossings of a model with the packet that begins at a pixel.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Note<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N>
+    {
+        crossings.Near.Store(near, pixel);
+        crossings.Far.Store(far, pixel);
+    }
+
+    /// <summary>Keeps of the crossings that were noted those that count and are nearer than all hits before.</summary>
+    /// <param name="first">The first pixel, where a packet begins.</param>
+    /// <param name="end">The pixel after the last.</param>
+    /// <param name="modelIndex">The model's place in the scene.</param>
+    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
+    public void KeepNoted<N>(int first, int end, int modelIndex) where N : struct, IPacket<N>
+    {
+        for (var i = first; i < end; i += N.Count) Keep(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), All<N>(modelIndex));
     }
 
     /// <summary>The first of the crossings that counts, in each lane, or NaN.</summary>
