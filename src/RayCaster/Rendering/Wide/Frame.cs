@@ -27,7 +27,7 @@ internal sealed class Frame : IDisposable
         for (var i = 0; i < models.Count; i++)
             if (Crowd is null || !models[i].Join(Crowd, i))
                 alone.Add(i);
-        if (Crowd is not null) alone.AddRange(Crowd.Arrange());
+        if (Crowd is not null) alone.AddRange(Crowd.Arrange(threads));
 
         Places = [.. alone];
         Views = Array.ConvertAll(Places, i => models[i].See(camera, threads));

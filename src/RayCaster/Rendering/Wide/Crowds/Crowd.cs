@@ -8,6 +8,9 @@ namespace RayCaster;
 /// </summary>
 internal sealed class Crowd(Camera camera, int mostMembers)
 {
+    /// <summary>With fewer models than this for each thread, one thread is ready before the others have begun.</summary>
+    private const int LeastShare = 8192;
+
     private readonly List<CrowdGroup> groups = [];
     private readonly CrowdGrid grid = new(camera);
     private readonly GrowingArray<CrowdMember> members = new(); // in the order of the grid's cells
@@ -34,18 +37,30 @@ internal sealed class Crowd(Camera camera, int mostMembers)
     }
 
     /// <summary>Finds where in the picture all that has been added may show.</summary>
+    /// <param name="threads">How many threads may do so.</param>
     /// <returns>The models of which nothing can be said in advance: they reach to the eye's plane.</returns>
-    public List<int> Arrange()
+    public List<int> Arrange(int threads)
     {
-        var others = new List<int>();
-        var found = new GrowingArray<CrowdMember>();
-        found.Reserve(mostMembers);
-        var outlines = new Outlines(camera);
-        for (var i = 0; i < groups.Count; i++) groups[i].AddTo(found, others, outlines, i);
-        grid.Sort(found.Items, members);
-        found.Free();
+        var shares = mostMembers / LeastShare >= threads ? threads : 1;
+        var (found, unknown) = (new GrowingArray<CrowdMember>[shares], new List<int>[shares]);
+        OnThreads(shares, share =>
+        {
+            (found[share], unknown[share]) = (new(), []);
+            found[share].Reserve(mostMembers / shares + Outlines.Count);
+            var outlines = new Outlines(camera);
+            for (var i = 0; i < groups.Count; i++) groups[i].AddTo(found[share], unknown[share], outlines, i, share, shares);
+        });
+        grid.Sort(found, members);
+        foreach (var some in found) some.Free();
         for (var i = 0; i < groups.Count; i++) groups[i].Arrange(members.Items, i);
-        return others;
+        return [.. unknown.SelectMany(some => some)];
+    }
+
+    /// <summary>Does the same work for each share of something, on as many threads.</summary>
+    public static void OnThreads(int shares, Action<int> work)
+    {
+        if (shares == 1) work(0);
+        else Parallel.For(0, shares, work);
     }
 
     /// <summary>Whether members may show in a tile.</summary>

@@ -13,7 +13,7 @@ namespace RayCaster;
 internal sealed class CrowdGrid
 {
     private readonly Level[] levels;
-    private int[] starts = []; // of each cell of each grid the first member; one more at the end
+    private readonly int[] starts; // of each cell of each grid the first member; one more at the end
 
     public CrowdGrid(Camera camera)
     {
@@ -31,25 +31,45 @@ internal sealed class CrowdGrid
     }
 
     /// <summary>Sorts members by their cells.</summary>
-    /// <param name="members">The members.</param>
+    /// <param name="shares">The members, in shares to each of which there is a thread.</param>
     /// <param name="sorted">Takes them.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Sort(ReadOnlySpan<CrowdMember> members, GrowingArray<CrowdMember> sorted)
+    public void Sort(GrowingArray<CrowdMember>[] shares, GrowingArray<CrowdMember> sorted)
     {
-        // While it is counted, cell i's members are at i + 1, and while they are placed, its next free place is at i.
-        var cells = ArrayPool<int>.Shared.Rent(members.Length);
+        var (cells, places) = (new int[shares.Length][], new int[shares.Length][]); // of each share: its members' cells, and each cell's next place
+        Crowd.OnThreads(shares.Length, i =>
+        {
+            cells[i] = ArrayPool<int>.Shared.Rent(shares[i].Count);
+            Count(shares[i].Items, cells[i], places[i] = new int[starts.Length]);
+        });
+        var next = 0;
+        for (var cell = 0; cell < starts.Length; cell++)
+        {
+            starts[cell] = next;
+            foreach (var place in places) (place[cell], next) = (next, next + place[cell]);
+        }
+        sorted.Resize(next);
+        Crowd.OnThreads(shares.Length, i =>
+        {
+            Place(shares[i].Items, cells[i], places[i], sorted.Items);
+            ArrayPool<int>.Shared.Return(cells[i]);
+        });
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void Count(ReadOnlySpan<CrowdMember> members, int[] cells, int[] counts)
+    {
         for (var i = 0; i < members.Length; i++)
         {
-            cells[i] = CellOf(members[i]);
-            starts[cells[i] + 1]++;
+            var cell = CellOf(members[i]);
+            cells[i] = cell;
+            counts[cell]++;
         }
-        for (var i = 1; i < starts.Length; i++) starts[i] += starts[i - 1];
-        sorted.Resize(members.Length);
-        var places = sorted.Items;
-        for (var i = 0; i < members.Length; i++) places[starts[cells[i]]++] = members[i];
-        ArrayPool<int>.Shared.Return(cells);
-        Array.Copy(starts, 0, starts, 1, starts.Length - 1);
-        starts[0] = 0;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private static void Place(ReadOnlySpan<CrowdMember> members, int[] cells, int[] places, Span<CrowdMember> sorted)
+    {
+        for (var i = 0; i < members.Length; i++) sorted[places[cells[i]]++] = members[i];
     }
 
     /// <summary>Finds the members of the cells that have all that may show in a tile, and more.</summary>

@@ -11,7 +11,9 @@ internal abstract class CrowdGroup
     /// <param name="group">The number of this group.</param>
     /// <param name="members">Takes those that may show.</param>
     /// <param name="others">Takes the models of which nothing is known.</param>
-    public abstract void AddTo(GrowingArray<CrowdMember> members, List<int> others, Outlines outlines, int group);
+    /// <param name="share">Which share of the shapes to look at.</param>
+    /// <param name="shares">How many shares there are.</param>
+    public abstract void AddTo(GrowingArray<CrowdMember> members, List<int> others, Outlines outlines, int group, int share, int shares);
 
     /// <summary>Puts the shapes into the order of the members.</summary>
     public abstract void Arrange(Span<CrowdMember> members, int group);
@@ -48,13 +50,14 @@ internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public override void AddTo(GrowingArray<CrowdMember> members, List<int> others, Outlines outlines, int group)
+    public override void AddTo(GrowingArray<CrowdMember> members, List<int> others, Outlines outlines, int group, int share, int shares)
     {
         var all = shapes.Items;
+        var (begin, end) = ((int)((long)all.Length * share / shares), (int)((long)all.Length * (share + 1) / shares));
         var member = new CrowdMember { Group = group };
-        for (var first = 0; first < all.Length; first += Outlines.Count)
+        for (var first = begin; first < end; first += Outlines.Count)
         {
-            var count = Math.Min(Outlines.Count, all.Length - first);
+            var count = Math.Min(Outlines.Count, end - first);
             for (var i = 0; i < count; i++)
             {
                 ref readonly var shape = ref all[first + i].Shape;
