@@ -56,5 +56,10 @@ public readonly struct ClipRange
     /// <summary>The first of two crossings that counts, or NaN: the far side of a body shows where its near side is clipped away.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N First<N>(Crossings<N> crossings, N zPerT) where N : struct, IReal<N> =>
-        N.Select(Counts(crossings.Near, zPerT), crossings.Near, N.If(Counts(crossings.Far, zPerT), crossings.Far));
+        First(crossings, zPerT, Counts(crossings.Near, zPerT));
+
+    /// <summary>The same for a caller that knows where the first of the two counts.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal N First<N>(Crossings<N> crossings, N zPerT, N nearCounts) where N : struct, IReal<N> =>
+        N.Select(nearCounts, crossings.Near, N.If(Counts(crossings.Far, zPerT), crossings.Far));
 }

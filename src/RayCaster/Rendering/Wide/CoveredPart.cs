@@ -21,10 +21,13 @@ internal sealed class CoveredPart(Frame frame)
     /// <summary>For each row on its own.</summary>
     public RaySpan Span => field ??= new(camera);
 
+    /// <summary>Whether every hit is surely its shape's first crossing.</summary>
+    public bool IsNear { get; private set; }
+
     /// <summary>Comes to a part.</summary>
-    public void Enter(in Tile part)
+    public void Enter(in Tile part, bool isNear)
     {
-        Part = part;
+        (Part, IsNear) = (part, isNear);
         if (Vector512.IsHardwareAccelerated) Enter<WidePacket>();
         else Enter<Packet>();
     }
@@ -40,6 +43,7 @@ internal sealed class CoveredPart(Frame frame)
     public void Hit<N, P>(P shape, double[] t, int first, int step) where N : struct, IPacket<N> where P : struct, IPrimitive
     {
         Vector3<N> origin = camera.Position;
+        var isNear = IsNear;
         for (var row = Part.Row; row < Part.EndRow; row++, first += step)
         {
             var upwards = camera.Upwards(RaySpan.All<N>(row));
@@ -47,7 +51,8 @@ internal sealed class CoveredPart(Frame frame)
             {
                 var across = new Vector3<N>(N.Load(acrossX, i), N.Load(acrossY, i), N.Load(acrossZ, i));
                 var direction = camera.Direction(across, upwards);
-                var hit = camera.ClipRange.First(shape.Cross(new Ray<N>(origin, direction)), camera.ZPerT(direction));
+                var crossings = shape.Cross(new Ray<N>(origin, direction));
+                var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
                 if (i + N.Count <= Part.Width) hit.Store(t, first + i);
                 else StoreTail(hit, t, first + i, Part.Width - i);
             }

@@ -62,11 +62,12 @@ internal sealed class FourParts(Camera camera)
     private static int Half(int length) => length <= RoughPacket.Count ? length : (length / 2 + RoughPacket.Count - 1) / RoughPacket.Count * RoughPacket.Count;
 }
 
-/// <summary>Where the hits of a model in four parts lie (<see cref="Reach"/>).</summary>
-/// <param name="least">Of each part.</param>
-/// <param name="cover">Of each part.</param>
-internal readonly struct Reaches(Packet least, Packet cover)
+/// <summary>Where the hits of a model in four parts lie (<see cref="Reach"/>), a lane for each.</summary>
+internal readonly struct Reaches(Packet least, Packet cover, Packet isNear)
 {
+    /// <summary>The same in all parts.</summary>
+    public Reaches(Reach all) : this(all.Least, all.Cover, 0) { }
+
     /// <summary>That of a part.</summary>
-    public Reach this[int part] => new(least.Lanes[part], cover.Lanes[part]);
+    public Reach this[int part] => new(least.Lanes[part], cover.Lanes[part], double.IsNegative(isNear.Lanes[part])); // a mask's sign is its truth
 }

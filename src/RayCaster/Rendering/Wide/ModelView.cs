@@ -23,7 +23,7 @@ internal abstract class ModelView
     /// <summary>Tells between which t the model's hits in some parts lie; not asked of one whose <see cref="Extent"/> is small.</summary>
     /// <param name="parts">The parts and their rays.</param>
     /// <param name="whole">What is known of all of them.</param>
-    public virtual Reaches Narrow(FourParts parts, Reach whole) => new(whole.Least, whole.Cover);
+    public virtual Reaches Narrow(FourParts parts, Reach whole) => new(whole);
 
     /// <summary>Keeps the hits of a span of pixels in the tile that are nearer than all before.</summary>
     /// <param name="span">The rays.</param>
@@ -37,14 +37,15 @@ internal interface ICoveringView
     /// <inheritdoc cref="CoveredPart.Hit{N, P}"/>
     void Hit(CoveredPart covered, double[] t, int first, int step);
 
-    /// <inheritdoc cref="RoughPainter.Paint{P}(in Tile, in P, ModelView, int, byte[], int, int)"/>
-    bool Paint(RoughPainter painter, in Tile part, int index, byte[] rgb, int first, int step);
+    /// <inheritdoc cref="RoughPainter.Paint{P}(in Tile, bool, in P, ModelView, int, byte[], int, int)"/>
+    bool Paint(CoveredPart covered, int index, byte[] rgb, int first, int step);
 }
 
 /// <summary>Where the hits of a model in a tile lie.</summary>
 /// <param name="Least">No hit is nearer; +∞ if there is none.</param>
 /// <param name="Cover">Every pixel of the tile surely has a hit that is not farther; +∞ if that is not sure.</param>
-internal readonly record struct Reach(double Least, double Cover)
+/// <param name="IsNear">Every hit is surely its shape's first crossing: there is nothing to choose or clip.</param>
+internal readonly record struct Reach(double Least, double Cover, bool IsNear = false)
 {
     /// <summary>Anything is possible.</summary>
     public static Reach Unknown => new(0, double.PositiveInfinity);

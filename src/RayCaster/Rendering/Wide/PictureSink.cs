@@ -22,7 +22,7 @@ internal sealed class PictureSink(SpanShader shader, byte[] rgb, int width, int 
     public void TakeCover(CoveredPart covered, ModelView view, int index)
     {
         var part = covered.Part;
-        if (RoughBytes.IsSupported && ((ICoveringView)view).Paint(covered.Painter, part, index, rgb, PlaceOf(part.Column, part.Row), -3 * width)) return;
+        if (RoughBytes.IsSupported && ((ICoveringView)view).Paint(covered, index, rgb, PlaceOf(part.Column, part.Row), -3 * width)) return;
         for (var column = part.Column; column < part.EndColumn; column += RaySpan.MaxLength)
         {
             var length = Math.Min(RaySpan.MaxLength, part.EndColumn - column);

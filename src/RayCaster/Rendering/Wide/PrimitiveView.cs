@@ -11,10 +11,13 @@ internal sealed class PrimitiveView<P>(P primitive, Camera camera) : ShapeView((
     /// <inheritdoc/>
     public override Reaches Narrow(FourParts parts, Reach whole)
     {
-        var hit = Clip.First(primitive.Cross(parts.Rays), parts.ZPerT);
+        var crossings = primitive.Cross(parts.Rays);
+        var nearCounts = Clip.Counts(crossings.Near, parts.ZPerT);
+        var hit = Clip.First(crossings, parts.ZPerT, nearCounts);
         return new(
             Packet.Select(hit.IsNothing, double.PositiveInfinity, hit.Lo),
-            Packet.Select(hit.IsNothing | hit.MayBeNaN, double.PositiveInfinity, hit.Hi));
+            Packet.Select(hit.IsNothing | hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
+            nearCounts.Lo);
     }
 
     /// <inheritdoc/>
@@ -25,8 +28,8 @@ internal sealed class PrimitiveView<P>(P primitive, Camera camera) : ShapeView((
     }
 
     /// <inheritdoc/>
-    public bool Paint(RoughPainter painter, in Tile part, int index, byte[] rgb, int first, int step) =>
-        painter.Paint(part, primitive, this, index, rgb, first, step);
+    public bool Paint(CoveredPart covered, int index, byte[] rgb, int first, int step) =>
+        covered.Painter.Paint(covered.Part, covered.IsNear, primitive, this, index, rgb, first, step);
 
     /// <inheritdoc/>
     protected override void Cross(RaySpan span, int first, int end)

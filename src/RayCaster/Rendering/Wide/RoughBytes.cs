@@ -10,6 +10,9 @@ internal static class RoughBytes
     /// <summary>What the ends themselves may be off by: levels are below 256, where a float's unit is 1.5e-5.</summary>
     public const double RoundingOfTheEnds = 4e-5;
 
+    /// <summary>The same, for a level computed from t, a slope and the level at 0: rounding each of these two, and the sum, moves it by 1.5e-5 at most.</summary>
+    public const double RoundingOfALine = 8e-5;
+
     /// <summary>A bit for each of sixteen pixels.</summary>
     public const ulong AllLanes = 0xFFFF;
 

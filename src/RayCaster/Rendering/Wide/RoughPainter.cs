@@ -7,6 +7,7 @@ namespace RayCaster;
 /// One thread's tool: paints a part of the picture that one shape covers, in floats. Each channel's level is known up to an error that is the same for the whole
 /// part (<see cref="Rounded"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in doubles.
 /// </summary>
+/// <remarks>Where neither the light nor a level is clamped, a level is a linear function of t: two of its values tell all others.</remarks>
 internal sealed class RoughPainter(Frame frame)
 {
     /// <summary>With a greater error too many pixels would be in doubt.</summary>
@@ -17,8 +18,9 @@ internal sealed class RoughPainter(Frame frame)
 
     private readonly Scene scene = frame.Scene;
     private readonly Camera camera = frame.Scene.Camera;
-    private readonly Vector3 directionError = DirectionError(frame.Scene.Camera);
-    private readonly (Tile Strip, int Index, double Error)[] knownErrors = new (Tile, int, double)[8];
+    private Tile strip; // that of the part
+    private Vector3 directionError; // in the strip
+    private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
     private readonly SpanShader shader = new(frame);
     private readonly RaySpan span = new(frame.Scene.Camera);
     private readonly float[] acrossX = new float[Tile.MaxStrip], acrossY = new float[Tile.MaxStrip], acrossZ = new float[Tile.MaxStrip];
@@ -27,6 +29,7 @@ internal sealed class RoughPainter(Frame frame)
 
     /// <summary>Writes a part's bytes, if its width is one of whole packets and the error is small enough.</summary>
     /// <param name="part">The part, whose pixels' nearest hits are all on the shape.</param>
+    /// <param name="isNear">Whether each is surely the shape's first crossing.</param>
     /// <param name="shape">The shape.</param>
     /// <param name="view">Its view, for the pixels in doubt.</param>
     /// <param name="index">Its model's place in the scene.</param>
@@ -34,12 +37,14 @@ internal sealed class RoughPainter(Frame frame)
     /// <param name="first">The place of the lowest row's first pixel.</param>
     /// <param name="step">From a pixel's place to that of the one above it.</param>
     /// <typeparam name="P">The kind of shape.</typeparam>
-    public bool Paint<P>(in Tile part, in P shape, ModelView view, int index, byte[] rgb, int first, int step) where P : struct, IPrimitive
+    public bool Paint<P>(in Tile part, bool isNear, in P shape, ModelView view, int index, byte[] rgb, int first, int step) where P : struct, IPrimitive
     {
         if (part.Width % RoughPacket.Count != 0) return false;
         this.part = part;
         var color = scene.Models[index].Color;
-        var error = Error(shape, index, Math.Max(color.R, Math.Max(color.G, color.B))); // a lesser channel has a lesser error
+        var brightest = Math.Max(color.R, Math.Max(color.G, color.B));
+        if (brightest > 1) return false;
+        var error = Error(shape, index, Slope(brightest)); // that of a lesser channel is less
         if (!(error < MostError)) return false;
 
         for (var i = 0; i < part.Width; i++)
@@ -47,7 +52,7 @@ internal sealed class RoughPainter(Frame frame)
             var across = camera.Across<Scalar>(part.Column + i);
             (acrossX[i], acrossY[i], acrossZ[i]) = ((float)across.X, (float)across.Y, (float)across.Z);
         }
-        if (Paint(shape, color, error, rgb, first, step)) return true;
+        if (Paint(shape, isNear, color, error, rgb, first, step)) return true;
 
         for (var i = 0; i < part.Area / RoughPacket.Count; i++)
         {
@@ -61,31 +66,40 @@ internal sealed class RoughPainter(Frame frame)
         return true;
     }
 
+    /// <summary>What the level of a channel changes by for one unit of t.</summary>
+    private double Slope(double channel) => ((double)Color.Level<Scalar>(0) - Color.Level<Scalar>(channel)) / camera.Reach;
+
     /// <summary>How far the level of any channel of any pixel of a part may be from the one that doubles give.</summary>
     /// <remarks>A bound for the whole strip is mostly good enough, and then serves other parts of it, too.</remarks>
-    private double Error<P>(in P shape, int index, double channel) where P : struct, IPrimitive
+    private double Error<P>(in P shape, int index, double slope) where P : struct, IPrimitive
     {
-        var strip = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
+        var current = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
+        if (strip != current)
+        {
+            strip = current;
+            directionError = DirectionError();
+            Array.Fill(knownErrors, (-1, 0));
+        }
         ref var known = ref knownErrors[index % knownErrors.Length];
-        if (known.Strip != strip || known.Index != index) known = (strip, index, Error(strip, shape, channel));
-        return known.Error < GoodError ? known.Error : Error(part, shape, channel);
+        if (known.Index != index) known = (index, Error(strip, shape, slope));
+        return known.Error < GoodError ? known.Error : Error(part, shape, slope);
     }
 
-    private double Error<P>(in Tile part, in P shape, double channel) where P : struct, IPrimitive
+    private double Error<P>(in Tile part, in P shape, double slope) where P : struct, IPrimitive
     {
         var across = camera.Across(new Interval<Scalar>(part.Column, part.EndColumn - 1));
         var upwards = camera.Upwards(new Interval<Scalar>(part.Row, part.EndRow - 1));
         var exact = camera.Direction(across, upwards);
         var direction = new Vector3<Rounded>(new(exact.X, directionError.X), new(exact.Y, directionError.Y), new(exact.Z, directionError.Z));
         var hit = camera.ClipRange.First(shape.Cross(new Ray<Rounded>(camera.Position, direction)), camera.ZPerT(direction));
-        return Color.Level(scene.Attenuation(hit) * channel).Error + RoughBytes.RoundingOfTheEnds;
+        return hit.Exact.Hi.Value <= camera.Reach ? hit.Error * -slope + RoughBytes.RoundingOfALine : double.PositiveInfinity;
     }
 
-    /// <summary>How far the direction of any ray may be from the one in doubles.</summary>
-    private static Vector3 DirectionError(Camera camera)
+    /// <summary>How far the direction of any ray of the strip may be from the one in doubles.</summary>
+    private Vector3 DirectionError()
     {
-        var across = camera.Across(new Interval<Scalar>(0, camera.Width - 1));
-        var upwards = camera.Upwards(new Interval<Scalar>(0, camera.Height - 1));
+        var across = camera.Across(new Interval<Scalar>(strip.Column, strip.EndColumn - 1));
+        var upwards = camera.Upwards(new Interval<Scalar>(strip.Row, strip.EndRow - 1));
         var direction = camera.Direction(Rough(across), Rough(upwards));
         return new(direction.X.Error, direction.Y.Error, direction.Z.Error);
 
@@ -94,10 +108,10 @@ internal sealed class RoughPainter(Frame frame)
 
     /// <summary>Paints it all and notes which pixels are in doubt; whether none is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private bool Paint<P>(P shape, Color color, double error, byte[] rgb, int first, int step) where P : struct, IPrimitive
+    private bool Paint<P>(P shape, bool isNear, Color color, double error, byte[] rgb, int first, int step) where P : struct, IPrimitive
     {
         Vector3<RoughPacket> origin = camera.Position;
-        RoughPacket red = color.R, green = color.G, blue = color.B, slack = error;
+        var (red, green, blue) = (new Line(color.R, Slope(color.R), error), new Line(color.G, Slope(color.G), error), new Line(color.B, Slope(color.B), error));
         var allSure = RoughBytes.AllLanes;
         var packets = part.Width / RoughPacket.Count; // in a row
         for (var row = 0; row < part.Height; row += 2)
@@ -111,21 +125,20 @@ internal sealed class RoughPainter(Frame frame)
                 var at = i * RoughPacket.Count;
                 var across = new Vector3<RoughPacket>(Load(acrossX, at), Load(acrossY, at), Load(acrossZ, at));
                 var direction = camera.Direction(across, upwards);
-                var hit = camera.ClipRange.First(shape.Cross(new Ray<RoughPacket>(origin, direction)), camera.ZPerT(direction));
-                var attenuation = scene.Attenuation(hit);
-                var (r, g, b) = (Color.Level(attenuation * red), Color.Level(attenuation * green), Color.Level(attenuation * blue));
-                var (leastR, leastG, leastB) = (r - slack, g - slack, b - slack);
-                var (mostR, mostG, mostB) = (r + slack, g + slack, b + slack);
+                var crossings = shape.Cross(new Ray<RoughPacket>(origin, direction));
+                var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
 
-                var least = RoughBytes.Packed(leastR.Lower, leastG.Lower, leastB.Lower);
-                var sure = Vector512.Equals(least, RoughBytes.Packed(mostR.Lower, mostG.Lower, mostB.Lower)).ExtractMostSignificantBits();
+                var least = RoughBytes.Packed(red.Least(hit.Lower), green.Least(hit.Lower), blue.Least(hit.Lower));
+                var most = RoughBytes.Packed(red.Most(hit.Lower), green.Most(hit.Lower), blue.Most(hit.Lower));
+                var sure = Vector512.Equals(least, most).ExtractMostSignificantBits();
                 doubts[row * packets + i] = sure ^ RoughBytes.AllLanes;
                 allSure &= sure;
                 RoughBytes.Store(least, ref Unsafe.Add(ref to, 3 * at));
                 if (!hasUpper) continue;
 
-                least = RoughBytes.Packed(leastR.Upper, leastG.Upper, leastB.Upper);
-                sure = Vector512.Equals(least, RoughBytes.Packed(mostR.Upper, mostG.Upper, mostB.Upper)).ExtractMostSignificantBits();
+                least = RoughBytes.Packed(red.Least(hit.Upper), green.Least(hit.Upper), blue.Least(hit.Upper));
+                most = RoughBytes.Packed(red.Most(hit.Upper), green.Most(hit.Upper), blue.Most(hit.Upper));
+                sure = Vector512.Equals(least, most).ExtractMostSignificantBits();
                 doubts[(row + 1) * packets + i] = sure ^ RoughBytes.AllLanes;
                 allSure &= sure;
                 RoughBytes.Store(least, ref Unsafe.Add(ref to, step + 3 * at));
@@ -139,4 +152,24 @@ internal sealed class RoughPainter(Frame frame)
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static RoughPacket Load(float[] numbers, int first) => RoughPacket.Of(Vector512.LoadUnsafe(ref numbers[first]));
+
+    /// <summary>The level of a channel as a function of t, both ends of what it may be.</summary>
+    private readonly struct Line
+    {
+        private readonly Vector512<float> slope, least, most;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Line(double channel, double slope, double error)
+        {
+            double atZero = Color.Level<Scalar>(channel);
+            this.slope = Vector512.Create((float)slope);
+            (least, most) = (Vector512.Create((float)(atZero - error)), Vector512.Create((float)(atZero + error)));
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Vector512<float> Least(Vector512<float> t) => Vector512.FusedMultiplyAdd(t, slope, least);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public Vector512<float> Most(Vector512<float> t) => Vector512.FusedMultiplyAdd(t, slope, most);
+    }
 }

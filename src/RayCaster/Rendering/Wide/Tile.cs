@@ -41,7 +41,8 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// </remarks>
     /// <param name="padded">The bounds, seen from the camera and padded.</param>
     /// <param name="camera">The camera.</param>
-    public static Tile Of(Bounds padded, Camera camera)
+    /// <param name="margin">Pixels to be added on each side.</param>
+    public static Tile Of(Bounds padded, Camera camera, double margin = Margin)
     {
         var (center, half) = (0.5 * (padded.Min + padded.Max), 0.5 * (padded.Max - padded.Min));
         var (depth, depthHalf) = (-(center * camera.W), Spread(camera.W));
@@ -60,7 +61,7 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
             var (least, most) = (middle - spread, middle + spread);
             var first = least / (least < 0 ? nearest : farthest);
             var last = most / (most < 0 ? farthest : nearest);
-            return (Pixel(first, -Margin), Pixel(last, 1 + Margin));
+            return (Pixel(first, -margin), Pixel(last, 1 + margin));
 
             // The sample of pixel c lies at u = planeSize · c / pixels − planeSize / 2, half a pixel further for centres.
             int Pixel(double u, double beyond)

@@ -55,7 +55,7 @@ internal sealed class TileCaster
                 candidates.Add(new(i, new(views[i].Nearest, double.PositiveInfinity)));
         parts[0].Split(strip);
         Narrow(parts[0], candidates, narrowed[0]);
-        if (crowd?.IsFor(strip) != true && IsOneModel(parts[0], narrowed[0])) Cover(strip, narrowed[0][0][0].Index);
+        if (crowd?.IsFor(strip) != true && OneModel(parts[0], narrowed[0]) is { } only) Cover(strip, only);
         else
             for (var i = 0; i < FourParts.Count; i++)
                 if (parts[0][i].Area > 0)
@@ -86,14 +86,14 @@ internal sealed class TileCaster
     private void Descend(in Tile part, List<Candidate> list, int level)
     {
         if (list.Count == 0) sink.TakeMiss(part);
-        else if (IsCovered(list)) Cover(part, list[0].Index);
+        else if (IsCovered(list)) Cover(part, list[0]);
         else if (level == parts.Length || Math.Max(part.Width, part.Height) <= LeastSide) CastRows(part, list);
         else
         {
             var (quarters, lists) = (parts[level], narrowed[level]);
             quarters.Quarter(part);
             Narrow(quarters, list, lists);
-            if (IsOneModel(quarters, lists)) Cover(part, lists[0][0].Index);
+            if (OneModel(quarters, lists) is { } only) Cover(part, only);
             else
                 for (var i = 0; i < FourParts.Count; i++)
                     if (quarters[i].Area > 0)
@@ -109,7 +109,7 @@ internal sealed class TileCaster
         foreach (var candidate in whole)
         {
             ref var extent = ref extents[candidate.Index];
-            var reaches = extent.IsSmall ? new(candidate.Reach.Least, candidate.Reach.Cover) : views[candidate.Index].Narrow(parts, candidate.Reach);
+            var reaches = extent.IsSmall ? new(candidate.Reach) : views[candidate.Index].Narrow(parts, candidate.Reach);
             for (var i = 0; i < FourParts.Count; i++)
             {
                 if (!extent.Overlaps(parts[i])) continue;
@@ -125,18 +125,24 @@ internal sealed class TileCaster
     private bool IsCovered(List<Candidate> list) =>
         frame.IsLong && list.Count == 1 && list[0].Reach.Cover < double.PositiveInfinity && views[list[0].Index] is ICoveringView;
 
-    private bool IsOneModel(FourParts parts, List<Candidate>[] lists)
+    /// <summary>The model that covers all parts, if one does.</summary>
+    private Candidate? OneModel(FourParts parts, List<Candidate>[] lists)
     {
-        for (var i = 0; i < FourParts.Count; i++)
-            if (parts[i].Area > 0 && !(IsCovered(lists[i]) && lists[i][0].Index == lists[0][0].Index))
-                return false;
-        return true;
+        if (!IsCovered(lists[0])) return null;
+        var only = lists[0][0];
+        for (var i = 1; i < FourParts.Count; i++)
+        {
+            if (parts[i].Area == 0) continue;
+            if (!IsCovered(lists[i]) || lists[i][0].Index != only.Index) return null;
+            if (!lists[i][0].Reach.IsNear) only = only with { Reach = lists[i][0].Reach };
+        }
+        return only;
     }
 
-    private void Cover(in Tile part, int index)
+    private void Cover(in Tile part, Candidate only)
     {
-        covered.Enter(part);
-        sink.TakeCover(covered, views[index], places[index]);
+        covered.Enter(part, only.Reach.IsNear);
+        sink.TakeCover(covered, views[only.Index], places[only.Index]);
     }
 
     /// <summary>Drops what does not show, or lies behind what covers all.</summary>
