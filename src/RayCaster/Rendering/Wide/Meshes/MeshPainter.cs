@@ -40,8 +40,9 @@ internal sealed class MeshPainter
         var most = 2 * scene.Camera.Reach;
         var light = scene.Attenuation(new Rounded(new(0, most), most * Roundings));
         Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + RoughBytes.RoundingOfTheEnds;
-        // Floats hold any t that matters. U, V and W are at right angles up to some 1e-16 times the slope of a ray.
-        IsSupported = RoughBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30 && screen.LongestT < 1e4;
+        // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the view.
+        IsSupported = RoughBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30
+            && screen.LongestT < 1e4 && screen.Skew * screen.LongestT < 1e-9;
     }
 
     /// <summary>Whether machine and scene suit it.</summary>
