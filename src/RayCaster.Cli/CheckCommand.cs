@@ -39,7 +39,7 @@ internal sealed class CheckCommand : Command
         var exitCode = ExitCode.Done;
         foreach (var path in line.Operands)
         {
-            var reading = Abandonable.Run(() => SceneInput.Read(path), cancellation);
+            var reading = Abandonable.Run(() => SceneInput.Read(path, threads), cancellation);
             if (reading.Scene is { } scene) scenes.Add(scene);
             var unread = reading.Problems.Any(problem => problem.IsError && problem.Line == 0);
             StandardFile.WriteOutput(reading.Report());

@@ -53,7 +53,7 @@ internal sealed class CompareCommand : Command
         Scene? scene = null;
         if (line[Option.Scene] is { } path)
         {
-            scene = SceneInput.Read(path, null, quiet: true, cancellation);
+            scene = SceneInput.Read(path, null, threads, quiet: true, cancellation);
             if (scene is null) return ExitCode.CouldNot;
         }
 

@@ -39,7 +39,7 @@ internal sealed class DiagnoseCommand : Command
         var (scenePath, picturePath) = (operands[0], operands[1]);
         var level = Level(line[Option.Hint]);
         var threads = line.ThreadCount();
-        if (SceneInput.Read(scenePath, null, quiet: true, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(scenePath, null, threads, quiet: true, cancellation) is not { } scene) return ExitCode.CouldNot;
 
         var picture = PictureFile.Read(picturePath);
         var size = (scene.Camera.Width, scene.Camera.Height);

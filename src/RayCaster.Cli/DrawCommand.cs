@@ -35,7 +35,7 @@ internal sealed class DrawCommand : Command
         if (line.Has(Option.Preview) && output == SceneInput.Standard)
             throw ProblemException.Usage("--preview and -o - both want standard output: write the picture to a file");
 
-        if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
         var lines = rows is null ? LineRange.Whole(scene.Camera.Height) : Rows.Of(rows, scene.Camera.Height);
         output ??= PartName(NameOf(path), lines, scene.Camera.Height);

@@ -25,7 +25,7 @@ internal static class MapOutput
         var ending = $".{kind.Name()}";
         var picture = numbers[..^4] + (numbers[..^4].EndsWith(ending, StringComparison.Ordinal) ? "" : ending) + ".png";
 
-        if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
         var map = Abandonable.Run(() => MapMaker.Make(scene, kind, threads), cancellation);
 
         using (var file = new ReplacedFile(numbers))

@@ -52,7 +52,7 @@ internal sealed class OrbitCommand : Command
             throw ProblemException.Usage($"'{text}' is not a number of frames: it is a whole number from 1 to {MostFrames}");
         var only = line[Option.Only] is { } some ? Rows.Of(some, frames, "frames", "a film") : LineRange.Whole(frames);
 
-        if (SceneInput.Read(path, size, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
         CameraPath? way = null;
         if (line[Option.Keys] is { } keys)
         {

@@ -9,22 +9,23 @@ internal static class SceneInput
     /// <summary>Reads a scene; prints what is wrong with it.</summary>
     /// <param name="path">The file, or "-".</param>
     /// <param name="size">The picture's size, if it is not to be the scene's.</param>
+    /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
     /// <param name="quiet">Whether warnings are left out.</param>
     /// <param name="cancellation">Ends the wait: reading leaves nothing behind, and standard input may have no end.</param>
     /// <returns>The scene, or null after its errors have been printed.</returns>
-    public static Scene? Read(string path, (int Width, int Height)? size, bool quiet, CancellationToken cancellation)
+    public static Scene? Read(string path, (int Width, int Height)? size, int? threads, bool quiet, CancellationToken cancellation)
     {
-        var reading = Abandonable.Run(() => Read(path), cancellation);
+        var reading = Abandonable.Run(() => Read(path, threads), cancellation);
         if (reading.Scene is null || !quiet) StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
         return scene with { Camera = scene.Camera.WithSize(width, height) };
     }
 
     /// <summary>Reads a scene and all that is to be said of it.</summary>
-    public static SceneReading Read(string path)
+    public static SceneReading Read(string path, int? threads)
     {
-        if (path != Standard) return SceneReader.Read(path);
+        if (path != Standard) return SceneReader.Read(path, threads);
         using var input = Console.OpenStandardInput();
-        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory);
+        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads);
     }
 }

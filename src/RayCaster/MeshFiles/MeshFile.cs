@@ -5,12 +5,13 @@ public static class MeshFile
 {
     /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
     /// <param name="path">The file, of any size.</param>
+    /// <param name="threads">How many threads read a large file; one per core if left out.</param>
     /// <exception cref="MeshFileException">The file is not there, is of another kind, or is broken.</exception>
-    public static MeshData Read(string path)
+    public static MeshData Read(string path, int? threads = null)
     {
         var reader = ReaderOf(path);
         using var stream = Open(path);
-        return reader(new MeshSource(path, stream, threads: Environment.ProcessorCount));
+        return reader(new MeshSource(path, stream, threads: threads ?? Environment.ProcessorCount));
     }
 
     /// <summary>Reads a mesh from the bytes that a file of this name would hold.</summary>

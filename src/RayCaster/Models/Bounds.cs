@@ -22,9 +22,40 @@ public readonly record struct Bounds(Vector3 Min, Vector3 Max)
         }
     }
 
-    /// <summary>How far they are from the origin of space; 0 where they hold it.</summary>
-    internal double Distance => new Vector3(
-        Math.Max(0, Math.Max(Min.X, -Max.X)), Math.Max(0, Math.Max(Min.Y, -Max.Y)), Math.Max(0, Math.Max(Min.Z, -Max.Z))).Length;
+    /// <summary>No ray from the origin of space has a hit in them at a lesser t; 0 where they hold that origin.</summary>
+    internal double LeastT
+    {
+        get
+        {
+            var near = new Vector3(Math.Max(0, Math.Max(Min.X, -Max.X)), Math.Max(0, Math.Max(Min.Y, -Max.Y)), Math.Max(0, Math.Max(Min.Z, -Max.Z)));
+            var far = new Vector3(Math.Max(-Min.X, Max.X), Math.Max(-Min.Y, Max.Y), Math.Max(-Min.Z, Max.Z));
+            return LeastTOf<Scalar>(near, far);
+        }
+    }
+
+    /// <summary>The same for any kind of number.</summary>
+    /// <remarks>
+    /// It is not quite the distance, which is right for hits that are in the box. A triangle's t is a mean of the corners' depths along the axis k
+    /// that the ray follows most (<see cref="AlongRay{N}"/>), t = z / d_k; and where the triangle is seen so exactly edge-on that the weights are all noise, this may be
+    /// the depth of any corner. So the ray meets the box, but of the hit only the coordinate along k is sure to lie in it. Of rays that meet the box,
+    /// |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), for the two other axes i and j.
+    /// </remarks>
+    /// <param name="near">How far the box is from the origin along each axis.</param>
+    /// <param name="far">How far it reaches, to either side.</param>
+    /// <typeparam name="N">The kind of number.</typeparam>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static N LeastTOf<N>(Vector3<N> near, Vector3<N> far) where N : struct, IReal<N>
+    {
+        return N.Min(Along(near.X, far.X, near.Y, near.Z), N.Min(Along(near.Y, far.Y, near.Z, near.X), Along(near.Z, far.Z, near.X, near.Y)));
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static N Along(N near, N far, N nearI, N nearJ)
+        {
+            var (i, j) = (nearI / far, nearJ / far);
+            var t = N.Select(near > 0, near * N.Sqrt(1 + i * i + j * j), 0);
+            return N.Select((i > 1) | (j > 1), double.PositiveInfinity, t); // no ray to the box follows this axis most
+        }
+    }
 
     /// <summary>The bounds of these and a point.</summary>
     internal Bounds With(Vector3 p) => new(

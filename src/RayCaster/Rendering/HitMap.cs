@@ -20,11 +20,11 @@ public sealed class HitMap(int width, int height) : ISpanSink
     /// <inheritdoc/>
     void ISpanSink.Take(RaySpan span)
     {
-        for (int i = 0, row = span.Row; i < span.Length; i += span.Width, row++)
+        for (var i = 0; i < span.Rows; i++)
         {
-            var first = PlaceOf(span.Column, row);
-            span.T.Slice(i, span.Width).CopyTo(T.AsSpan(first));
-            for (var j = 0; j < span.Width; j++) Model[first + j] = span.ModelAt(i + j);
+            var first = PlaceOf(span.Column, span.Row + i);
+            span.T.Slice(i * span.Pitch, span.Width).CopyTo(T.AsSpan(first));
+            span.CopyModels(i * span.Pitch, Model.AsSpan(first, span.Width));
         }
     }
 

@@ -1,38 +1,40 @@
 using System.Text;
+using System.Text.Json;
 
 namespace RayCaster;
 
 /// <summary>
 /// Says in words why a JSON text breaks off: knows where the last good token ends and what may follow it, and looks at what does follow.
-/// Runs only when the scanner has refused the text.
+/// Runs only when the JSON reader has refused the text.
 /// </summary>
 /// <param name="tree">What was read until then.</param>
 /// <param name="open">The arrays and objects that are open there.</param>
 /// <param name="last">The last good token.</param>
 /// <param name="lastEnd">The place after it; after a key that of its colon.</param>
-internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> open, JsonKind last, int lastEnd)
+internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> open, JsonTokenType last, int lastEnd)
 {
     private readonly ReadOnlySpan<byte> utf8 = tree.Text.Utf8;
 
     private readonly ReadOnlySpan<int> open = open;
 
-    private bool InObject => open.Length > 0 && tree[open[^1]].Kind == JsonKind.Object;
+    private bool InObject => open.Length > 0 && tree[open[^1]].Kind == JsonTokenType.StartObject;
 
     /// <summary>Finds the mistake.</summary>
-    public JsonMistake Explain()
+    /// <param name="refusal">What the JSON reader says, for what nobody thought of.</param>
+    public JsonMistake Explain(JsonException refusal)
     {
         var at = SkipBlanks(lastEnd);
-        if (at == utf8.Length && last == JsonKind.None) return new(at, at, "the file is empty; a scene is an object in braces { }");
+        if (at == utf8.Length && last == JsonTokenType.None) return new(at, at, "the file is empty; a scene is an object in braces { }");
         if (at == utf8.Length) return CutOff();
 
         return last switch
         {
-            JsonKind.None => Value(at),
-            JsonKind.Key => Value(at),
-            JsonKind.Object => Key(at),
-            JsonKind.Array => Value(at),
+            JsonTokenType.None => Value(at),
+            JsonTokenType.PropertyName => Value(at),
+            JsonTokenType.StartObject => Key(at),
+            JsonTokenType.StartArray => Value(at),
             _ => AfterValue(at, lastEnd),
-        } ?? new(at, at, "this is not JSON");
+        } ?? Fallback(refusal);
     }
 
     private JsonMistake? AfterValue(int at, int valueEnd)
@@ -85,7 +87,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 return Comment(at);
             case '/':
                 return Slash(at);
-            case >= '0' and <= '9' when last == JsonKind.Number:
+            case >= '0' and <= '9' when last == JsonTokenType.Number:
                 return new(at, TokenEnd(at), $"a key is expected here; is this a decimal comma? Write {PointForComma(at)}");
             default:
                 return new(at, TokenEnd(at), $"keys stand in double quotes: \"{Word(at)}\"");
@@ -104,9 +106,9 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
             case '\'':
                 return new(at, TokenEnd(at), "texts stand in double quotes, not in single ones");
             case ',':
-                return new(at, at + 1, last == JsonKind.Key ? "a value is missing after the colon" : "there is one comma too many");
+                return new(at, at + 1, last == JsonTokenType.PropertyName ? "a value is missing after the colon" : "there is one comma too many");
             case '}' or ']':
-                return last == JsonKind.Key ? new(at, at + 1, "a value is missing after the colon") : WrongBracket(at);
+                return last == JsonTokenType.PropertyName ? new(at, at + 1, "a value is missing after the colon") : WrongBracket(at);
             case ':' or '=':
                 return new(at, at + 1, $"a value is expected here, not '{(char)utf8[at]}'");
             case '#':
@@ -230,7 +232,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         if (open.Length == 0) return new(at, at + 1, $"there is a {found} but nothing that it closes");
         var bracket = tree[open[^1]];
         var line = tree.Text.LineOf(bracket.Start);
-        var isPair = found == (bracket.Kind == JsonKind.Object ? '}' : ']');
+        var isPair = found == (bracket.Kind == JsonTokenType.StartObject ? '}' : ']');
         return new(at, at + 1, isPair
             ? "there is one comma too many"
             : $"the {Bracket(bracket)} of line {line} is not closed before this {found}");
@@ -242,7 +244,15 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         ? new(at, at + 2, "this comment is never closed; */ is missing")
         : new(at, at + 1, "a comment starts with // or stands between /* and */");
 
-    private static string Bracket(JsonTree.Node node) => node.Kind == JsonKind.Object ? "{" : "[";
+    /// <summary>What the JSON reader says, without its own count of lines.</summary>
+    private JsonMistake Fallback(JsonException refusal)
+    {
+        var at = SkipBlanks(lastEnd);
+        var count = refusal.Message.IndexOf(" LineNumber:", StringComparison.Ordinal);
+        return new(at, at, "this is not JSON: " + (count > 0 ? refusal.Message[..count] : refusal.Message));
+    }
+
+    private static string Bracket(JsonTree.Node node) => node.Kind == JsonTokenType.StartObject ? "{" : "[";
 
     /// <summary>The place of the next byte that is neither blank nor comment; of a comment that is never closed its start.</summary>
     private int SkipBlanks(int at)

@@ -1,6 +1,8 @@
+using System.Text.Json;
+
 namespace RayCaster;
 
-/// <summary>A JSON text as a tree whose values know their place in the text.</summary>
+/// <summary>A JSON text as a tree whose values know their place in the text. Comments and trailing commas are allowed.</summary>
 internal sealed class JsonTree
 {
     /// <summary>How deep arrays and objects may be nested.</summary>
@@ -9,13 +11,13 @@ internal sealed class JsonTree
     private Node[] nodes;
     private int count;
 
-    public JsonTree(SourceText text) => (Text, nodes) = (text, new Node[16 + text.Utf8.Length / 4]);
+    private JsonTree(SourceText text) => (Text, nodes) = (text, new Node[16 + text.Utf8.Length / 4]);
 
     /// <summary>A token; an object's keys stand before their values. Plain fields: each property would be one more method to compile at start-up.</summary>
     public struct Node
     {
         /// <summary>What it is.</summary>
-        public JsonKind Kind;
+        public JsonTokenType Kind;
 
         /// <summary>The place of its first byte.</summary>
         public int Start;
@@ -48,25 +50,84 @@ internal sealed class JsonTree
     public static JsonTree? Parse(SourceText text, out JsonMistake mistake)
     {
         var tree = new JsonTree(text);
-        var scanner = new JsonScanner(tree);
-        mistake = default;
-        if (scanner.Scan()) return tree;
-        mistake = scanner.Mistake;
-        return null;
+        var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
+        var depth = 0;
+        var reader = new Utf8JsonReader(WithoutComments(text.Utf8), new JsonReaderOptions { AllowTrailingCommas = true, MaxDepth = MaxDepth });
+        var (last, lastEnd) = (JsonTokenType.None, 0);
+        try
+        {
+            while (reader.Read())
+            {
+                (last, lastEnd) = (reader.TokenType, (int)reader.BytesConsumed);
+                if (last is JsonTokenType.EndObject or JsonTokenType.EndArray)
+                {
+                    tree.Close(open[--depth], lastEnd);
+                    continue;
+                }
+                if (last is JsonTokenType.StartObject or JsonTokenType.StartArray) open[depth++] = tree.count;
+                tree.Add(last, (int)reader.TokenStartIndex, lastEnd);
+            }
+            mistake = default;
+            return tree;
+        }
+        catch (JsonException e)
+        {
+            mistake = new JsonExpectation(tree, open.AsSpan(0, depth), last, lastEnd).Explain(e);
+            return null;
+        }
     }
 
-    /// <summary>Adds a token.</summary>
-    /// <returns>Its number.</returns>
-    public int Add(JsonKind kind, int start, int end)
+    private void Add(JsonTokenType kind, int start, int end)
     {
+        if (kind == JsonTokenType.PropertyName) end = EndOfText(Text.Utf8, start); // the reader's ends after the colon
         if (count == nodes.Length) Array.Resize(ref nodes, 2 * count);
-        ref var node = ref nodes[count];
-        (node.Kind, node.Start, node.End, node.Next) = (kind, start, end, count + 1);
-        return count++;
+        ref var node = ref nodes[count++];
+        (node.Kind, node.Start, node.End, node.Next) = (kind, start, end, count);
     }
 
     /// <summary>Ends an array or object.</summary>
     /// <param name="opening">The number of its token.</param>
     /// <param name="end">The place after its closing bracket.</param>
-    public void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next) = (end, count);
+    private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next) = (end, count);
+
+    /// <summary>The text with blanks in place of comments. The JSON reader's own skipping stumbles over a comment between a key and its colon.</summary>
+    private static ReadOnlySpan<byte> WithoutComments(ReadOnlySpan<byte> utf8)
+    {
+        byte[]? copy = null;
+        for (var i = 0; utf8[i..].IndexOfAny((byte)'"', (byte)'/') is >= 0 and var way;)
+        {
+            i += way;
+            var end = i + 1;
+            if (utf8[i] == '"')
+            {
+                end = EndOfText(utf8, i);
+            }
+            else if (utf8[i..].StartsWith("//"u8))
+            {
+                end = utf8[i..].IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? i + length : utf8.Length;
+                Blank(copy ??= utf8.ToArray(), i, end);
+            }
+            else if (utf8[i..].StartsWith("/*"u8))
+            {
+                if (utf8[(i + 2)..].IndexOf("*/"u8) is not (>= 0 and var length)) break; // never closed, which the reader refuses
+                end = i + length + 4;
+                Blank(copy ??= utf8.ToArray(), i, end);
+            }
+            i = end;
+        }
+        return copy ?? utf8;
+    }
+
+    private static void Blank(byte[] utf8, int start, int end)
+    {
+        for (var i = start; i < end; i++) utf8[i] = (byte)' '; // Span.Fill is a long method to compile at start-up
+    }
+
+    /// <summary>The place after the quote that closes a text, or where its line ends without one.</summary>
+    private static int EndOfText(ReadOnlySpan<byte> utf8, int start)
+    {
+        var i = start + 1;
+        while (i < utf8.Length && utf8[i] is not ((byte)'"' or (byte)'\r' or (byte)'\n')) i += utf8[i] == '\\' ? 2 : 1;
+        return Math.Min(i + 1, utf8.Length);
+    }
 }

@@ -1,4 +1,4 @@
-using System.Globalization;
+using System.Buffers.Text;
 using System.Text;
 using System.Text.Json;
 
@@ -14,7 +14,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     private readonly int node = node;
 
     /// <summary>What it is.</summary>
-    public JsonKind Kind => tree[node].Kind;
+    public JsonTokenType Kind => tree[node].Kind;
 
     /// <summary>The place of its first byte.</summary>
     public int Start => tree[node].Start;
@@ -114,8 +114,8 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     {
         get
         {
-            var written = tree.Text.Utf8[Start..End];
-            return DecimalNumber.TryParseShort(written, out var number) ? number : double.Parse(written, NumberStyles.Float, CultureInfo.InvariantCulture);
+            Utf8Parser.TryParse(tree.Text.Utf8[Start..End], out double number, out _);
+            return number;
         }
     }
 
@@ -132,9 +132,9 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     /// <summary>What it is, in words: <c>the text "45"</c>.</summary>
     public string InWords => Kind switch
     {
-        JsonKind.Object => "an object",
-        JsonKind.Array => "an array",
-        JsonKind.Text => $"the text {AsWritten}",
+        JsonTokenType.StartObject => "an object",
+        JsonTokenType.StartArray => "an array",
+        JsonTokenType.String => $"the text {AsWritten}",
         _ => AsWritten, // a number, true, false or null
     };
 

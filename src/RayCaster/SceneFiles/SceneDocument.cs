@@ -3,7 +3,8 @@ namespace RayCaster;
 /// <summary>A scene file while it is read: its text, the problems found so far and the mesh files that it names.</summary>
 /// <param name="text">The text.</param>
 /// <param name="folder">Where the paths of mesh files start.</param>
-internal sealed class SceneDocument(SourceText text, string folder)
+/// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+internal sealed class SceneDocument(SourceText text, string folder, int? threads = null)
 {
     /// <summary>After so many errors the rest is not read, and after so many problems no warning is kept: a file of nothing but mistakes would take hours.</summary>
     public const int MostProblems = 1000;
@@ -59,11 +60,11 @@ internal sealed class SceneDocument(SourceText text, string folder)
         return known.Mesh ?? throw known.Refusal!;
     }
 
-    private static (MeshData?, MeshFileException?) Read(string path)
+    private (MeshData?, MeshFileException?) Read(string path)
     {
         try
         {
-            return (MeshFile.Read(path), null);
+            return (MeshFile.Read(path, threads), null);
         }
         catch (MeshFileException refusal)
         {

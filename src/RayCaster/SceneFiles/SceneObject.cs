@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text.Json;
 
 namespace RayCaster;
 
@@ -76,7 +77,7 @@ internal sealed class SceneObject
         var limits = Limits.From(least, most);
         described?.Add(new(key, KeyKind.Whole, meaning, false, orElse) { Limits = limits });
         if (Take(key, meaning, false) is not { } value) return orElse;
-        if (value.Kind == JsonKind.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
+        if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
         {
             Report(true, value, PathOf(key), $" must be a whole number, but is {value.AsWritten}");
             return orElse;
@@ -110,7 +111,7 @@ internal sealed class SceneObject
     {
         described?.Add(new(key, KeyKind.Factors, meaning, false, orElse));
         if (Take(key, meaning, false) is not { } value) return new(orElse, orElse, orElse);
-        if (value.Kind != JsonKind.Number) return VectorAt(value, key, Limits.NotZero, "a number or an array of three numbers [x, y, z]");
+        if (value.Kind != JsonTokenType.Number) return VectorAt(value, key, Limits.NotZero, "a number or an array of three numbers [x, y, z]");
         var factor = NumberAt(value, key, null, Limits.NotZero);
         return new(factor, factor, factor);
     }
@@ -121,7 +122,7 @@ internal sealed class SceneObject
         described?.Add(new(key, KeyKind.Color, meaning, false, orElse));
         if (Take(key, meaning, false) is not { } value) return orElse;
         const string What = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
-        if (value.Kind == JsonKind.Text)
+        if (value.Kind == JsonTokenType.String)
         {
             var text = value.Text;
             if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
@@ -170,7 +171,7 @@ internal sealed class SceneObject
     {
         described?.Add(new(key, KeyKind.Objects, meaning, true));
         if (Take(key, meaning, true) is not { } value) yield break;
-        if (value.Kind != JsonKind.Array)
+        if (value.Kind != JsonTokenType.StartArray)
         {
             Report(true, value, PathOf(key), $" must be an array of objects in brackets [ ], but is {value.InWords}");
             yield break;
@@ -189,7 +190,7 @@ internal sealed class SceneObject
     /// <param name="name">What a message calls it, if not by its path.</param>
     public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, int? index = null, string? name = null)
     {
-        if (value.Kind == JsonKind.Object) return new(document, value, path, index);
+        if (value.Kind == JsonTokenType.StartObject) return new(document, value, path, index);
         if (index is not null) path += $"[{index}]";
         document.Add(true, value.Start, value.End, path, $"{name ?? path} must be an object in braces {{ }}, but is {value.InWords}");
         return null;
@@ -262,7 +263,7 @@ internal sealed class SceneObject
 
     private bool IsText(JsonValue value, string key)
     {
-        if (value.Kind == JsonKind.Text) return true;
+        if (value.Kind == JsonTokenType.String) return true;
         Report(true, value, PathOf(key), $" must be a text in double quotes, but is {value.InWords}");
         return false;
     }
@@ -280,9 +281,9 @@ internal sealed class SceneObject
 
     private double NumberAt(JsonValue value, string key, int? element, Limits limits)
     {
-        if (value.Kind != JsonKind.Number)
+        if (value.Kind != JsonTokenType.Number)
         {
-            var isQuoted = value.Kind == JsonKind.Text && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
+            var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
             Report(true, value, PathOf(key, element), $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}");
             return double.NaN;
         }
@@ -298,7 +299,7 @@ internal sealed class SceneObject
 
     private Vector3 VectorAt(JsonValue value, string key, Limits limits, string what)
     {
-        if (value.Kind != JsonKind.Array)
+        if (value.Kind != JsonTokenType.StartArray)
         {
             Report(true, value, PathOf(key), $" must be {what}, but is {value.InWords}");
             return NoVector;
@@ -321,13 +322,13 @@ internal sealed class SceneObject
         }
         return "";
 
-        static bool IsWhole(JsonValue value) => value.Kind == JsonKind.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
+        static bool IsWhole(JsonValue value) => value.Kind == JsonTokenType.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
     }
 
     private JsonValue? Place(string key, int? element)
     {
         if (document is null || json.Find(key) is not { } value) return null;
-        return element is { } i && value.Kind == JsonKind.Array ? value.Content[i] : value;
+        return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content[i] : value;
     }
 
     /// <summary>Notes a problem; where there is no value at the object's opening brace.</summary>

@@ -8,13 +8,14 @@ public static class SceneReader
 
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
-    public static SceneReading Read(string path)
+    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+    public static SceneReading Read(string path, int? threads = null)
     {
         try
         {
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
             if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-            return Read(file, path, Path.GetDirectoryName(path) ?? "");
+            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException || (e is ArgumentException && !File.Exists(path)))
         {
@@ -26,8 +27,9 @@ public static class SceneReader
     /// <param name="stream">The text, with or without a byte order mark.</param>
     /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
     /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static SceneReading Read(Stream stream, string displayName, string folder)
+    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null)
     {
         var known = stream.CanSeek ? stream.Length - stream.Position : 0;
         if (known > MostBytes) return TooLong(displayName);
@@ -35,7 +37,7 @@ public static class SceneReader
         for (var length = 0; ;)
         {
             var count = stream.Read(bytes.AsSpan(length));
-            if (count == 0) return Parse(bytes.AsMemory(0, length), displayName, folder);
+            if (count == 0) return Parse(bytes.AsMemory(0, length), displayName, folder, threads);
             length += count;
             if (length > MostBytes) return TooLong(displayName);
             if (length == bytes.Length) Array.Resize(ref bytes, Math.Min(2 * length, MostBytes + 1));
@@ -46,9 +48,10 @@ public static class SceneReader
     /// <param name="utf8">The text, with or without a byte order mark.</param>
     /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
     /// <param name="folder">Where the paths of mesh files start.</param>
-    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder)
+    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, int? threads = null)
     {
-        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var problems);
+        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var problems, threads);
         return new(scene, problems);
     }
 
@@ -59,12 +62,13 @@ public static class SceneReader
     /// <param name="name">What the outermost object is called in a message.</param>
     /// <param name="read">Reads that object.</param>
     /// <param name="problems">All errors and warnings.</param>
+    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     /// <returns>What was read, or null if there is an error.</returns>
-    internal static T? Parse<T>(ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems)
-        where T : class
+    internal static T? Parse<T>(ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,
+        int? threads = null) where T : class
     {
         var hasMark = utf8.Span.StartsWith(Encodings.Utf8Mark);
-        var document = new SceneDocument(new SourceText(displayName, utf8[(hasMark ? 3 : 0)..]), folder);
+        var document = new SceneDocument(new SourceText(displayName, utf8[(hasMark ? 3 : 0)..]), folder, threads);
         var root = ReadRoot(document, name);
         var result = root is null ? null : read(root);
         problems = document.Problems();

@@ -16,7 +16,7 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
         Extent = Tile.Everywhere;
         if (primitive is not IBounded bounded) return;
         var bounds = bounded.Bounds.PaddedFrom(camera.Position);
-        (Extent, Nearest) = (Tile.Of(bounds, camera), bounds.Distance);
+        (Extent, Nearest) = (Tile.Of(bounds, camera), bounds.LeastT);
     }
 
     /// <inheritdoc/>
@@ -41,7 +41,7 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
     public override void Meet(RaySpan span, int index)
     {
         var (first, end) = (0, span.Length);
-        if (Extent.IsSmall && span.Length == span.Width) // its extent spares most of the span, at a cost that a large model would not win back
+        if (Extent.IsSmall && span.Rows == 1) // its extent spares most of the span, at a cost that a large model would not win back
         {
             first = Math.Max(0, Extent.Column - span.Column);
             end = Math.Min(end, Extent.EndColumn - span.Column);
@@ -61,15 +61,18 @@ internal sealed class PrimitiveView<P> : ModelView, ICoveringView where P : stru
     public bool Paint(CoveredPart covered, int index, byte[] rgb, int first, int step) =>
         covered.Painter.Paint(covered.Part, covered.IsNear, primitive, this, index, rgb, first, step);
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
     private void Meet<N>(RaySpan span, int first, int end, int index) where N : struct, IPacket<N>
     {
+        if (Nearest > 0 && span.Hides<N>(first, end, Nearest)) return;
+        Cross<N>(span, first, end);
+        span.KeepNoted<N>(first, end, index);
+    }
+
+    /// <summary>Only the formula is compiled for each kind of shape; what is done with its result is the span's.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
+    private void Cross<N>(RaySpan span, int first, int end) where N : struct, IPacket<N>
+    {
         var shape = primitive; // a local, so that its constants stay in registers
-        var nearest = Nearest;
-        for (var i = first; i < end; i += N.Count)
-        {
-            if (nearest > 0 && N.All(span.NearestAt<N>(i) < RaySpan.All<N>(nearest))) continue; // hidden
-            span.Keep(i, span.First(i, shape.Cross(span.RaysAt<N>(i))), index);
-        }
+        for (var i = first; i < end; i += N.Count) span.Note(i, shape.Cross(span.RaysAt<N>(i)));
     }
 }

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
 
 namespace RayCaster;
 
@@ -19,6 +20,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     private readonly double[] acrossX = new double[MaxLength], acrossY = new double[MaxLength], acrossZ = new double[MaxLength];
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
     private readonly double[] zPerT = new double[capacity];
+    private readonly double[] near = new double[capacity], far = new double[capacity]; // the crossings with one model
     private readonly double[] t = new double[capacity];
     private readonly double[] model = new double[capacity];
 
@@ -28,26 +30,41 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     /// <summary>The lowest pixels' row, from the bottom.</summary>
     public int Row { get; private set; }
 
-    /// <summary>How many pixels in all.</summary>
-    public int Length { get; private set; }
+    /// <summary>How many numbers there are from the first pixel's to the last one's.</summary>
+    public int Length => (Rows - 1) * Pitch + Width;
 
     /// <summary>How many pixels lie in a row.</summary>
     public int Width { get; private set; }
 
+    /// <summary>How many rows there are.</summary>
+    public int Rows { get; private set; } = 1;
+
+    /// <summary>How many numbers there are from a pixel's to that of the one above it.</summary>
+    public int Pitch { get; private set; }
+
+    /// <summary>Whether there are no numbers between the rows.</summary>
+    public bool IsDense => Pitch == Width || Rows == 1;
+
     /// <summary>The t of the nearest hit of each pixel, +∞ for none; numbers beyond the span's length mean nothing.</summary>
     public ReadOnlySpan<double> T => t;
 
-    /// <summary>The model of each pixel's nearest hit, by its place in the scene; −1 for none.</summary>
-    public int ModelAt(int pixel) => (int)model[pixel];
+    /// <summary>Tells the models of some pixels' nearest hits, by their places in the scene; −1 for none.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void CopyModels(int first, Span<int> to)
+    {
+        for (; to.Length >= Packet.Count; to = to[Packet.Count..], first += Packet.Count) ModelsAt<Packet>(first).ToInts().StoreUnsafe(ref to[0]);
+        for (var i = 0; i < to.Length; i++) to[i] = (int)model[first + i];
+    }
 
     /// <summary>Comes to the columns that the next rows have in common.</summary>
     /// <param name="column">The first column.</param>
     /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
+    /// <param name="pitch">How many numbers to leave for each row; as many as there are columns, if left out.</param>
     /// <typeparam name="N">The kind of packet to compute with.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Enter<N>(int column, int length) where N : struct, IPacket<N>
+    public void Enter<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
     {
-        (Column, Length, Width) = (column, length, length);
+        (Column, Width, Pitch, Rows) = (column, length, pitch ?? length, 1);
         for (var i = 0; i < length; i += N.Count)
         {
             var across = camera.Across(N.Sequence(column + i));
@@ -59,12 +76,12 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
 
     /// <summary>Aims the rays of a row, or of several one after another, and forgets all hits.</summary>
     /// <param name="row">The lowest row, from the bottom.</param>
-    /// <param name="rows">How many; more than one only where a row is one of whole packets.</param>
+    /// <param name="rows">How many; more than one only where the pitch is one of whole packets.</param>
     /// <typeparam name="N">The kind of packet to compute with.</typeparam>
     public void Aim<N>(int row, int rows = 1) where N : struct, IPacket<N>
     {
-        (Row, Length) = (row, Width * rows);
-        for (var i = 0; i < rows; i++) AimRow<N>(row + i, i * Width);
+        (Row, Rows) = (row, rows);
+        for (var i = 0; i < rows; i++) AimRow<N>(row + i, i * Pitch);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
@@ -83,15 +100,8 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
         }
     }
 
-    /// <summary>Goes to a row that nothing is known to show in, without rays.</summary>
-    /// <param name="row">The row, from the bottom.</param>
-    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Clear<N>(int row) where N : struct, IPacket<N>
-    {
-        Row = row;
-        for (var i = 0; i < Length; i += N.Count) Set(i, All<N>(double.PositiveInfinity), All<N>(-1));
-    }
+    /// <summary>Takes some numbers out of all questions: nothing is nearer than the hits there, which no sink sees, since they are not in the span's columns and rows.</summary>
+    public void Hide(int first, int count) => Array.Fill(t, double.NegativeInfinity, first, count);
 
     /// <summary>The rays of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -118,6 +128,36 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
         models.Store(model, pixel);
     }
 
+    /// <summary>Whether all hits so far of some pixels are nearer than a model can be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public bool Hides<N>(int first, int end, double nearest) where N : struct, IPacket<N>
+    {
+        var nearestOfModel = All<N>(nearest);
+        for (var i = first; i < end; i += N.Count)
+            if (!N.All(NearestAt<N>(i) < nearestOfModel))
+                return false;
+        return true;
+    }
+
+    /// <summary>Notes the crossings of a model with the packet that begins at a pixel.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Note<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N>
+    {
+        crossings.Near.Store(near, pixel);
+        crossings.Far.Store(far, pixel);
+    }
+
+    /// <summary>Keeps of the crossings that were noted those that count and are nearer than all hits before.</summary>
+    /// <param name="first">The first pixel, where a packet begins.</param>
+    /// <param name="end">The pixel after the last.</param>
+    /// <param name="modelIndex">The model's place in the scene.</param>
+    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
+    public void KeepNoted<N>(int first, int end, int modelIndex) where N : struct, IPacket<N>
+    {
+        for (var i = first; i < end; i += N.Count) Keep(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), All<N>(modelIndex));
+    }
+
     /// <summary>The first of the crossings that counts, in each lane, or NaN.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N First<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N> =>
@@ -128,12 +168,11 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     /// <param name="hit">The model's t in each lane, NaN for none.</param>
     /// <param name="modelIndex">The model's place in the scene: of equal hits the one of the first model stays, in whatever order they come.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Keep<N>(int pixel, N hit, int modelIndex) where N : struct, IPacket<N>
+    public void Keep<N>(int pixel, N hit, N modelIndex) where N : struct, IPacket<N>
     {
-        var (nearest, models, index) = (NearestAt<N>(pixel), ModelsAt<N>(pixel), All<N>(modelIndex));
-        var better = (hit < nearest) | (N.Equal(hit, nearest) & (index < models));
-        N.Select(better, hit, nearest).Store(t, pixel);
-        N.Select(better, index, models).Store(model, pixel);
+        var (nearest, models) = (NearestAt<N>(pixel), ModelsAt<N>(pixel));
+        var better = (hit < nearest) | (N.Equal(hit, nearest) & (modelIndex < models));
+        Set(pixel, N.Select(better, hit, nearest), N.Select(better, modelIndex, models));
     }
 
     /// <summary>The greatest t of the nearest hits so far: what is not nearer than this anywhere does not show in the span.</summary>

@@ -7,7 +7,7 @@ namespace RayCaster;
 /// <summary>Turns the hits of spans into bytes: the formulas of <see cref="Scene.Shade"/> and <see cref="Color.ToBytes"/> for four pixels at once.</summary>
 internal sealed class SpanShader
 {
-    private readonly Color[] colors; // the background, then the models
+    private readonly Color[]? colors; // the background, then the models; null where the few pixels in doubt ask the models themselves
     private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
     private readonly RoughShader? rough;
 
@@ -20,12 +20,13 @@ internal sealed class SpanShader
     public SpanShader(Scene scene, bool isLong)
     {
         Scene = scene;
+        var (r, g, b) = scene.Background.ToBytes();
+        for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
+        rough = isLong ? RoughShader.For(scene) : null;
+        if (rough is not null) return;
         colors = new Color[scene.Models.Count + 1];
         colors[0] = scene.Background;
         for (var i = 1; i < colors.Length; i++) colors[i] = scene.Models[i - 1].Color;
-        var (r, g, b) = scene.Background.ToBytes();
-        for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
-        rough = isLong ? RoughShader.For(scene, colors) : null;
     }
 
     /// <summary>What is drawn.</summary>
@@ -38,9 +39,9 @@ internal sealed class SpanShader
     /// <param name="step">From a pixel's place to that of the one above it.</param>
     public void Shade(RaySpan span, byte[] rgb, int first, int step)
     {
-        if (rough is not null && span.Width % RoughPacket.Count == 0) rough.Shade(span, this, rgb, first, step);
+        if (rough is not null && span.IsDense && span.Width % RoughPacket.Count == 0) rough.Shade(span, this, rgb, first, step);
         else
-            for (var i = 0; i < span.Length; i += span.Width, first += step)
+            for (var i = 0; i < span.Length; i += span.Pitch, first += step)
                 Shade(span, i, rgb.AsSpan(first, 3 * span.Width));
     }
 
@@ -58,13 +59,13 @@ internal sealed class SpanShader
             var models = span.ModelsAt<Packet>(i);
             var isMiss = models < 0;
             var attenuation = Packet.Select(isMiss, 1, Scene.Attenuation(span.NearestAt<Packet>(i))); // 1 leaves the background as it is
-            ref var a = ref colors[(int)models.Lanes[0] + 1];
+            var a = ColorOf((int)models.Lanes[0]);
             Packet r = a.R, g = a.G, b = a.B;
             if (!Packet.All(Packet.Equal(models, models.Lanes[0])))
             {
-                ref var c = ref colors[(int)models.Lanes[1] + 1];
-                ref var d = ref colors[(int)models.Lanes[2] + 1];
-                ref var e = ref colors[(int)models.Lanes[3] + 1];
+                var c = ColorOf((int)models.Lanes[1]);
+                var d = ColorOf((int)models.Lanes[2]);
+                var e = ColorOf((int)models.Lanes[3]);
                 r = new(Vector256.Create(a.R, c.R, d.R, e.R));
                 g = new(Vector256.Create(a.G, c.G, d.G, e.G));
                 b = new(Vector256.Create(a.B, c.B, d.B, e.B));
@@ -94,6 +95,10 @@ internal sealed class SpanShader
         for (; rgb.Length > missed.Length; rgb = rgb[missed.Length..]) missed.CopyTo(rgb);
         missed.AsSpan(0, rgb.Length).CopyTo(rgb);
     }
+
+    /// <summary>A model's colour; that of the background for −1.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Color ColorOf(int model) => colors is not null ? colors[model + 1] : model < 0 ? Scene.Background : Scene.Models[model].Color;
 
     /// <summary>The bytes of a channel of four pixels, each in an int.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

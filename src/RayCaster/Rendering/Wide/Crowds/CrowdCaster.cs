@@ -6,7 +6,7 @@ namespace RayCaster;
 internal sealed class CrowdCaster(Crowd crowd, Camera camera)
 {
     private readonly CrowdPart part = new(camera);
-    private readonly RaySpan span = new(camera);
+    private readonly RaySpan row = new(camera);
     private readonly CrowdOrder order = new();
 
     /// <summary>Whether members of the crowd may show in a tile.</summary>
@@ -39,21 +39,22 @@ internal sealed class CrowdCaster(Crowd crowd, Camera camera)
             sink.TakeMiss(tile);
             return;
         }
-        part.Enter(tile);
-        span.Enter<N>(tile.Column, tile.Width);
-        for (var row = tile.Row; row < tile.EndRow; row++)
-        {
-            span.Aim<N>(row);
-            others?.Invoke(span);
-            part.Take<N>(span);
-        }
+        part.Enter<N>(tile);
+        if (others is not null) MeetOthers<N>(tile, others);
         part.RefreshAll<N>();
         crowd.Meet<N>(part, order.Sorted);
-        for (var row = tile.Row; row < tile.EndRow; row++)
+        sink.Take(part.Rays);
+    }
+
+    /// <summary>Views of other models know rows only.</summary>
+    private void MeetOthers<N>(in Tile tile, Action<RaySpan> others) where N : struct, IPacket<N>
+    {
+        row.Enter<N>(tile.Column, tile.Width);
+        for (var i = 0; i < tile.Height; i++)
         {
-            span.Clear<N>(row);
-            part.Give<N>(span);
-            sink.Take(span);
+            row.Aim<N>(tile.Row + i);
+            others(row);
+            part.Take<N>(row);
         }
     }
 }

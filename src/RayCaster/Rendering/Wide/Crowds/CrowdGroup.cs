@@ -122,22 +122,19 @@ internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Meet<N>(P shape, int model, CrowdPart part, ReadOnlySpan<int> packets) where N : struct, IPacket<N>
     {
-        var (range, rays, hits) = (clip, part.Rays, part.Hits); // locals, as the shape is, so that their constants stay in registers
-        var (origin, index) = (rays.Origin<N>(), RaySpan.All<N>(model));
-        foreach (var i in packets)
-            hits.Keep(i, range.First(shape.Cross(new Ray<N>(origin, rays.DirectionsAt<N>(i))), rays.ZPerTAt<N>(i)), index);
+        var (range, rays, index) = (clip, part.Rays, RaySpan.All<N>(model)); // locals, as the shape is, so that their constants stay in registers
+        foreach (var i in packets) rays.Keep(i, range.First(shape.Cross(rays.RaysAt<N>(i)), rays.ZPerTAt<N>(i)), index);
     }
 
     /// <summary>The same without the question which crossings count, which costs about as much as the formula of a sphere.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static void MeetClear<N>(P shape, int model, CrowdPart part, ReadOnlySpan<int> packets) where N : struct, IPacket<N>
     {
-        var (rays, hits) = (part.Rays, part.Hits);
-        var (origin, index) = (rays.Origin<N>(), RaySpan.All<N>(model));
+        var (rays, index) = (part.Rays, RaySpan.All<N>(model));
         foreach (var i in packets)
         {
-            var crossings = shape.Cross(new Ray<N>(origin, rays.DirectionsAt<N>(i)));
-            hits.Keep(i, N.Or(crossings.Near, crossings.Far), index);
+            var crossings = shape.Cross(rays.RaysAt<N>(i));
+            rays.Keep(i, N.Or(crossings.Near, crossings.Far), index);
         }
     }
 }

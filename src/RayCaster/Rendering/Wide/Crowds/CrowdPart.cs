@@ -22,38 +22,28 @@ internal sealed class CrowdPart(Camera camera)
     private int count;
     private uint touched; // blocks with packets listed
 
-    /// <summary>Its rays.</summary>
-    public CrowdRays Rays { get; } = new(camera.Position);
+    /// <summary>Its rays, and the nearest hits so far.</summary>
+    public RaySpan Rays { get; } = new(camera, Side * Side);
 
-    /// <summary>The nearest hits so far.</summary>
-    public CrowdHits Hits { get; } = new();
-
-    /// <summary>Goes to another part.</summary>
-    public void Enter(in Tile tile)
+    /// <summary>Goes to another part and aims its rays.</summary>
+    public void Enter<N>(in Tile tile) where N : struct, IPacket<N>
     {
         (this.tile, sides) = (tile, new(tile));
-        if (tile.Area < Side * Side) Hits.Fill(double.NegativeInfinity); // what lies beyond the picture is hidden
+        Rays.Enter<N>(tile.Column, tile.Width, Side);
+        Rays.Aim<N>(tile.Row, tile.Height);
+        for (var i = 0; i < Side; i++) // what lies beyond the picture is hidden
+        {
+            var width = i < tile.Height ? tile.Width : 0;
+            if (width < Side) Rays.Hide(i * Side + width, Side - width);
+        }
     }
 
-    /// <summary>Takes over the rays of a row, and their hits.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    /// <summary>Takes over the hits of a row.</summary>
     public void Take<N>(RaySpan span) where N : struct, IPacket<N>
     {
         var row = (span.Row - tile.Row) * Side;
-        for (var i = 0; i < tile.Width; i += N.Count)
-        {
-            Rays.Set(row + i, span.RaysAt<N>(i).Direction, span.ZPerTAt<N>(i));
-            Hits.Set(row + i, span.NearestAt<N>(i), span.ModelsAt<N>(i));
-        }
-        if (tile.Width < Side) Hits.Fill(row + tile.Width, Side - tile.Width, double.NegativeInfinity);
-    }
-
-    /// <summary>Gives the hits of a row back.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Give<N>(RaySpan span) where N : struct, IPacket<N>
-    {
-        var row = (span.Row - tile.Row) * Side;
-        for (var i = 0; i < tile.Width; i += N.Count) span.Set(i, Hits.NearestAt<N>(row + i), Hits.ModelsAt<N>(row + i));
+        for (var i = 0; i < tile.Width; i += N.Count) Rays.Set(row + i, span.NearestAt<N>(i), span.ModelsAt<N>(i));
+        if (tile.Width < Side) Rays.Hide(row + tile.Width, Side - tile.Width);
     }
 
     /// <summary>Whether all pixels have a hit nearer than this.</summary>
@@ -90,7 +80,7 @@ internal sealed class CrowdPart(Camera camera)
         var blocks = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible<N>(nearest);
         touched |= blocks;
         var least = RaySpan.All<N>(nearest);
-        var (hits, packets, end) = (Hits, this.packets, first);
+        var (rays, packets, end) = (Rays, this.packets, first);
         for (; blocks != 0; blocks &= blocks - 1)
         {
             var block = BitOperations.TrailingZeroCount(blocks);
@@ -101,7 +91,7 @@ internal sealed class CrowdPart(Camera camera)
                 for (var x = 0; x < BlockSide; x += N.Count)
                 {
                     packets[end] = i + x;
-                    end += (N.All(hits.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
+                    end += (N.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
                 }
             }
         }
@@ -125,10 +115,10 @@ internal sealed class CrowdPart(Camera camera)
     private void Measure<N>(int block) where N : struct, IPacket<N>
     {
         var i = Corner(block);
-        var most = Hits.NearestAt<N>(i);
+        var most = Rays.NearestAt<N>(i);
         for (var x = 0; x < BlockSide; x += N.Count)
             for (var y = 0; y < BlockSide * Side; y += Side)
-                most = N.Max(most, Hits.NearestAt<N>(i + x + y));
+                most = N.Max(most, Rays.NearestAt<N>(i + x + y));
         farthest[block] = N.Greatest(most);
     }
 

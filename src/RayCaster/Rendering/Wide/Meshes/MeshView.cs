@@ -67,7 +67,7 @@ internal sealed class MeshView : ModelView, IPaintingView
     {
         if (sets.Length > 0) filter!.Meet(span, index);
         if (hard is null) return;
-        for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), index);
+        for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), RaySpan.All<Packet>(index));
     }
 
     /// <inheritdoc/>

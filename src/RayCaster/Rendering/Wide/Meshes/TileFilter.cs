@@ -103,7 +103,7 @@ internal sealed class TileFilter
                 var other = N.Load(decided, at);
                 hit = N.Select(hit <= other, hit, other);
             }
-            span.Keep(i, hit, index);
+            span.Keep(i, hit, RaySpan.All<N>(index));
         }
     }
 
