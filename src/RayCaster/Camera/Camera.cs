@@ -52,6 +52,7 @@ public sealed class Camera
         W = -(Target - Position).Normalized;
         U = (Up % W).Normalized;
         V = W % U;
+        Skew = Math.Max(Math.Max(Math.Abs(U * W), Math.Abs(V * W)), Math.Max(Math.Abs(U * U - 1), Math.Abs(V * V - 1)));
         PlaneHeight = 2 * Math.Tan(FovY * Math.PI / 180 / 2);
         PlaneWidth = PlaneHeight * Width / Height;
         Reach = (2 * (Target - Position)).Length;
@@ -108,6 +109,15 @@ public sealed class Camera
 
     /// <summary>2 |T − P|: the distance at which all light is lost.</summary>
     public double Reach { get; }
+
+    /// <summary>
+    /// By how much U, V and W are not at right angles and of length 1. That is all rounding, but much of it where up is nearly the view direction; a ray
+    /// then meets a point a little beside the pixel on which U and V put it.
+    /// </summary>
+    internal double Skew { get; }
+
+    /// <summary>Whether points are put so far beside the rays that meet them that margins of 1e-12 of their distance do not make up for it.</summary>
+    internal bool IsSkewed => Skew > 1e-13;
 
     /// <summary>Bias, zNear and zFar as one question.</summary>
     public ClipRange ClipRange { get; }

@@ -149,6 +149,27 @@ public class RendererTests
         AssertEqual(room with { Camera = room.Camera.WithView(new(x, y, z), Vector3.Zero, fovY).WithSize(700, 333), Background = new(0.2, 0.4, 2) }, "the room");
     }
 
+    /// <summary>
+    /// Up so nearly along the view that U, V and W are not at right angles, by rounding: rays then pass beside the pixels on which U and V put what they hit.
+    /// </summary>
+    [Theory]
+    [InlineData(40)]
+    [InlineData(200)]
+    public void AViewAlmostAlongUpComesOutToTheBit(int spheres)
+    {
+        var random = new Random(spheres);
+        for (var i = 0; i < 8; i++)
+        {
+            double Next(double range) => range * (2 * random.NextDouble() - 1);
+            var models = new List<Model>();
+            while (models.Count < spheres) models.Add(Model.Of(new Sphere(new(Next(0.015), Next(0.015), Next(0.015)), 0.0002 + 0.001 * random.NextDouble())));
+            var (position, target) = (new Vector3(Next(2), Next(2), 9 + Next(1)), Vector3.Zero);
+            var up = (position - target).Normalized + 3e-12 * new Vector3(Next(1), Next(1), Next(1));
+            var camera = new Camera(position, target, up, 0.2, 250, 250);
+            if (camera.Flaw is null) AssertEqual(new Scene(camera, models), $"picture {i}");
+        }
+    }
+
     [Fact]
     public void OfEqualHitsTheFirstModelShows()
     {

@@ -23,7 +23,7 @@ internal sealed class Frame : IDisposable
         var camera = scene.Camera;
         IsLong = isLong ?? Interlocked.Add(ref pixelsSoFar, (long)camera.Width * camera.Height) >= PixelsOfLongWork;
         var (models, alone) = (scene.Models, new List<int>());
-        if (models.Count > FewModels) Crowd = new(camera, models.Count);
+        if (models.Count > FewModels && !camera.IsSkewed) Crowd = new(camera, models.Count);
         for (var i = 0; i < models.Count; i++)
             if (Crowd is null || !models[i].Join(Crowd, i))
                 alone.Add(i);

@@ -44,6 +44,7 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <param name="margin">Pixels to be added on each side.</param>
     public static Tile Of(Bounds padded, Camera camera, double margin = Margin)
     {
+        if (camera.IsSkewed) return Everywhere; // the projection would be beside the truth
         var (center, half) = (0.5 * (padded.Min + padded.Max), 0.5 * (padded.Max - padded.Min));
         var (depth, depthHalf) = (-(center * camera.W), Spread(camera.W));
         var (nearest, farthest) = (depth - depthHalf, depth + depthHalf);

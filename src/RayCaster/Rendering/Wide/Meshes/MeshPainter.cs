@@ -42,7 +42,7 @@ internal sealed class MeshPainter
         Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + RoughBytes.RoundingOfTheEnds;
         // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the view.
         IsSupported = RoughBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30
-            && screen.LongestT < 1e4 && screen.Skew * screen.LongestT < 1e-9;
+            && screen.LongestT < 1e4 && screen.Camera.Skew * screen.LongestT < 1e-9;
     }
 
     /// <summary>Whether machine and scene suit it.</summary>

@@ -25,14 +25,12 @@ internal sealed class ScreenSpace
 
         // Direction, projection and formula each round by a few units of 2⁻⁵³ of an angle, or of the picture's size; an angle is at most that many pixels:
         var pixelsOfAngle = Scale * (1 + squareOfSlope) + camera.Width + camera.Height;
-        // So many of the angles by which U, V and W are not at right angles, which is all rounding, but much of it where up is nearly the view direction.
-        Skew = Math.Max(Math.Max(Math.Abs(u * w), Math.Abs(v * w)), Math.Max(Math.Abs(u * u - 1), Math.Abs(v * v - 1)));
-        DoubleMargin = (1e-14 + 4 * Skew) * pixelsOfAngle;
+        DoubleMargin = (1e-14 + 4 * camera.Skew) * pixelsOfAngle;
         // A float is good to 2⁻²⁴ of a coordinate; that is spent once for the coordinate and once where it is seen from the tile's corner.
         Margin = (float)(DoubleMargin + Math.ScaleB(Math.Max(camera.Width, camera.Height) + Guard + 2, -23));
         // Corners off by δ turn the formula's t by δ · side / area of the span of its corners' depths; an area of 4e6 δ · side keeps that below 1e-6.
         LeastWidth = (float)(4e6 * DoubleMargin + 16 * Margin);
-        IsFine = DoubleMargin < 1e-2 && Skew * longest < 1e-7 && Unit is > 1e-250 and < 1e250;
+        IsFine = DoubleMargin < 1e-2 && camera.Skew * longest < 1e-7 && Unit is > 1e-250 and < 1e250;
 
         var byDistance = camera.Clip == Clip.Distance;
         var nearest = Math.Max(camera.ZNear, camera.Bias);
@@ -62,9 +60,6 @@ internal sealed class ScreenSpace
 
     /// <summary>The t of the rays that are longest to a depth of 1.</summary>
     public double LongestT { get; }
-
-    /// <summary>By how much the camera's axes are not at right angles and of length 1.</summary>
-    public double Skew { get; }
 
     /// <summary>Pixels by which doubles may put a corner, and a ray, wrong.</summary>
     public double DoubleMargin { get; }
