@@ -7,7 +7,7 @@ public class IntervalTests
 {
     public static TheoryData<string> Shapes => new(Primitives.Keys);
 
-    private static readonly Dictionary<string, IPrimitive> Primitives = new()
+    internal static readonly Dictionary<string, IPrimitive> Primitives = new()
     {
         ["plane"] = new Plane(new(-5, 0, 0), new(1, 0, 0.2)),
         ["sphere"] = new Sphere(new(0, 1, -1), 2),

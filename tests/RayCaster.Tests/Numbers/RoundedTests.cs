@@ -5,16 +5,7 @@ namespace RayCaster.Tests.Numbers;
 /// <summary>Floats are no farther from doubles than the primitives' own formulas over rounded numbers say.</summary>
 public class RoundedTests
 {
-    private static readonly Dictionary<string, IPrimitive> Primitives = new()
-    {
-        ["plane"] = new Plane(new(-5, 0, 0), new(1, 0, 0.2)),
-        ["sphere"] = new Sphere(new(0, 1, -1), 2),
-        ["aabb"] = new Aabb(new(-2, -1, -1), new(1, 2, 1)),
-        ["circle"] = new Circle(new(1, 0, 0), new(1, 0.3, 0), 2),
-        ["triangle"] = new Triangle(new(0, -2, -1), new(0, 2, -1), new(1, 0, 3)),
-    };
-
-    public static TheoryData<string> Shapes => new(Primitives.Keys);
+    public static TheoryData<string> Shapes => IntervalTests.Shapes;
 
     [Theory]
     [MemberData(nameof(Shapes))]
@@ -28,14 +19,14 @@ public class RoundedTests
         {
             var (y, z, size) = (0.3 * (random.NextDouble() - 0.5), 0.3 * (random.NextDouble() - 0.5), Math.Pow(2, -random.Next(4, 9)));
             var region = new Vector3<Range>(new(-1 - size, -1), new(y, y + size), new(z, z + size));
-            var bound = Primitives[shape].Cross(new Ray<Rounded>(origin, new(Rounded.From(region.X), Rounded.From(region.Y), Rounded.From(region.Z)))).Near;
+            var bound = IntervalTests.Primitives[shape].Cross(new Ray<Rounded>(origin, new(Rounded.From(region.X), Rounded.From(region.Y), Rounded.From(region.Z)))).Near;
             if (bound.Error == double.PositiveInfinity) continue;
             bounded++;
             for (var j = 0; j < 20; j++)
             {
                 var d = new Vector3(-1 - random.NextDouble() * size, y + random.NextDouble() * size, z + random.NextDouble() * size);
-                double exact = Primitives[shape].Cross(new Ray<Scalar>(origin, d)).Near;
-                var rough = Primitives[shape].Cross(new Ray<RoughPacket>(origin, (Vector3)d)).Near;
+                double exact = IntervalTests.Primitives[shape].Cross(new Ray<Scalar>(origin, d)).Near;
+                var rough = IntervalTests.Primitives[shape].Cross(new Ray<RoughPacket>(origin, (Vector3)d)).Near;
                 var error = Math.Abs(rough.Upper[random.Next(RoughPacket.Count)] - exact);
                 Assert.True(error <= bound.Error, $"off by {error} for {d}, where {bound.Error} was said to be the most");
                 worst = Math.Max(worst, error / bound.Error);
