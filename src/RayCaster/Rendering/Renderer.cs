@@ -71,9 +71,10 @@ public sealed class Renderer(Scene scene, int? threads = null)
         var (across, up) = (Frame.StripsOf(camera.Width), Frame.TilesOf(camera.Height));
         var next = -1;
         Exception? failure = null;
-        var workers = Math.Min(threadCount, across * up);
-        if (workers == 1) Work();
-        else Parallel.For(0, workers, new() { MaxDegreeOfParallelism = workers }, _ => Work()); // the pool's threads wait for the next frame, too
+        var others = new Thread[Math.Min(threadCount, across * up) - 1]; // plain ones: the pool's begin at once, or a picture later
+        for (var i = 0; i < others.Length; i++) (others[i] = new(Work) { IsBackground = true, Name = "caster" }).Start();
+        Work();
+        foreach (var other in others) other.Join();
         if (failure is not null) throw failure;
 
         void Work()
