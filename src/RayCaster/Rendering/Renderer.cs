@@ -28,7 +28,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
         using var frame = new Frame(scene, threadCount, IsLong);
-        Cast(frame, new PictureSink(new(frame), picture.Rgb, picture.Width, picture.Height - 1));
+        Cast(frame, new PictureSink(frame.Shader, picture.Rgb, picture.Width, picture.Height - 1));
     }
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>

@@ -35,7 +35,7 @@ internal sealed class BandQueue
     public BandQueue(Scene scene, LineRange lines, int threads, Action<int>? linesDone, CancellationToken cancellation)
     {
         (frame, camera) = (new(scene, threads), scene.Camera);
-        shader = new(frame);
+        shader = frame.Shader;
         (this.linesDone, this.cancellation) = (linesDone, cancellation);
 
         // A band is a row of tiles, or of very wide pictures a half, a quarter … of one, so that no tile lies in two bands.

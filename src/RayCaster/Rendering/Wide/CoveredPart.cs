@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster;
 
@@ -25,12 +24,7 @@ internal sealed class CoveredPart(Frame frame)
     public bool IsNear { get; private set; }
 
     /// <summary>Comes to a part.</summary>
-    public void Enter(in Tile part, bool isNear)
-    {
-        (Part, IsNear) = (part, isNear);
-        if (Vector512.IsHardwareAccelerated) Enter<WidePacket>();
-        else Enter<Packet>();
-    }
+    public void Enter(in Tile part, bool isNear) => (Part, IsNear) = (part, isNear);
 
     /// <summary>Writes down where the rays hit a shape that all of them hit.</summary>
     /// <param name="shape">The shape.</param>
@@ -42,6 +36,7 @@ internal sealed class CoveredPart(Frame frame)
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
     public void Hit<N, P>(P shape, double[] t, int first, int step) where N : struct, IPacket<N> where P : struct, IPrimitive
     {
+        Look<N>();
         Vector3<N> origin = camera.Position;
         var isNear = IsNear;
         for (var row = Part.Row; row < Part.EndRow; row++, first += step)
@@ -67,7 +62,8 @@ internal sealed class CoveredPart(Frame frame)
         tail.AsSpan(0, count).CopyTo(t.AsSpan(first));
     }
 
-    private void Enter<N>() where N : struct, IPacket<N>
+    /// <summary>Finds out what the rows have in common.</summary>
+    private void Look<N>() where N : struct, IPacket<N>
     {
         for (var i = 0; i < Part.Width; i += N.Count)
         {

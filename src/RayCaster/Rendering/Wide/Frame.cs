@@ -52,6 +52,9 @@ internal sealed class Frame : IDisposable
     /// <summary>The other models; null where there are few.</summary>
     public Crowd? Crowd { get; }
 
+    /// <summary>Turns hits into bytes; made when it is asked for first.</summary>
+    public SpanShader Shader => field ??= new(Scene, IsLong);
+
     /// <summary>Gives lent memory back when the picture is done.</summary>
     public void Dispose() => Crowd?.Free();
 

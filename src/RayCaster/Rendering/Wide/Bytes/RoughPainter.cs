@@ -21,7 +21,7 @@ internal sealed class RoughPainter(Frame frame)
     private Tile strip; // that of the part
     private Vector3 directionError; // in the strip
     private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
-    private readonly SpanShader shader = new(frame);
+    private readonly SpanShader shader = frame.Shader;
     private readonly RaySpan span = new(frame.Scene.Camera);
     private readonly float[] acrossX = new float[Tile.MaxStrip], acrossY = new float[Tile.MaxStrip], acrossZ = new float[Tile.MaxStrip];
     private readonly ulong[] doubts = new ulong[Tile.MaxStrip * Tile.MaxSide / RoughPacket.Count]; // of each packet

@@ -11,10 +11,6 @@ internal sealed class SpanShader
     private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
     private readonly RoughShader? rough;
 
-    public SpanShader(Frame frame) : this(frame.Scene, frame.IsLong)
-    {
-    }
-
     /// <param name="scene">What is drawn.</param>
     /// <param name="isLong">Whether there are pixels enough that rough kernels pay.</param>
     public SpanShader(Scene scene, bool isLong)
