@@ -2,7 +2,7 @@ using System.Runtime.ExceptionServices;
 
 namespace RayCaster;
 
-/// <summary>Work on the parts of a long array, side by side.</summary>
+/// <summary>Work in pieces, or on the parts of a long array, side by side.</summary>
 internal static class Ranges
 {
     /// <summary>The number of elements in each part but the last: a multiple of 3, and enough to be worth a thread's while.</summary>
@@ -14,7 +14,7 @@ internal static class Ranges
         var next = -1;
         var failure = default(Exception);
         var others = new Thread[Math.Max(0, Math.Min(threads, count) - 1)]; // plain ones: the first use of Parallel takes milliseconds
-        for (var i = 0; i < others.Length; i++) (others[i] = new(Work) { IsBackground = true, Name = "range" }).Start();
+        for (var i = 0; i < others.Length; i++) (others[i] = new(Work) { IsBackground = true, Name = "worker" }).Start();
         Work();
         foreach (var other in others) other.Join();
         if (failure is not null) ExceptionDispatchInfo.Throw(failure);

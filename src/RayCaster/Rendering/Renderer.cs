@@ -69,29 +69,16 @@ public sealed class Renderer(Scene scene, int? threads = null)
     private void Cast(Frame frame, ISpanSink sink)
     {
         var (across, up) = (Frame.StripsOf(camera.Width), Frame.TilesOf(camera.Height));
+        var workers = Math.Min(threadCount, across * up);
         var next = -1;
-        Exception? failure = null;
-        var others = new Thread[Math.Min(threadCount, across * up) - 1]; // plain ones: the pool's begin at once, or a picture later
-        for (var i = 0; i < others.Length; i++) (others[i] = new(Work) { IsBackground = true, Name = "caster" }).Start();
-        Work();
-        foreach (var other in others) other.Join();
-        if (failure is not null) throw failure;
-
-        void Work()
+        Ranges.Each(workers, workers, _ =>
         {
-            try
+            var caster = new TileCaster(frame);
+            while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
-                var caster = new TileCaster(frame);
-                while (failure is null && Interlocked.Increment(ref next) is var i && i < across * up)
-                {
-                    var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
-                    caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), sink);
-                }
+                var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
+                caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), sink);
             }
-            catch (Exception e)
-            {
-                failure = e;
-            }
-        }
+        });
     }
 }

@@ -43,7 +43,7 @@ internal sealed class Crowd(Camera camera, int mostMembers)
     {
         var shares = mostMembers / LeastShare >= threads ? threads : 1;
         var (found, unknown) = (new GrowingArray<CrowdMember>[shares], new List<int>[shares]);
-        OnThreads(shares, share =>
+        Ranges.Each(shares, shares, share =>
         {
             (found[share], unknown[share]) = (new(), []);
             found[share].Reserve(mostMembers / shares + Outlines.Count);
@@ -54,13 +54,6 @@ internal sealed class Crowd(Camera camera, int mostMembers)
         foreach (var some in found) some.Free();
         for (var i = 0; i < groups.Count; i++) groups[i].Arrange(members.Items, i);
         return [.. unknown.SelectMany(some => some)];
-    }
-
-    /// <summary>Does the same work for each share of something, on as many threads.</summary>
-    public static void OnThreads(int shares, Action<int> work)
-    {
-        if (shares == 1) work(0);
-        else Parallel.For(0, shares, work);
     }
 
     /// <summary>Whether members may show in a tile.</summary>

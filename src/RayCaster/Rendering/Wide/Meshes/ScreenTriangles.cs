@@ -24,7 +24,7 @@ internal sealed class ScreenTriangles
         for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
         var groupers = group is null ? [] : Array.ConvertAll(sorters, sorter => group(sorter));
         int First(int sorter) => sorter == sorters.Length ? count : (int)((long)count * sorter / sorters.Length) / Group.Length * Group.Length;
-        InParallel(sorters.Length, i =>
+        Ranges.Each(sorters.Length, sorters.Length, i =>
         {
             if (group is null) sorters[i].Add(First(i), First(i + 1));
             else groupers[i].Add(First(i), First(i + 1));
@@ -62,13 +62,6 @@ internal sealed class ScreenTriangles
 
     /// <summary>Groups of a tile most of which are seen one way or the other way around.</summary>
     public ReadOnlySpan<Group> GroupsOf(in Tile tile, int side) => groups[2 * PlaceOf(tile) + side];
-
-    /// <summary>Does work for each number below a count, on a thread for each.</summary>
-    private static void InParallel(int count, Action<int> work)
-    {
-        if (count == 1) work(0);
-        else Parallel.For(0, count, work);
-    }
 
     private void Extend((int Left, int Right, int Bottom, int Top) other) => Extent = (
         Math.Min(Extent.Left, other.Left), Math.Max(Extent.Right, other.Right),
