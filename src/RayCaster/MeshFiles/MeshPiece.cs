@@ -30,7 +30,7 @@ internal readonly record struct MeshPiece(Vector3[] Vertices, int[] Indices, boo
         var vertices = GC.AllocateUninitializedArray<Vector3>((int)firstVertex[^1]);
         var indices = GC.AllocateUninitializedArray<int>((int)firstIndex[^1]);
         var isSound = true;
-        Ranges.Each(pieces.Count, threads, i =>
+        Workers.Each(pieces.Count, threads, i =>
         {
             pieces[i].Vertices.CopyTo(vertices, firstVertex[i]);
             if (!pieces[i].CopyIndices(indices.AsSpan((int)firstIndex[i]), (int)firstVertex[i])) Volatile.Write(ref isSound, false);

@@ -31,7 +31,7 @@ internal static class MeshReader
     {
         var pieces = new List<MeshPiece>();
         var failed = false;
-        Ranges.Each(threads, threads, _ =>
+        Workers.Each(threads, threads, _ =>
         {
             try
             {

@@ -68,7 +68,7 @@ internal sealed class TrianglePly
     {
         var rowsAtOnce = Math.Max(1, source.BlockSize / size);
         var areRight = true;
-        Ranges.Each((int)((rowCount - 1L) / rowsAtOnce) + 1, source.Threads, i =>
+        Workers.Each((int)((rowCount - 1L) / rowsAtOnce) + 1, source.Threads, i =>
         {
             if (!Volatile.Read(ref areRight)) return;
             var first = i * rowsAtOnce;

@@ -71,7 +71,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
         var (across, up) = (Frame.StripsOf(camera.Width), Frame.TilesOf(camera.Height));
         var workers = Math.Min(threadCount, across * up);
         var next = -1;
-        Ranges.Each(workers, workers, _ =>
+        Workers.Each(workers, workers, _ =>
         {
             var caster = new TileCaster(frame);
             while (Interlocked.Increment(ref next) is var i && i < across * up)

@@ -43,7 +43,7 @@ internal sealed class Crowd(Camera camera, int mostMembers)
     {
         var shares = mostMembers / LeastShare >= threads ? threads : 1;
         var (found, unknown) = (new GrowingArray<CrowdMember>[shares], new List<int>[shares]);
-        Ranges.Each(shares, shares, share =>
+        Workers.Each(shares, shares, share =>
         {
             (found[share], unknown[share]) = (new(), []);
             found[share].Reserve(mostMembers / shares + Outlines.Count);

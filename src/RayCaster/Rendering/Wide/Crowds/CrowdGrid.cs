@@ -36,7 +36,7 @@ internal sealed class CrowdGrid
     public void Sort(GrowingArray<CrowdMember>[] shares, GrowingArray<CrowdMember> sorted)
     {
         var (cells, places) = (new int[shares.Length][], new int[shares.Length][]); // of each share: its members' cells, and each cell's next place
-        Ranges.Each(shares.Length, shares.Length, i =>
+        Workers.Each(shares.Length, shares.Length, i =>
         {
             cells[i] = ArrayPool<int>.Shared.Rent(shares[i].Count);
             Count(shares[i].Items, cells[i], places[i] = new int[starts.Length]);
@@ -48,7 +48,7 @@ internal sealed class CrowdGrid
             foreach (var place in places) (place[cell], next) = (next, next + place[cell]);
         }
         sorted.Resize(next);
-        Ranges.Each(shares.Length, shares.Length, i =>
+        Workers.Each(shares.Length, shares.Length, i =>
         {
             Place(shares[i].Items, cells[i], places[i], sorted.Items);
             ArrayPool<int>.Shared.Return(cells[i]);

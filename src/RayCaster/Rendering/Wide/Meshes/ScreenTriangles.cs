@@ -24,7 +24,7 @@ internal sealed class ScreenTriangles
         for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
         var groupers = group is null ? [] : Array.ConvertAll(sorters, sorter => group(sorter));
         int First(int sorter) => sorter == sorters.Length ? count : (int)((long)count * sorter / sorters.Length) / Group.Length * Group.Length;
-        Ranges.Each(sorters.Length, sorters.Length, i =>
+        Workers.Each(sorters.Length, sorters.Length, i =>
         {
             if (group is null) sorters[i].Add(First(i), First(i + 1));
             else groupers[i].Add(First(i), First(i + 1));
