@@ -23,7 +23,7 @@ internal abstract class ModelView
     /// <summary>Tells between which t the model's hits in some parts lie; not asked of one whose <see cref="Extent"/> is small.</summary>
     /// <param name="parts">The parts and their rays.</param>
     /// <param name="whole">What is known of all of them.</param>
-    public virtual Reaches Narrow(FourParts parts, Reach whole) => new(whole);
+    public virtual Reaches Narrow(EightParts parts, Reach whole) => new(whole);
 
     /// <summary>Keeps the hits of a span of pixels in the tile that are nearer than all before.</summary>
     /// <param name="span">The rays.</param>

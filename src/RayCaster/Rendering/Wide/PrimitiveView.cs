@@ -9,18 +9,6 @@ internal sealed class PrimitiveView<P>(P primitive, Camera camera) : ShapeView((
     where P : struct, IPrimitive
 {
     /// <inheritdoc/>
-    public override Reaches Narrow(FourParts parts, Reach whole)
-    {
-        var crossings = primitive.Cross(parts.Rays);
-        var nearCounts = Clip.Counts(crossings.Near, parts.ZPerT);
-        var hit = Clip.First(crossings, parts.ZPerT, nearCounts);
-        return new(
-            Packet.Select(hit.IsNothing, double.PositiveInfinity, hit.Lo),
-            Packet.Select(hit.IsNothing | hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
-            nearCounts.Lo);
-    }
-
-    /// <inheritdoc/>
     public void Hit(CoveredPart covered, double[] t, int first, int step)
     {
         if (Vector512.IsHardwareAccelerated) covered.Hit<WidePacket, P>(primitive, t, first, step);
@@ -30,6 +18,9 @@ internal sealed class PrimitiveView<P>(P primitive, Camera camera) : ShapeView((
     /// <inheritdoc/>
     public bool Paint(CoveredPart covered, int index, byte[] rgb, int first, int step) =>
         covered.Painter.Paint(covered.Part, covered.IsNear, primitive, this, index, rgb, first, step);
+
+    /// <inheritdoc/>
+    protected override void Cross(EightParts parts, out Crossings<Interval<WidePacket>> crossings) => crossings = primitive.Cross(parts.Rays);
 
     /// <inheritdoc/>
     protected override void Cross(RaySpan span, int first, int end)

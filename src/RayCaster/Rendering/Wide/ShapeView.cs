@@ -25,6 +25,18 @@ internal abstract class ShapeView : ModelView
     protected ClipRange Clip { get; }
 
     /// <inheritdoc/>
+    public sealed override Reaches Narrow(EightParts parts, Reach whole)
+    {
+        Cross(parts, out var crossings);
+        var nearCounts = Clip.Counts(crossings.Near, parts.ZPerT);
+        var hit = Clip.First(crossings, parts.ZPerT, nearCounts);
+        return new(
+            WidePacket.Select(hit.IsNothing, double.PositiveInfinity, hit.Lo),
+            WidePacket.Select(hit.IsNothing | hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
+            nearCounts.Lo);
+    }
+
+    /// <inheritdoc/>
     public sealed override void Meet(RaySpan span, int index)
     {
         var (first, end) = (0, span.Length);
@@ -36,6 +48,9 @@ internal abstract class ShapeView : ModelView
         if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(span, first / WidePacket.Count * WidePacket.Count, end, index);
         else Meet<Packet>(span, first / Packet.Count * Packet.Count, end, index);
     }
+
+    /// <summary>Finds out where all the rays of some parts may cross the shape.</summary>
+    protected abstract void Cross(EightParts parts, out Crossings<Interval<WidePacket>> crossings);
 
     /// <summary>Notes where the rays of some pixels cross the shape.</summary>
     /// <param name="span">Their span.</param>

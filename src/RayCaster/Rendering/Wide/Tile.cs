@@ -11,7 +11,7 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
     public const int MaxSide = 64;
 
     /// <summary>The most columns of a strip: tiles side by side that a thread takes at once.</summary>
-    public const int MaxStrip = FourParts.Count * MaxSide;
+    public const int MaxStrip = EightParts.Count * MaxSide;
 
     private const double Margin = 0.01;
 

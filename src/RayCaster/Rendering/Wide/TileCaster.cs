@@ -3,13 +3,15 @@ using System.Runtime.Intrinsics;
 namespace RayCaster;
 
 /// <summary>
-/// One thread's tool: finds for the pixels of a tile the nearest hits. The tile is halved and halved again, and each part drops the models that
-/// cannot show in it; what is left meets the rays.
+/// One thread's tool: finds for the pixels of a tile the nearest hits. A strip is cut into tiles, and a tile in which several models may show into
+/// small parts; each drops the models that cannot show in it, and what is left meets the rays.
 /// </summary>
 internal sealed class TileCaster
 {
-    /// <summary>Parts of this size are not halved again: a row of it is a few packets, for which a call is still cheap.</summary>
-    private const int LeastSide = 16;
+    /// <summary>The side of the small parts: a row of one is a few packets, for which a call is still cheap.</summary>
+    private const int PartSide = 16;
+
+    private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = EightParts.Count / PartsAcross;
 
     /// <summary>With more models than this a look at what is hidden pays.</summary>
     private const int Crowd = 4;
@@ -19,15 +21,15 @@ internal sealed class TileCaster
     private readonly Tile[] extents;
     private readonly int[] places; // of the views' models in the scene
     private readonly CrowdCaster? crowd;
-    private readonly RaySpan[] rows = new RaySpan[LeastSide];
-    private readonly double[] farthest = new double[LeastSide]; // of each row, the greatest t of the nearest hits so far
+    private readonly RaySpan[] rows = new RaySpan[PartSide];
+    private readonly double[] farthest = new double[PartSide]; // of each row, the greatest t of the nearest hits so far
     private readonly CoveredPart covered;
     private readonly RaySpan block;
     private readonly Predicate<Candidate> isPrimitive;
     private ISpanSink sink = null!;
     private readonly List<Candidate> candidates = []; // of the strip
-    private readonly FourParts[] parts;               // the strip's tiles, a tile's quarters, and a quarter's
-    private readonly List<Candidate>[][] narrowed = [[[], [], [], []], [[], [], [], []], [[], [], [], []]]; // of each of these
+    private readonly EightParts tiles, parts;         // the strip's, and some of a tile
+    private readonly List<Candidate>[] ofTiles = [[], [], [], [], [], [], [], []], ofParts = [[], [], [], [], [], [], [], []];
 
     /// <param name="frame">What all threads share.</param>
     public TileCaster(Frame frame)
@@ -37,14 +39,14 @@ internal sealed class TileCaster
         (extents, places) = (frame.Extents, frame.Places);
         if (frame.Crowd is not null) crowd = new(frame.Crowd, frame.Scene.Camera);
         for (var i = 0; i < rows.Length; i++) rows[i] = new(frame.Scene.Camera);
-        parts = [new(frame.Scene.Camera), new(frame.Scene.Camera), new(frame.Scene.Camera)];
+        (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
         covered = new(frame);
         block = new(frame.Scene.Camera, RaySpan.MaxArea);
         isPrimitive = candidate => views[candidate.Index] is ICoveringView;
     }
 
     /// <summary>Casts all rays of a strip.</summary>
-    /// <param name="strip">Up to four tiles side by side, each at multiples of <see cref="Tile.MaxSide"/> and at most as large.</param>
+    /// <param name="strip">Up to eight tiles side by side, each at multiples of <see cref="Tile.MaxSide"/> and at most as large.</param>
     /// <param name="sink">Takes the hits.</param>
     public void Cast(in Tile strip, ISpanSink sink)
     {
@@ -53,13 +55,15 @@ internal sealed class TileCaster
         for (var i = 0; i < views.Length; i++)
             if (extents[i].Overlaps(strip))
                 candidates.Add(new(i, new(views[i].Nearest, double.PositiveInfinity)));
-        parts[0].Split(strip);
-        Narrow(parts[0], candidates, narrowed[0]);
-        if (crowd?.IsFor(strip) != true && OneModel(parts[0], narrowed[0]) is { } only) Cover(strip, only);
-        else
-            for (var i = 0; i < FourParts.Count; i++)
-                if (parts[0][i].Area > 0)
-                    Cast(parts[0][i], narrowed[0][i]);
+        tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
+        Narrow(tiles, candidates, ofTiles);
+        var mayBeCovered = crowd?.IsFor(strip) != true;
+        for (var i = 0; i < EightParts.Count;)
+        {
+            var covered = mayBeCovered ? Cover(tiles, ofTiles, i) : 0;
+            if (covered == 0 && tiles[i].Area > 0) Cast(tiles[i], ofTiles[i]);
+            i += Math.Max(covered, 1);
+        }
     }
 
     /// <summary>Casts a tile.</summary>
@@ -75,7 +79,7 @@ internal sealed class TileCaster
         DropHidden(list, cover);
         if (crowd?.IsFor(tile) == true) crowd.Cast(tile, list.Count > 0 ? Meet : null, sink);
         else if (list.Count == 1 && views[list[0].Index] is IPaintingView) CastAlone(tile, list);
-        else Descend(tile, list, 1);
+        else Cut(tile, list);
 
         void Meet(RaySpan span)
         {
@@ -90,35 +94,42 @@ internal sealed class TileCaster
         if (!(frame.IsLong && sink.TryTake(tile, views[only], places[only]))) CastRows(tile, list);
     }
 
-    /// <summary>Casts a part whose models are known.</summary>
-    private void Descend(in Tile part, List<Candidate> list, int level)
+    /// <summary>Casts a tile part by part.</summary>
+    private void Cut(in Tile tile, List<Candidate> list)
+    {
+        if (list.Count == 0) sink.TakeMiss(tile);
+        else if (Math.Max(tile.Width, tile.Height) <= PartSide) CastRows(tile, list);
+        else
+            for (var row = 0; row < tile.Height; row += PartsUp * PartSide)
+            {
+                parts.Cut(tile with { Row = tile.Row + row, Height = Math.Min(PartsUp * PartSide, tile.Height - row) }, PartSide, PartsAcross);
+                Narrow(parts, list, ofParts);
+                for (var i = 0; i < EightParts.Count;)
+                {
+                    var covered = Cover(parts, ofParts, i);
+                    if (covered == 0 && parts[i].Area > 0) Cast(ofParts[i], parts[i]);
+                    i += Math.Max(covered, 1);
+                }
+            }
+    }
+
+    private void Cast(List<Candidate> list, in Tile part)
     {
         if (list.Count == 0) sink.TakeMiss(part);
-        else if (IsCovered(list)) Cover(part, list[0]);
-        else if (level == parts.Length || Math.Max(part.Width, part.Height) <= LeastSide) CastRows(part, list);
-        else
-        {
-            var (quarters, lists) = (parts[level], narrowed[level]);
-            quarters.Quarter(part);
-            Narrow(quarters, list, lists);
-            if (OneModel(quarters, lists) is { } only) Cover(part, only);
-            else
-                for (var i = 0; i < FourParts.Count; i++)
-                    if (quarters[i].Area > 0)
-                        Descend(quarters[i], lists[i], level + 1);
-        }
+        else CastRows(part, list);
     }
 
     /// <summary>Finds out which models may show in which part.</summary>
-    private void Narrow(FourParts parts, List<Candidate> whole, List<Candidate>[] lists)
+    private void Narrow(EightParts parts, List<Candidate> whole, List<Candidate>[] lists)
     {
-        Span<double> covers = [double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity, double.PositiveInfinity];
+        Span<double> covers = stackalloc double[EightParts.Count];
+        covers.Fill(double.PositiveInfinity);
         foreach (var list in lists) list.Clear();
         foreach (var candidate in whole)
         {
             ref var extent = ref extents[candidate.Index];
             var reaches = extent.IsSmall ? new(candidate.Reach) : views[candidate.Index].Narrow(parts, candidate.Reach);
-            for (var i = 0; i < FourParts.Count; i++)
+            for (var i = 0; i < EightParts.Count; i++)
             {
                 if (!extent.Overlaps(parts[i])) continue;
                 var reach = reaches[i];
@@ -126,31 +137,31 @@ internal sealed class TileCaster
                 lists[i].Add(candidate with { Reach = reach });
             }
         }
-        for (var i = 0; i < FourParts.Count; i++) DropHidden(lists[i], covers[i]);
+        for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], covers[i]);
     }
 
     /// <summary>Whether every ray's first hit is surely one of the same model, which knows the short way.</summary>
     private bool IsCovered(List<Candidate> list) =>
         frame.IsLong && list.Count == 1 && list[0].Reach.Cover < double.PositiveInfinity && views[list[0].Index] is ICoveringView;
 
-    /// <summary>The model that covers all parts, if one does.</summary>
-    private Candidate? OneModel(FourParts parts, List<Candidate>[] lists)
+    /// <summary>Casts some parts side by side that one model covers.</summary>
+    /// <param name="parts">The parts.</param>
+    /// <param name="lists">The models that may show in them.</param>
+    /// <param name="first">The first part.</param>
+    /// <returns>How many there are of them, from the first on.</returns>
+    private int Cover(EightParts parts, List<Candidate>[] lists, int first)
     {
-        if (!IsCovered(lists[0])) return null;
-        var only = lists[0][0];
-        for (var i = 1; i < FourParts.Count; i++)
+        if (parts[first].Area == 0 || !IsCovered(lists[first])) return 0;
+        var (only, whole) = (lists[first][0], parts[first]);
+        var end = first + 1;
+        for (; end % parts.Across != 0 && IsCovered(lists[end]) && lists[end][0].Index == only.Index; end++)
         {
-            if (parts[i].Area == 0) continue;
-            if (!IsCovered(lists[i]) || lists[i][0].Index != only.Index) return null;
-            if (!lists[i][0].Reach.IsNear) only = only with { Reach = lists[i][0].Reach };
+            whole = whole with { Width = whole.Width + parts[end].Width };
+            if (!lists[end][0].Reach.IsNear) only = only with { Reach = lists[end][0].Reach };
         }
-        return only;
-    }
-
-    private void Cover(in Tile part, Candidate only)
-    {
-        covered.Enter(part, only.Reach.IsNear);
+        covered.Enter(whole, only.Reach.IsNear);
         sink.TakeCover(covered, views[only.Index], places[only.Index]);
+        return end - first;
     }
 
     /// <summary>Drops what does not show, or lies behind what covers all.</summary>

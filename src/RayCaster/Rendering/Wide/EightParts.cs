@@ -1,0 +1,61 @@
+using System.Runtime.Intrinsics;
+
+namespace RayCaster;
+
+/// <summary>Eight parts of the picture, and all the rays of each as intervals: a part is a lane.</summary>
+internal sealed class EightParts(Camera camera)
+{
+    /// <summary>How many.</summary>
+    public const int Count = 8;
+
+    private readonly Tile[] tiles = new Tile[Count];
+    private Ray<Interval<WidePacket>> rays;
+    private Interval<WidePacket> zPerT;
+
+    /// <summary>One of them; it may be empty.</summary>
+    public ref readonly Tile this[int part] => ref tiles[part];
+
+    /// <summary>How many lie side by side; the others lie above them.</summary>
+    public int Across { get; private set; }
+
+    /// <summary>The rays.</summary>
+    public ref readonly Ray<Interval<WidePacket>> Rays => ref rays;
+
+    /// <summary>What z gains for one unit of t.</summary>
+    public ref readonly Interval<WidePacket> ZPerT => ref zPerT;
+
+    /// <summary>Goes to the parts of a rectangle, from left to right and then upwards.</summary>
+    /// <param name="whole">The rectangle; parts that lie beyond its sides are narrower, lower or empty.</param>
+    /// <param name="side">The columns and rows of a part.</param>
+    /// <param name="across">How many lie side by side.</param>
+    public void Cut(in Tile whole, int side, int across)
+    {
+        Across = across;
+        Span<double> left = stackalloc double[Count], right = stackalloc double[Count], bottom = stackalloc double[Count], top = stackalloc double[Count];
+        for (var i = 0; i < Count; i++)
+        {
+            var (up, along) = Math.DivRem(i, across);
+            var (column, row) = (Math.Min(along * side, whole.Width), Math.Min(up * side, whole.Height));
+            var part = new Tile(whole.Column + column, whole.Row + row, Math.Min(side, whole.Width - column), Math.Min(side, whole.Height - row));
+            (left[i], bottom[i]) = (part.Column, part.Row);
+            (right[i], top[i]) = (Math.Max(part.EndColumn - 1, part.Column), Math.Max(part.EndRow - 1, part.Row)); // of an empty one, any
+            tiles[i] = part;
+        }
+        var direction = camera.Direction(Range(left, right), Range(bottom, top));
+        rays = new(camera.Position, direction);
+        zPerT = camera.ZPerT(direction);
+    }
+
+    private static Interval<WidePacket> Range(ReadOnlySpan<double> lo, ReadOnlySpan<double> hi) =>
+        new(new WidePacket(Vector512.Create(lo)), new WidePacket(Vector512.Create(hi)));
+}
+
+/// <summary>Where the hits of a model in eight parts lie (<see cref="Reach"/>), a lane for each.</summary>
+internal readonly struct Reaches(WidePacket least, WidePacket cover, WidePacket isNear)
+{
+    /// <summary>The same in all parts.</summary>
+    public Reaches(Reach all) : this(all.Least, all.Cover, 0) { }
+
+    /// <summary>That of a part.</summary>
+    public Reach this[int part] => new(least.Lanes[part], cover.Lanes[part], double.IsNegative(isNear.Lanes[part])); // a mask's sign is its truth
+}
