@@ -18,12 +18,10 @@ internal sealed class RoughPainter(Frame frame)
 
     private readonly Scene scene = frame.Scene;
     private readonly Camera camera = frame.Scene.Camera;
-    private Tile strip; // that of the part
-    private Vector3 directionError; // in the strip
+    private readonly RoughRays rays = new(frame.Scene.Camera);
     private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
     private readonly SpanShader shader = frame.Shader;
     private readonly RaySpan span = new(frame.Scene.Camera);
-    private readonly float[] acrossX = new float[Tile.MaxStrip], acrossY = new float[Tile.MaxStrip], acrossZ = new float[Tile.MaxStrip];
     private readonly ulong[] doubts = new ulong[Tile.MaxStrip * Tile.MaxSide / RoughPacket.Count]; // of each packet
     private Tile part;
 
@@ -47,11 +45,6 @@ internal sealed class RoughPainter(Frame frame)
         var error = Error(shape, index, Slope(brightest)); // that of a lesser channel is less
         if (!(error < MostError)) return false;
 
-        for (var i = 0; i < part.Width; i++)
-        {
-            var across = camera.Across<Scalar>(part.Column + i);
-            (acrossX[i], acrossY[i], acrossZ[i]) = ((float)across.X, (float)across.Y, (float)across.Z);
-        }
         if (Paint(shape, isNear, color, error, rgb, first, step)) return true;
 
         for (var i = 0; i < part.Area / RoughPacket.Count; i++)
@@ -73,37 +66,17 @@ internal sealed class RoughPainter(Frame frame)
     /// <remarks>A bound for the whole strip is mostly good enough, and then serves other parts of it, too.</remarks>
     private double Error<P>(in P shape, int index, double slope) where P : struct, IPrimitive
     {
-        var current = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
-        if (strip != current)
-        {
-            strip = current;
-            directionError = DirectionError();
-            Array.Fill(knownErrors, (-1, 0));
-        }
+        if (rays.Enter(part)) Array.Fill(knownErrors, (-1, 0));
         ref var known = ref knownErrors[index % knownErrors.Length];
-        if (known.Index != index) known = (index, Error(strip, shape, slope));
+        if (known.Index != index) known = (index, Error(rays.Strip, shape, slope));
         return known.Error < GoodError ? known.Error : Error(part, shape, slope);
     }
 
     private double Error<P>(in Tile part, in P shape, double slope) where P : struct, IPrimitive
     {
-        var across = camera.Across(new Interval<Scalar>(part.Column, part.EndColumn - 1));
-        var upwards = camera.Upwards(new Interval<Scalar>(part.Row, part.EndRow - 1));
-        var exact = camera.Direction(across, upwards);
-        var direction = new Vector3<Rounded>(new(exact.X, directionError.X), new(exact.Y, directionError.Y), new(exact.Z, directionError.Z));
+        var direction = rays.Directions(part);
         var hit = camera.ClipRange.First(shape.Cross(new Ray<Rounded>(camera.Position, direction)), camera.ZPerT(direction));
         return hit.Exact.Hi.Value <= camera.Reach ? hit.Error * -slope + RoughBytes.RoundingOfALine : double.PositiveInfinity;
-    }
-
-    /// <summary>How far the direction of any ray of the strip may be from the one in doubles.</summary>
-    private Vector3 DirectionError()
-    {
-        var across = camera.Across(new Interval<Scalar>(strip.Column, strip.EndColumn - 1));
-        var upwards = camera.Upwards(new Interval<Scalar>(strip.Row, strip.EndRow - 1));
-        var direction = camera.Direction(Rough(across), Rough(upwards));
-        return new(direction.X.Error, direction.Y.Error, direction.Z.Error);
-
-        static Vector3<Rounded> Rough(Vector3<Interval<Scalar>> v) => new(Rounded.From(v.X), Rounded.From(v.Y), Rounded.From(v.Z));
     }
 
     /// <summary>Paints it all and notes which pixels are in doubt; whether none is.</summary>
@@ -116,15 +89,13 @@ internal sealed class RoughPainter(Frame frame)
         var packets = part.Width / RoughPacket.Count; // in a row
         for (var row = 0; row < part.Height; row += 2)
         {
-            var (lower, upper) = (camera.Upwards<Scalar>(part.Row + row), camera.Upwards<Scalar>(part.Row + row + 1));
-            var upwards = new Vector3<RoughPacket>(Rows(lower.X, upper.X), Rows(lower.Y, upper.Y), Rows(lower.Z, upper.Z));
+            var upwards = rays.UpwardsFrom(part.Row - rays.Strip.Row + row);
             var hasUpper = row + 1 < part.Height;
             ref var to = ref rgb[first + row * step];
             for (var i = 0; i < packets; i++)
             {
                 var at = i * RoughPacket.Count;
-                var across = new Vector3<RoughPacket>(Load(acrossX, at), Load(acrossY, at), Load(acrossZ, at));
-                var direction = camera.Direction(across, upwards);
+                var direction = camera.Direction(rays.AcrossFrom(part.Column - rays.Strip.Column + at), upwards);
                 var crossings = shape.Cross(new Ray<RoughPacket>(origin, direction));
                 var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
 
@@ -145,13 +116,7 @@ internal sealed class RoughPainter(Frame frame)
             }
         }
         return allSure == RoughBytes.AllLanes;
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static RoughPacket Rows(double lower, double upper) => new(Vector512.Create((float)lower), Vector512.Create((float)upper));
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static RoughPacket Load(float[] numbers, int first) => RoughPacket.Of(Vector512.LoadUnsafe(ref numbers[first]));
 
     /// <summary>The level of a channel as a function of t, both ends of what it may be.</summary>
     private readonly struct Line
