@@ -7,11 +7,14 @@ namespace RayCaster;
 /// <summary>From channels' levels in floats to bytes. A byte is sure where both ends of the range in which the level lies have the same whole part.</summary>
 internal static class RoughBytes
 {
-    /// <summary>What the ends themselves may be off by: levels are below 256, where a float's unit is 1.5e-5.</summary>
-    public const double RoundingOfTheEnds = 4e-5;
+    /// <summary>What a level's ends may be off by when it is moved by its error: levels are below 256, so half a float's unit is 2⁻¹⁷.</summary>
+    public const double RoundingOfTheEnds = 7.7e-6;
 
-    /// <summary>The same, for a level computed from t, a slope and the level at 0: rounding each of these two, and the sum, moves it by 1.5e-5 at most.</summary>
-    public const double RoundingOfALine = 8e-5;
+    /// <summary>
+    /// The same, for a level computed from t, a slope and the level at 0: rounding this one and the sum moves it by 2⁻¹⁷ each, rounding the slope by 2⁻²⁴ of what the light
+    /// takes away, less than 256, which is 2⁻¹⁶.
+    /// </summary>
+    public const double RoundingOfALine = 3.1e-5;
 
     /// <summary>A bit for each of sixteen pixels.</summary>
     public const ulong AllLanes = 0xFFFF;

@@ -42,8 +42,9 @@ internal sealed class RoughPainter(Frame frame)
         var color = scene.Models[index].Color;
         var brightest = Math.Max(color.R, Math.Max(color.G, color.B));
         if (brightest > 1) return false;
-        var error = Error(shape, index, Slope(brightest)); // that of a lesser channel is less
-        if (!(error < MostError)) return false;
+        var steepest = Slope(brightest);
+        var error = Error(shape, index, -GoodError / steepest);
+        if (!(error * -steepest < MostError)) return false;
 
         if (Paint(shape, isNear, color, error, rgb, first, step)) return true;
 
@@ -59,24 +60,26 @@ internal sealed class RoughPainter(Frame frame)
         return true;
     }
 
+    private Line LineOf(double channel, double error) => new(channel, Slope(channel), error * -Slope(channel) + RoughBytes.RoundingOfALine);
+
     /// <summary>What the level of a channel changes by for one unit of t.</summary>
     private double Slope(double channel) => ((double)Color.Level<Scalar>(0) - Color.Level<Scalar>(channel)) / camera.Reach;
 
-    /// <summary>How far the level of any channel of any pixel of a part may be from the one that doubles give.</summary>
+    /// <summary>How far the t of any pixel of a part may be from the one that doubles give.</summary>
     /// <remarks>A bound for the whole strip is mostly good enough, and then serves other parts of it, too.</remarks>
-    private double Error<P>(in P shape, int index, double slope) where P : struct, IPrimitive
+    private double Error<P>(in P shape, int index, double goodError) where P : struct, IPrimitive
     {
         if (rays.Enter(part)) Array.Fill(knownErrors, (-1, 0));
         ref var known = ref knownErrors[index % knownErrors.Length];
-        if (known.Index != index) known = (index, Error(rays.Strip, shape, slope));
-        return known.Error < GoodError ? known.Error : Error(part, shape, slope);
+        if (known.Index != index) known = (index, Error(rays.Strip, shape));
+        return known.Error < goodError ? known.Error : Error(part, shape);
     }
 
-    private double Error<P>(in Tile part, in P shape, double slope) where P : struct, IPrimitive
+    private double Error<P>(in Tile part, in P shape) where P : struct, IPrimitive
     {
         var direction = rays.Directions(part);
         var hit = camera.ClipRange.First(shape.Cross(new Ray<Rounded>(camera.Position, direction)), camera.ZPerT(direction));
-        return hit.Exact.Hi.Value <= camera.Reach ? hit.Error * -slope + RoughBytes.RoundingOfALine : double.PositiveInfinity;
+        return hit.Exact.Hi.Value <= camera.Reach ? hit.Error : double.PositiveInfinity;
     }
 
     /// <summary>Paints it all and notes which pixels are in doubt; whether none is.</summary>
@@ -84,7 +87,7 @@ internal sealed class RoughPainter(Frame frame)
     private bool Paint<P>(P shape, bool isNear, Color color, double error, byte[] rgb, int first, int step) where P : struct, IPrimitive
     {
         Vector3<RoughPacket> origin = camera.Position;
-        var (red, green, blue) = (new Line(color.R, Slope(color.R), error), new Line(color.G, Slope(color.G), error), new Line(color.B, Slope(color.B), error));
+        var (red, green, blue) = (LineOf(color.R, error), LineOf(color.G, error), LineOf(color.B, error));
         var allSure = RoughBytes.AllLanes;
         var packets = part.Width / RoughPacket.Count; // in a row
         for (var row = 0; row < part.Height; row += 2)
