@@ -36,10 +36,12 @@ public sealed class HitMap(int width, int height) : ISpanSink
     }
 
     /// <inheritdoc/>
-    void ISpanSink.TakeCover(CoveredPart covered, ModelView view, int index)
+    bool ISpanSink.TryTake(CoveredPart covered)
     {
-        ((ICoveringView)view).Hit(covered, T, PlaceOf(covered.Part.Column, covered.Part.Row), -Width);
-        FillModels(covered.Part, index);
+        if (covered.Shapes is not [var only]) return false;
+        only.View.Hit(covered, T, PlaceOf(covered.Part.Column, covered.Part.Row), -Width);
+        FillModels(covered.Part, only.Index);
+        return true;
     }
 
     /// <inheritdoc/>

@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>
-/// The rays of a part of the picture that all hit one shape first: each is met as soon as it is aimed, and nothing but t is kept.
+/// A part of the picture in which all rays surely hit some shapes, and nothing else can be nearer. Where there is but one shape, each ray is met as soon as it is aimed,
+/// and nothing but t is kept.
 /// </summary>
 internal sealed class CoveredPart(Frame frame)
 {
@@ -17,14 +18,15 @@ internal sealed class CoveredPart(Frame frame)
     /// <summary>For bytes.</summary>
     public RoughPainter Painter => field ??= new(frame);
 
-    /// <summary>For each row on its own.</summary>
-    public RaySpan Span => field ??= new(camera);
+    /// <summary>The shapes.</summary>
+    public List<CoveringShape> Shapes { get; } = [];
 
-    /// <summary>Whether every hit is surely its shape's first crossing.</summary>
-    public bool IsNear { get; private set; }
-
-    /// <summary>Comes to a part.</summary>
-    public void Enter(in Tile part, bool isNear) => (Part, IsNear) = (part, isNear);
+    /// <summary>Comes to a part, whose shapes are to be told then.</summary>
+    public void Enter(in Tile part)
+    {
+        Part = part;
+        Shapes.Clear();
+    }
 
     /// <summary>Writes down where the rays hit a shape that all of them hit.</summary>
     /// <param name="shape">The shape.</param>
@@ -38,7 +40,7 @@ internal sealed class CoveredPart(Frame frame)
     {
         Look<N>();
         Vector3<N> origin = camera.Position;
-        var isNear = IsNear;
+        var isNear = Shapes[0].IsNear;
         for (var row = Part.Row; row < Part.EndRow; row++, first += step)
         {
             var upwards = camera.Upwards(RaySpan.All<N>(row));
@@ -74,3 +76,9 @@ internal sealed class CoveredPart(Frame frame)
         }
     }
 }
+
+/// <summary>A shape that all rays of a part hit.</summary>
+/// <param name="View">Its view.</param>
+/// <param name="Index">Its model's place in the scene.</param>
+/// <param name="IsNear">Whether each hit is surely the shape's first crossing.</param>
+internal readonly record struct CoveringShape(ICoveringView View, int Index, bool IsNear);

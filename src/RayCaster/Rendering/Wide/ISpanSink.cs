@@ -9,11 +9,9 @@ internal interface ISpanSink
     /// <summary>Takes a part in which no ray hits anything.</summary>
     void TakeMiss(in Tile part);
 
-    /// <summary>Takes a part in which every ray's nearest hit is one of the same model.</summary>
-    /// <param name="covered">The part.</param>
-    /// <param name="view">The model's view, which is a covering one.</param>
-    /// <param name="index">The model's place in the scene.</param>
-    void TakeCover(CoveredPart covered, ModelView view, int index);
+    /// <summary>Is offered a part that some shapes cover; whether it takes it without the hits.</summary>
+    /// <param name="covered">The part; a small one if there are several shapes.</param>
+    bool TryTake(CoveredPart covered);
 
     /// <summary>Is offered a tile in which one model alone may show; whether it takes it without the hits.</summary>
     /// <param name="tile">The tile.</param>

@@ -31,14 +31,17 @@ internal abstract class ModelView
     public abstract void Meet(RaySpan span, int index);
 }
 
-/// <summary>A view that finds the hits of a part of the picture the short way where its model surely covers the part and nothing else shows.</summary>
+/// <summary>A view that finds the hits of a part of the picture the short way where its model surely covers the part.</summary>
 internal interface ICoveringView
 {
     /// <inheritdoc cref="CoveredPart.Hit{N, P}"/>
     void Hit(CoveredPart covered, double[] t, int first, int step);
 
-    /// <inheritdoc cref="RoughPainter.Paint{P}(in Tile, bool, in P, ModelView, int, byte[], int, int)"/>
-    bool Paint(CoveredPart covered, int index, byte[] rgb, int first, int step);
+    /// <inheritdoc cref="RoughPainter.Paint{P}(in P, int, bool)"/>
+    bool Paint(RoughPainter painter, int index, bool isNear);
+
+    /// <inheritdoc cref="ModelView.Meet"/>
+    void Meet(RaySpan span, int index);
 }
 
 /// <summary>A view that can paint a tile in which nothing but its model may show, mostly without asking where exactly the rays hit it.</summary>

@@ -16,8 +16,7 @@ internal sealed class PrimitiveView<P>(P primitive, Camera camera) : ShapeView((
     }
 
     /// <inheritdoc/>
-    public bool Paint(CoveredPart covered, int index, byte[] rgb, int first, int step) =>
-        covered.Painter.Paint(covered.Part, covered.IsNear, primitive, this, index, rgb, first, step);
+    public bool Paint(RoughPainter painter, int index, bool isNear) => painter.Paint(primitive, index, isNear);
 
     /// <inheritdoc/>
     protected override void Cross(EightParts parts, out Crossings<Interval<WidePacket>> crossings) => crossings = primitive.Cross(parts.Rays);

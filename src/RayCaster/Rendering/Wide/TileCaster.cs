@@ -14,7 +14,7 @@ internal sealed class TileCaster
     private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = EightParts.Count / PartsAcross;
 
     /// <summary>With more models than this a look at what is hidden pays.</summary>
-    private const int Crowd = 4;
+    private const int Few = 4;
 
     private readonly Frame frame;
     private readonly ModelView[] views;
@@ -25,7 +25,7 @@ internal sealed class TileCaster
     private readonly double[] farthest = new double[PartSide]; // of each row, the greatest t of the nearest hits so far
     private readonly CoveredPart covered;
     private readonly RaySpan block;
-    private readonly Predicate<Candidate> isPrimitive;
+    private readonly Predicate<Candidate> isPrimitive, isCovering;
     private ISpanSink sink = null!;
     private readonly List<Candidate> candidates = []; // of the strip
     private readonly EightParts tiles, parts;         // the strip's, and some of a tile
@@ -43,6 +43,7 @@ internal sealed class TileCaster
         covered = new(frame);
         block = new(frame.Scene.Camera, RaySpan.MaxArea);
         isPrimitive = candidate => views[candidate.Index] is ICoveringView;
+        isCovering = candidate => frame.IsLong && candidate.Reach.Cover < double.PositiveInfinity && isPrimitive(candidate);
     }
 
     /// <summary>Casts all rays of a strip.</summary>
@@ -58,11 +59,11 @@ internal sealed class TileCaster
         tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
         Narrow(tiles, candidates, ofTiles);
         var mayBeCovered = crowd?.IsFor(strip) != true;
-        for (var i = 0; i < EightParts.Count;)
+        for (var i = 0; i < EightParts.Count; i++)
         {
-            var covered = mayBeCovered ? Cover(tiles, ofTiles, i) : 0;
-            if (covered == 0 && tiles[i].Area > 0) Cast(tiles[i], ofTiles[i]);
-            i += Math.Max(covered, 1);
+            if (tiles[i].Area == 0) continue;
+            if (mayBeCovered && TryCover(tiles, ofTiles, i) is > 0 and var count) i += count - 1;
+            else Cast(tiles[i], ofTiles[i]);
         }
     }
 
@@ -87,7 +88,7 @@ internal sealed class TileCaster
         }
     }
 
-    /// <summary>Casts a tile in which one model alone may show, of which halving the tile would tell no more.</summary>
+    /// <summary>Casts a tile in which one model alone may show, of which cutting the tile would tell no more.</summary>
     private void CastAlone(in Tile tile, List<Candidate> list)
     {
         var only = list[0].Index;
@@ -97,26 +98,26 @@ internal sealed class TileCaster
     /// <summary>Casts a tile part by part.</summary>
     private void Cut(in Tile tile, List<Candidate> list)
     {
-        if (list.Count == 0) sink.TakeMiss(tile);
-        else if (Math.Max(tile.Width, tile.Height) <= PartSide) CastRows(tile, list);
+        if (IsCovered(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
         else
             for (var row = 0; row < tile.Height; row += PartsUp * PartSide)
             {
                 parts.Cut(tile with { Row = tile.Row + row, Height = Math.Min(PartsUp * PartSide, tile.Height - row) }, PartSide, PartsAcross);
                 Narrow(parts, list, ofParts);
-                for (var i = 0; i < EightParts.Count;)
+                for (var i = 0; i < EightParts.Count; i++)
                 {
-                    var covered = Cover(parts, ofParts, i);
-                    if (covered == 0 && parts[i].Area > 0) Cast(ofParts[i], parts[i]);
-                    i += Math.Max(covered, 1);
+                    if (parts[i].Area == 0) continue;
+                    if (TryCover(parts, ofParts, i) is > 0 and var count) i += count - 1;
+                    else CastPart(parts[i], ofParts[i]);
                 }
             }
     }
 
-    private void Cast(List<Candidate> list, in Tile part)
+    /// <summary>Casts a part whose models are known.</summary>
+    private void CastPart(in Tile part, List<Candidate> list)
     {
         if (list.Count == 0) sink.TakeMiss(part);
-        else CastRows(part, list);
+        else if (!TryLayers(part, list)) CastRows(part, list);
     }
 
     /// <summary>Finds out which models may show in which part.</summary>
@@ -141,17 +142,16 @@ internal sealed class TileCaster
     }
 
     /// <summary>Whether every ray's first hit is surely one of the same model, which knows the short way.</summary>
-    private bool IsCovered(List<Candidate> list) =>
-        frame.IsLong && list.Count == 1 && list[0].Reach.Cover < double.PositiveInfinity && views[list[0].Index] is ICoveringView;
+    private bool IsCovered(List<Candidate> list) => list.Count == 1 && isCovering(list[0]);
 
-    /// <summary>Casts some parts side by side that one model covers.</summary>
+    /// <summary>Offers the sink some parts side by side that one model covers.</summary>
     /// <param name="parts">The parts.</param>
     /// <param name="lists">The models that may show in them.</param>
     /// <param name="first">The first part.</param>
-    /// <returns>How many there are of them, from the first on.</returns>
-    private int Cover(EightParts parts, List<Candidate>[] lists, int first)
+    /// <returns>How many it took, from the first on.</returns>
+    private int TryCover(EightParts parts, List<Candidate>[] lists, int first)
     {
-        if (parts[first].Area == 0 || !IsCovered(lists[first])) return 0;
+        if (!IsCovered(lists[first])) return 0;
         var (only, whole) = (lists[first][0], parts[first]);
         var end = first + 1;
         for (; end % parts.Across != 0 && IsCovered(lists[end]) && lists[end][0].Index == only.Index; end++)
@@ -159,10 +159,22 @@ internal sealed class TileCaster
             whole = whole with { Width = whole.Width + parts[end].Width };
             if (!lists[end][0].Reach.IsNear) only = only with { Reach = lists[end][0].Reach };
         }
-        covered.Enter(whole, only.Reach.IsNear);
-        sink.TakeCover(covered, views[only.Index], places[only.Index]);
-        return end - first;
+        covered.Enter(whole);
+        AddShape(only);
+        return sink.TryTake(covered) ? end - first : 0;
     }
+
+    /// <summary>Offers the sink a small part that several models cover.</summary>
+    private bool TryLayers(in Tile part, List<Candidate> list)
+    {
+        if (list.Count is < 2 or > Few || part.Area > RaySpan.MaxArea || !list.TrueForAll(isCovering)) return false;
+        covered.Enter(part);
+        foreach (var candidate in list) AddShape(candidate);
+        return sink.TryTake(covered);
+    }
+
+    private void AddShape(Candidate candidate) =>
+        covered.Shapes.Add(new((ICoveringView)views[candidate.Index], places[candidate.Index], candidate.Reach.IsNear));
 
     /// <summary>Drops what does not show, or lies behind what covers all.</summary>
     private static void DropHidden(List<Candidate> list, double cover)
@@ -176,16 +188,16 @@ internal sealed class TileCaster
 
     private void CastRows(in Tile part, List<Candidate> list)
     {
-        if (list.Count <= Crowd && part.Area <= RaySpan.MaxArea && part.Width % WidePacket.Count == 0 && list.TrueForAll(isPrimitive))
+        if (list.Count <= Few && part.Area <= RaySpan.MaxArea && part.Width % WidePacket.Count == 0 && list.TrueForAll(isPrimitive))
         {
             if (Vector512.IsHardwareAccelerated) CastAtOnce<WidePacket>(part, list);
             else CastAtOnce<Packet>(part, list);
             return;
         }
-        var isCrowded = list.Count > Crowd && part.Height <= rows.Length;
-        if (Vector512.IsHardwareAccelerated && isCrowded) CastCrowd<WidePacket>(part, list);
+        var areMany = list.Count > Few && part.Height <= rows.Length;
+        if (Vector512.IsHardwareAccelerated && areMany) CastMany<WidePacket>(part, list);
         else if (Vector512.IsHardwareAccelerated) CastRows<WidePacket>(part, list);
-        else if (isCrowded) CastCrowd<Packet>(part, list);
+        else if (areMany) CastMany<Packet>(part, list);
         else CastRows<Packet>(part, list);
     }
 
@@ -212,7 +224,7 @@ internal sealed class TileCaster
     }
 
     /// <summary>Model by model, where there are many and the first hide most of the others.</summary>
-    private void CastCrowd<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
+    private void CastMany<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
     {
         for (var i = 0; i < part.Height; i++)
         {

@@ -1,5 +1,3 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster;
 
 /// <summary>Writes the pixels of some lines of a picture.</summary>
@@ -19,32 +17,12 @@ internal sealed class PictureSink(SpanShader shader, byte[] rgb, int width, int 
     }
 
     /// <inheritdoc/>
-    public void TakeCover(CoveredPart covered, ModelView view, int index)
-    {
-        var part = covered.Part;
-        if (RoughBytes.IsSupported && ((ICoveringView)view).Paint(covered, index, rgb, PlaceOf(part.Column, part.Row), -3 * width)) return;
-        for (var column = part.Column; column < part.EndColumn; column += RaySpan.MaxLength)
-        {
-            var length = Math.Min(RaySpan.MaxLength, part.EndColumn - column);
-            if (Vector512.IsHardwareAccelerated) TakeRows<WidePacket>(covered.Span, part with { Column = column, Width = length }, view, index);
-            else TakeRows<Packet>(covered.Span, part with { Column = column, Width = length }, view, index);
-        }
-    }
+    public bool TryTake(CoveredPart covered) =>
+        RoughBytes.IsSupported && covered.Painter.Paint(covered, rgb, PlaceOf(covered.Part.Column, covered.Part.Row), -3 * width);
 
     /// <inheritdoc/>
     public bool TryTake(in Tile tile, ModelView view, int index) =>
         view is IPaintingView painting && painting.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
-
-    private void TakeRows<N>(RaySpan span, in Tile part, ModelView view, int index) where N : struct, IPacket<N>
-    {
-        span.Enter<N>(part.Column, part.Width);
-        for (var row = part.Row; row < part.EndRow; row++)
-        {
-            span.Aim<N>(row);
-            view.Meet(span, index);
-            Take(span);
-        }
-    }
 
     private int PlaceOf(int column, int row) => 3 * ((topRow - row) * width + column);
 }

@@ -8,7 +8,7 @@ namespace RayCaster;
 /// part (<see cref="Rounded"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in doubles.
 /// </summary>
 /// <remarks>Where neither the light nor a level is clamped, a level is a linear function of t: two of its values tell all others.</remarks>
-internal sealed class RoughPainter(Frame frame)
+internal sealed class RoughPainter
 {
     /// <summary>With a greater error too many pixels would be in doubt.</summary>
     private const double MostError = 0.02;
@@ -16,47 +16,72 @@ internal sealed class RoughPainter(Frame frame)
     /// <summary>So few pixels are in doubt that a closer look is not worth it.</summary>
     private const double GoodError = 0.002;
 
-    private readonly Scene scene = frame.Scene;
-    private readonly Camera camera = frame.Scene.Camera;
-    private readonly RoughRays rays = new(frame.Scene.Camera);
+    private readonly Scene scene;
+    private readonly Camera camera;
+    private readonly RoughRays rays;
     private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
-    private readonly SpanShader shader = frame.Shader;
-    private readonly RaySpan span = new(frame.Scene.Camera);
-    private readonly ulong[] doubts = new ulong[Tile.MaxStrip * Tile.MaxSide / RoughPacket.Count]; // of each packet
+    private readonly SpanShader shader;
+    private readonly RaySpan span;
+    private readonly ushort[] doubts; // a bit for each pixel of each packet
+    private readonly RoughLayers layers;
     private Tile part;
+    private RoughPixels pixels;
+    private bool isOnly; // one shape covers the part
 
-    /// <summary>Writes a part's bytes, if its width is one of whole packets and the error is small enough.</summary>
-    /// <param name="part">The part, whose pixels' nearest hits are all on the shape.</param>
-    /// <param name="isNear">Whether each is surely the shape's first crossing.</param>
-    /// <param name="shape">The shape.</param>
-    /// <param name="view">Its view, for the pixels in doubt.</param>
-    /// <param name="index">Its model's place in the scene.</param>
+    /// <param name="frame">What all threads share.</param>
+    public RoughPainter(Frame frame)
+    {
+        (scene, camera, shader) = (frame.Scene, frame.Scene.Camera, frame.Shader);
+        (rays, span) = (new(camera), new(camera));
+        doubts = new ushort[Tile.MaxStrip * Tile.MaxSide / RoughPacket.Count];
+        layers = new(doubts);
+    }
+
+    /// <summary>Writes a part's bytes, if its width is one of whole packets and all errors are small enough.</summary>
+    /// <param name="covered">The part and its shapes; several only in a small part.</param>
     /// <param name="rgb">Room for the bytes.</param>
     /// <param name="first">The place of the lowest row's first pixel.</param>
     /// <param name="step">From a pixel's place to that of the one above it.</param>
-    /// <typeparam name="P">The kind of shape.</typeparam>
-    public bool Paint<P>(in Tile part, bool isNear, in P shape, ModelView view, int index, byte[] rgb, int first, int step) where P : struct, IPrimitive
+    public bool Paint(CoveredPart covered, byte[] rgb, int first, int step)
     {
+        (part, pixels) = (covered.Part, new(rgb, first, step, doubts, covered.Part.Width / RoughPacket.Count));
         if (part.Width % RoughPacket.Count != 0) return false;
-        this.part = part;
+        isOnly = covered.Shapes.Count == 1;
+        if (!isOnly) layers.Clear();
+        foreach (var shape in covered.Shapes)
+            if (!shape.View.Paint(this, shape.Index, shape.IsNear))
+                return false;
+        if (!isOnly) layers.Write(part, rgb, first, step);
+
+        var packets = part.Width / RoughPacket.Count;
+        if (!doubts.AsSpan(0, packets * part.Height).ContainsAnyExcept((ushort)0)) return true;
+        for (var i = 0; i < packets * part.Height; i++)
+        {
+            if (doubts[i] == 0) continue;
+            var (row, packet) = Math.DivRem(i, packets);
+            span.Enter<WidePacket>(part.Column + packet * RoughPacket.Count, RoughPacket.Count);
+            span.Aim<WidePacket>(part.Row + row);
+            foreach (var shape in covered.Shapes) shape.View.Meet(span, shape.Index);
+            shader.Shade(span, 0, rgb.AsSpan(first + row * step + packet * RoughPacket.Count * 3, 3 * RoughPacket.Count));
+        }
+        return true;
+    }
+
+    /// <summary>Paints one of the shapes, if its error is small enough.</summary>
+    /// <param name="shape">The shape.</param>
+    /// <param name="index">Its model's place in the scene.</param>
+    /// <param name="isNear">Whether each hit is surely its first crossing.</param>
+    /// <typeparam name="P">The kind of shape.</typeparam>
+    public bool Paint<P>(in P shape, int index, bool isNear) where P : struct, IPrimitive
+    {
         var color = scene.Models[index].Color;
         var brightest = Math.Max(color.R, Math.Max(color.G, color.B));
         if (brightest > 1) return false;
         var steepest = Slope(brightest);
         var error = Error(shape, index, -GoodError / steepest);
         if (!(error * -steepest < MostError)) return false;
-
-        if (Paint(shape, isNear, color, error, rgb, first, step)) return true;
-
-        for (var i = 0; i < part.Area / RoughPacket.Count; i++)
-        {
-            if (doubts[i] == 0) continue;
-            var (row, packet) = Math.DivRem(i, part.Width / RoughPacket.Count);
-            span.Enter<WidePacket>(part.Column + packet * RoughPacket.Count, RoughPacket.Count);
-            span.Aim<WidePacket>(part.Row + row);
-            view.Meet(span, index);
-            shader.Shade(span, 0, rgb.AsSpan(first + row * step + packet * RoughPacket.Count * 3, 3 * RoughPacket.Count));
-        }
+        if (isOnly) Paint(shape, isNear, color, error, pixels);
+        else Paint(shape, isNear, color, error, layers.Add(error, part.Width / RoughPacket.Count));
         return true;
     }
 
@@ -82,43 +107,30 @@ internal sealed class RoughPainter(Frame frame)
         return hit.Exact.Hi.Value <= camera.Reach ? hit.Error : double.PositiveInfinity;
     }
 
-    /// <summary>Paints it all and notes which pixels are in doubt; whether none is.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private bool Paint<P>(P shape, bool isNear, Color color, double error, byte[] rgb, int first, int step) where P : struct, IPrimitive
+    private void Paint<P, T>(P shape, bool isNear, Color color, double error, T target) where P : struct, IPrimitive where T : struct, IRoughTarget
     {
         Vector3<RoughPacket> origin = camera.Position;
         var (red, green, blue) = (LineOf(color.R, error), LineOf(color.G, error), LineOf(color.B, error));
-        var allSure = RoughBytes.AllLanes;
-        var packets = part.Width / RoughPacket.Count; // in a row
         for (var row = 0; row < part.Height; row += 2)
         {
             var upwards = rays.UpwardsFrom(part.Row - rays.Strip.Row + row);
-            var hasUpper = row + 1 < part.Height;
-            ref var to = ref rgb[first + row * step];
-            for (var i = 0; i < packets; i++)
+            for (var packet = 0; packet < part.Width / RoughPacket.Count; packet++)
             {
-                var at = i * RoughPacket.Count;
-                var direction = camera.Direction(rays.AcrossFrom(part.Column - rays.Strip.Column + at), upwards);
+                var direction = camera.Direction(rays.AcrossFrom(part.Column - rays.Strip.Column + packet * RoughPacket.Count), upwards);
                 var crossings = shape.Cross(new Ray<RoughPacket>(origin, direction));
                 var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
-
-                var least = RoughBytes.Packed(red.Least(hit.Lower), green.Least(hit.Lower), blue.Least(hit.Lower));
-                var most = RoughBytes.Packed(red.Most(hit.Lower), green.Most(hit.Lower), blue.Most(hit.Lower));
-                var sure = Vector512.Equals(least, most).ExtractMostSignificantBits();
-                doubts[row * packets + i] = sure ^ RoughBytes.AllLanes;
-                allSure &= sure;
-                RoughBytes.Store(least, ref Unsafe.Add(ref to, 3 * at));
-                if (!hasUpper) continue;
-
-                least = RoughBytes.Packed(red.Least(hit.Upper), green.Least(hit.Upper), blue.Least(hit.Upper));
-                most = RoughBytes.Packed(red.Most(hit.Upper), green.Most(hit.Upper), blue.Most(hit.Upper));
-                sure = Vector512.Equals(least, most).ExtractMostSignificantBits();
-                doubts[(row + 1) * packets + i] = sure ^ RoughBytes.AllLanes;
-                allSure &= sure;
-                RoughBytes.Store(least, ref Unsafe.Add(ref to, step + 3 * at));
+                target.Take(row, packet, hit.Lower, Least(hit.Lower, red, green, blue), Most(hit.Lower, red, green, blue));
+                if (row + 1 < part.Height)
+                    target.Take(row + 1, packet, hit.Upper, Least(hit.Upper, red, green, blue), Most(hit.Upper, red, green, blue));
             }
         }
-        return allSure == RoughBytes.AllLanes;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static Vector512<int> Least(Vector512<float> t, Line r, Line g, Line b) => RoughBytes.Packed(r.Least(t), g.Least(t), b.Least(t));
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        static Vector512<int> Most(Vector512<float> t, Line r, Line g, Line b) => RoughBytes.Packed(r.Most(t), g.Most(t), b.Most(t));
     }
 
     /// <summary>The level of a channel as a function of t, both ends of what it may be.</summary>

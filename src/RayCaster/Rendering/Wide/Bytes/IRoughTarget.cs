@@ -1,0 +1,15 @@
+using System.Runtime.Intrinsics;
+
+namespace RayCaster;
+
+/// <summary>Takes the pixels of a part that one of its shapes would show.</summary>
+internal interface IRoughTarget
+{
+    /// <summary>Takes sixteen pixels side by side.</summary>
+    /// <param name="row">Their row in the part.</param>
+    /// <param name="packet">The number of their packet in the row.</param>
+    /// <param name="t">Where the shape is hit.</param>
+    /// <param name="least">The bytes if all errors go one way,</param>
+    /// <param name="most">and if they go the other way: the same, unless the pixel is in doubt.</param>
+    void Take(int row, int packet, Vector512<float> t, Vector512<int> least, Vector512<int> most);
+}
