@@ -39,9 +39,6 @@ internal interface ICoveringView
 
     /// <inheritdoc cref="RoughPainter.Paint{P}(in P, int, bool)"/>
     bool Paint(RoughPainter painter, int index, bool isNear);
-
-    /// <inheritdoc cref="ModelView.Meet"/>
-    void Meet(RaySpan span, int index);
 }
 
 /// <summary>A view that can paint a tile in which nothing but its model may show, mostly without asking where exactly the rays hit it.</summary>

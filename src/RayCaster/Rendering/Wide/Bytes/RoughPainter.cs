@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
 
@@ -20,8 +21,6 @@ internal sealed class RoughPainter
     private readonly Camera camera;
     private readonly RoughRays rays;
     private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
-    private readonly SpanShader shader;
-    private readonly RaySpan span;
     private readonly ushort[] doubts; // a bit for each pixel of each packet
     private readonly RoughLayers layers;
     private Tile part;
@@ -31,8 +30,8 @@ internal sealed class RoughPainter
     /// <param name="frame">What all threads share.</param>
     public RoughPainter(Frame frame)
     {
-        (scene, camera, shader) = (frame.Scene, frame.Scene.Camera, frame.Shader);
-        (rays, span) = (new(camera), new(camera));
+        (scene, camera) = (frame.Scene, frame.Scene.Camera);
+        rays = new(camera);
         doubts = new ushort[Tile.MaxStrip * Tile.MaxSide / RoughPacket.Count];
         layers = new(doubts);
     }
@@ -57,14 +56,21 @@ internal sealed class RoughPainter
         if (!doubts.AsSpan(0, packets * part.Height).ContainsAnyExcept((ushort)0)) return true;
         for (var i = 0; i < packets * part.Height; i++)
         {
-            if (doubts[i] == 0) continue;
-            var (row, packet) = Math.DivRem(i, packets);
-            span.Enter<WidePacket>(part.Column + packet * RoughPacket.Count, RoughPacket.Count);
-            span.Aim<WidePacket>(part.Row + row);
-            foreach (var shape in covered.Shapes) shape.View.Meet(span, shape.Index);
-            shader.Shade(span, 0, rgb.AsSpan(first + row * step + packet * RoughPacket.Count * 3, 3 * RoughPacket.Count));
+            for (uint left = doubts[i]; left != 0; left &= left - 1)
+            {
+                var (row, column) = (i / packets, i % packets * RoughPacket.Count + BitOperations.TrailingZeroCount(left));
+                Write(column, row, covered.Shapes, rgb.AsSpan(first + row * step + 3 * column, 3));
+            }
         }
         return true;
+    }
+
+    /// <summary>Writes a pixel by the definition.</summary>
+    private void Write(int column, int row, List<CoveringShape> shapes, Span<byte> rgb)
+    {
+        var ray = camera.CastRay(part.Column + column, part.Row + row);
+        foreach (var shape in shapes) ray.Meet(scene.Models[shape.Index]);
+        (rgb[0], rgb[1], rgb[2]) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
     }
 
     /// <summary>Paints one of the shapes, if its error is small enough.</summary>
