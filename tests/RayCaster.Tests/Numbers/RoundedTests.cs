@@ -1,5 +1,3 @@
-using Range = RayCaster.Interval<RayCaster.Scalar>;
-
 namespace RayCaster.Tests.Numbers;
 
 /// <summary>Floats are no farther from doubles than the primitives' own formulas over rounded numbers say.</summary>
@@ -18,8 +16,8 @@ public class RoundedTests
         for (var i = 0; i < 400; i++)
         {
             var (y, z, size) = (0.3 * (random.NextDouble() - 0.5), 0.3 * (random.NextDouble() - 0.5), Math.Pow(2, -random.Next(4, 9)));
-            var region = new Vector3<Range>(new(-1 - size, -1), new(y, y + size), new(z, z + size));
-            var bound = IntervalTests.Primitives[shape].Cross(new Ray<Rounded>(origin, new(Rounded.From(region.X), Rounded.From(region.Y), Rounded.From(region.Z)))).Near;
+            var region = new Vector3<Rounded>(Rounded.From(-1 - size, -1), Rounded.From(y, y + size), Rounded.From(z, z + size));
+            var bound = IntervalTests.Primitives[shape].Cross(new Ray<Rounded>(origin, region)).Near;
             if (bound.Error == double.PositiveInfinity) continue;
             bounded++;
             for (var j = 0; j < 20; j++)
@@ -59,8 +57,8 @@ public class RoundedTests
     [Fact]
     public void WhereFloatsAndDoublesMayDisagreeNothingIsSaid()
     {
-        Rounded one = 1, nearlyOne = Rounded.From(new(1 + 1e-9, 1 + 1e-9));
-        Assert.Equal((0, 1), (one < nearlyOne) is var less ? (less.Exact.Lo.Value, less.Exact.Hi.Value) : default);
+        Rounded one = 1, nearlyOne = Rounded.From(1 + 1e-9, 1 + 1e-9);
+        Assert.Equal((0, 1), (one < nearlyOne) is var less ? (less.Lo, less.Hi) : default);
         Assert.Equal(double.PositiveInfinity, Rounded.Select(one < nearlyOne, one, one + one).Error);
         Assert.Equal(double.PositiveInfinity, Rounded.Sqrt(one - nearlyOne).Error);
         Assert.Equal(double.PositiveInfinity, (one / (one - nearlyOne)).Error);

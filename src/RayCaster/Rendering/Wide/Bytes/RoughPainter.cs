@@ -110,7 +110,7 @@ internal sealed class RoughPainter
     {
         var direction = rays.Directions(part);
         var hit = camera.ClipRange.First(shape.Cross(new Ray<Rounded>(camera.Position, direction)), camera.ZPerT(direction));
-        return hit.Exact.Hi.Value <= camera.Reach ? hit.Error : double.PositiveInfinity;
+        return hit.Hi <= camera.Reach ? hit.Error : double.PositiveInfinity;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]

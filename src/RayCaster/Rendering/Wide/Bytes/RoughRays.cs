@@ -7,7 +7,6 @@ namespace RayCaster;
 internal sealed class RoughRays(Camera camera)
 {
     private readonly Floats across = new(Tile.MaxStrip), upwards = new(Tile.MaxSide + RoughPacket.Count); // one row more than there are is asked for
-    private Vector3 error;
 
     /// <summary>The strip.</summary>
     public Tile Strip { get; private set; }
@@ -22,19 +21,17 @@ internal sealed class RoughRays(Camera camera)
             across.Set(i, camera.Across(WidePacket.Sequence(strip.Column + i)), camera.Across(WidePacket.Sequence(strip.Column + i + WidePacket.Count)));
         for (var i = 0; i < strip.Height; i += RoughPacket.Count)
             upwards.Set(i, camera.Upwards(WidePacket.Sequence(strip.Row + i)), camera.Upwards(WidePacket.Sequence(strip.Row + i + WidePacket.Count)));
-
-        var direction = camera.Direction(Rough(Across(strip)), Rough(Upwards(strip)));
-        error = new(direction.X.Error, direction.Y.Error, direction.Z.Error);
         return true;
-
-        static Vector3<Rounded> Rough(Vector3<Interval<Scalar>> v) => new(Rounded.From(v.X), Rounded.From(v.Y), Rounded.From(v.Z));
     }
 
     /// <summary>The directions of all rays of a part.</summary>
     public Vector3<Rounded> Directions(in Tile part)
     {
-        var exact = camera.Direction(Across(part), Upwards(part));
-        return new(new(exact.X, error.X), new(exact.Y, error.Y), new(exact.Z, error.Z));
+        var across = camera.Across(new Rounded(part.Column, part.EndColumn - 1, 0));
+        var upwards = camera.Upwards(new Rounded(part.Row, part.EndRow - 1, 0));
+        return camera.Direction(InDoubles(across), InDoubles(upwards));
+
+        static Vector3<Rounded> InDoubles(Vector3<Rounded> v) => new(Rounded.From(v.X.Lo, v.X.Hi), Rounded.From(v.Y.Lo, v.Y.Hi), Rounded.From(v.Z.Lo, v.Z.Hi));
     }
 
     /// <summary>What the directions of sixteen columns have in common.</summary>
@@ -53,10 +50,6 @@ internal sealed class RoughRays(Camera camera)
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static RoughPacket Two(float[] numbers, int first) => new(Vector512.Create(numbers[first]), Vector512.Create(numbers[first + 1]));
-
-    private Vector3<Interval<Scalar>> Across(in Tile part) => camera.Across(new Interval<Scalar>(part.Column, part.EndColumn - 1));
-
-    private Vector3<Interval<Scalar>> Upwards(in Tile part) => camera.Upwards(new Interval<Scalar>(part.Row, part.EndRow - 1));
 
     private readonly struct Floats(int count)
     {

@@ -18,8 +18,8 @@ internal sealed class RoughShader
         this.scene = scene;
         colors = new(scene);
         // Beyond this t there is no light, whatever the rounding.
-        var t = Rounded.From(new(0, 2 * scene.Camera.Reach));
-        var steps = new Rounded(new(0, colors.MostSteps), 0); // floats know whole numbers exactly
+        var t = Rounded.From(0, 2 * scene.Camera.Reach);
+        var steps = new Rounded(0, colors.MostSteps, 0); // floats know whole numbers exactly
         var level = Color.Level(scene.Attenuation(t) * colors.Step * steps);
         error = level.Error + 255 * colors.Step / 2 + RoughBytes.RoundingOfTheEnds; // a colour is off by half a step
     }

@@ -38,7 +38,7 @@ internal sealed class MeshPainter
         background = Vector512.Create(r | (g << 8) | (b << 16));
         // Beyond this t there is no light, whatever the rounding.
         var most = 2 * scene.Camera.Reach;
-        var light = scene.Attenuation(new Rounded(new(0, most), most * Roundings));
+        var light = scene.Attenuation(new Rounded(0, most, most * Roundings));
         Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + RoughBytes.RoundingOfTheEnds;
         // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the view.
         IsSupported = RoughBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30
