@@ -53,12 +53,13 @@ internal sealed class RoughPainter
         if (!isOnly) layers.Write(part, rgb, first, step);
 
         var packets = part.Width / RoughPacket.Count;
-        if (!doubts.AsSpan(0, packets * part.Height).ContainsAnyExcept((ushort)0)) return true;
-        for (var i = 0; i < packets * part.Height; i++)
+        var some = doubts.AsSpan(0, packets * part.Height);
+        for (var place = 0; some.IndexOfAnyExcept((ushort)0) is >= 0 and var next; place++, some = some[(next + 1)..])
         {
-            for (uint left = doubts[i]; left != 0; left &= left - 1)
+            place += next;
+            for (uint left = some[next]; left != 0; left &= left - 1)
             {
-                var (row, column) = (i / packets, i % packets * RoughPacket.Count + BitOperations.TrailingZeroCount(left));
+                var (row, column) = (place / packets, place % packets * RoughPacket.Count + BitOperations.TrailingZeroCount(left));
                 Write(column, row, covered.Shapes, rgb.AsSpan(first + row * step + 3 * column, 3));
             }
         }
