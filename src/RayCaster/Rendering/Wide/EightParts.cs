@@ -9,8 +9,8 @@ internal sealed class EightParts(Camera camera)
     public const int Count = 8;
 
     private readonly Tile[] tiles = new Tile[Count];
-    private Ray<Interval<WidePacket>> rays;
-    private Interval<WidePacket> zPerT;
+    private Ray<Interval> rays;
+    private Interval zPerT;
 
     /// <summary>One of them; it may be empty.</summary>
     public ref readonly Tile this[int part] => ref tiles[part];
@@ -19,10 +19,10 @@ internal sealed class EightParts(Camera camera)
     public int Across { get; private set; }
 
     /// <summary>The rays.</summary>
-    public ref readonly Ray<Interval<WidePacket>> Rays => ref rays;
+    public ref readonly Ray<Interval> Rays => ref rays;
 
     /// <summary>What z gains for one unit of t.</summary>
-    public ref readonly Interval<WidePacket> ZPerT => ref zPerT;
+    public ref readonly Interval ZPerT => ref zPerT;
 
     /// <summary>Goes to the parts of a rectangle, from left to right and then upwards.</summary>
     /// <param name="whole">The rectangle; parts that lie beyond its sides are narrower, lower or empty.</param>
@@ -46,7 +46,7 @@ internal sealed class EightParts(Camera camera)
         zPerT = camera.ZPerT(direction);
     }
 
-    private static Interval<WidePacket> Range(ReadOnlySpan<double> lo, ReadOnlySpan<double> hi) =>
+    private static Interval Range(ReadOnlySpan<double> lo, ReadOnlySpan<double> hi) =>
         new(new WidePacket(Vector512.Create(lo)), new WidePacket(Vector512.Create(hi)));
 }
 

@@ -19,7 +19,7 @@ internal sealed class PrimitiveView<P>(P primitive, Camera camera) : ShapeView((
     public bool Paint(RoughPainter painter, int index, bool isNear) => painter.Paint(primitive, index, isNear);
 
     /// <inheritdoc/>
-    protected override void Cross(EightParts parts, out Crossings<Interval<WidePacket>> crossings) => crossings = primitive.Cross(parts.Rays);
+    protected override void Cross(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Cross(parts.Rays);
 
     /// <inheritdoc/>
     protected override void Cross(RaySpan span, int first, int end)

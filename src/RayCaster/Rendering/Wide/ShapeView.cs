@@ -50,7 +50,7 @@ internal abstract class ShapeView : ModelView
     }
 
     /// <summary>Finds out where all the rays of some parts may cross the shape.</summary>
-    protected abstract void Cross(EightParts parts, out Crossings<Interval<WidePacket>> crossings);
+    protected abstract void Cross(EightParts parts, out Crossings<Interval> crossings);
 
     /// <summary>Notes where the rays of some pixels cross the shape.</summary>
     /// <param name="span">Their span.</param>

@@ -71,6 +71,12 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WidePacket Lesser(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MinNative(a.Lanes, b.Lanes) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WidePacket Greater(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MaxNative(a.Lanes, b.Lanes) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool All(WidePacket mask) => mask.Lanes.ExtractMostSignificantBits() == (1UL << Vector512<double>.Count) - 1;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
