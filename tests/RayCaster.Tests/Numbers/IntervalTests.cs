@@ -63,12 +63,39 @@ public class IntervalTests
         Assert.True(Contains(unlimited / unlimited, double.PositiveInfinity / double.PositiveInfinity));
     }
 
+    /// <summary>Some rays of the region fall onto the plane, some rise from it, and those between run along it.</summary>
+    [Fact]
+    public void RaysAlongAPlaneCrossItFarAway()
+    {
+        var random = new Random(5);
+        var floor = new Plane(new(0, -5, 0), new(0, 1, 0));
+        var t = floor.Cross(Region(0.001, 0, 0.01)).Near;
+        Assert.InRange(Gap(t), 500, 5 / 0.006 + 1e-9);
+        for (var i = 0; i < 1000; i++)
+        {
+            var d = new Vector3(-1, 0.001 + 0.01 * (random.NextDouble() - 0.5), 0);
+            Assert.True(Contains(t, floor.Cross(new Ray<Scalar>(new Vector3(20, 0, 0), d)).Near));
+        }
+    }
+
+    [Fact]
+    public void NothingIsKnownOfZeroByZero()
+    {
+        var aroundZero = new Range(-1, 1);
+        Assert.Equal(0, Gap(aroundZero / aroundZero));
+        Assert.Equal(0, Gap(new Range(0, 0) / new Range(0, 0)));
+        Assert.Equal(0, Gap(new Range(1, 2) / new Range(1, 2))); // the ends tell it
+        Assert.Equal(0, Gap(1 / aroundZero + 1));
+    }
+
     private static bool Contains(Range range, double x) =>
-        WidePacket.All(range.IsNothing) ? double.IsNaN(x) : double.IsNaN(x) ? WidePacket.All(range.MayBeNaN) : Lo(range) <= x && x <= Hi(range);
+        WidePacket.All(range.IsNothing) ? double.IsNaN(x) : double.IsNaN(x) ? WidePacket.All(range.MayBeNaN) : Lo(range) <= x && x <= Hi(range) && Math.Abs(x) >= Gap(range);
 
     private static double Lo(Range range) => range.Lo.Lanes[0];
 
     private static double Hi(Range range) => range.Hi.Lanes[0];
+
+    private static double Gap(Range range) => range.Gap.Lanes[0];
 
     /// <summary>The rays from (20, 0, 0) towards −x that lie about (y, z) on the picture plane; their directions need not have length 1 to be a test.</summary>
     private static Ray<Range> Region(double y, double z, double size) => new(

@@ -31,8 +31,8 @@ internal abstract class ShapeView : ModelView
         var nearCounts = Clip.Counts(crossings.Near, parts.ZPerT);
         var hit = Clip.First(crossings, parts.ZPerT, nearCounts);
         return new(
-            WidePacket.Select(hit.IsNothing, double.PositiveInfinity, hit.Lo),
-            WidePacket.Select(hit.IsNothing | hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
+            WidePacket.Select(hit.IsNothing, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)), // a hit that counts is not behind the eye
+            WidePacket.Select(hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
             nearCounts.Lo);
     }
 
