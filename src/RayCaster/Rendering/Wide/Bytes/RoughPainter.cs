@@ -119,12 +119,13 @@ internal sealed class RoughPainter
     {
         Vector3<RoughPacket> origin = camera.Position;
         var (red, green, blue) = (LineOf(color.R, error), LineOf(color.G, error), LineOf(color.B, error));
+        var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / RoughPacket.Count); // locals stay in registers
         for (var row = 0; row < part.Height; row += 2)
         {
-            var upwards = rays.UpwardsFrom(part.Row - rays.Strip.Row + row);
-            for (var packet = 0; packet < part.Width / RoughPacket.Count; packet++)
+            var upwards = rays.Upwards.Two(part.Row - rays.Strip.Row + row);
+            for (var packet = 0; packet < packets; packet++)
             {
-                var direction = camera.Direction(rays.AcrossFrom(part.Column - rays.Strip.Column + packet * RoughPacket.Count), upwards);
+                var direction = camera.Direction(columns.From(firstColumn + packet * RoughPacket.Count), upwards);
                 var crossings = shape.Cross(new Ray<RoughPacket>(origin, direction));
                 var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
                 target.Take(row, packet, hit.Lower, Least(hit.Lower, red, green, blue), Most(hit.Lower, red, green, blue));
