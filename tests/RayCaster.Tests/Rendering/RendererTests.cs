@@ -192,6 +192,20 @@ public class RendererTests
         Assert.Throws<OperationCanceledException>(() => renderer.Draw(_ => cancellation.Cancel(), null, cancellation.Token));
     }
 
+    /// <summary>Floats cannot tell which of two planes is in front that lie some millionths apart, and neither can a byte wait for doubles to be asked everywhere.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1e-7)]
+    [InlineData(1e-6)]
+    [InlineData(1e-4)]
+    public void PlanesThatNearlyCoincideKeepTheirColors(double tilt)
+    {
+        var red = Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)));
+        var blue = Model.Of(new Plane(new(-5, 0, 0), new(1, tilt, tilt / 3)));
+        (red.Color, blue.Color) = (new(1, 0, 0), new(0, 0, 1));
+        AssertEqual(new Scene(new Camera(new(20, 1, 0), new(0, 0.5, 0.3), width: 256, height: 100), [red, blue]), $"planes at an angle of {tilt}");
+    }
+
     /// <summary>Model, bits of t and bytes of every pixel, drawn with little code and with all there is.</summary>
     internal static void AssertEqual(Scene scene, string what)
     {

@@ -8,7 +8,6 @@ namespace RayCaster;
 /// One thread's tool: paints a part of the picture that one shape covers, in floats. Each channel's level is known up to an error that is the same for the whole
 /// part (<see cref="Rounded"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in doubles.
 /// </summary>
-/// <remarks>Where neither the light nor a level is clamped, a level is a linear function of t: two of its values tell all others.</remarks>
 internal sealed class RoughPainter
 {
     /// <summary>With a greater error too many pixels would be in doubt.</summary>
@@ -84,18 +83,13 @@ internal sealed class RoughPainter
         var color = scene.Models[index].Color;
         var brightest = Math.Max(color.R, Math.Max(color.G, color.B));
         if (brightest > 1) return false;
-        var steepest = Slope(brightest);
-        var error = Error(shape, index, -GoodError / steepest);
-        if (!(error * -steepest < MostError)) return false;
+        var steepest = -RoughLine.SlopeOf(brightest, camera.Reach);
+        var error = Error(shape, index, GoodError / steepest);
+        if (!(error * steepest < MostError)) return false;
         if (isOnly) Paint(shape, isNear, color, error, pixels);
         else Paint(shape, isNear, color, error, layers.Add(error, part.Width / RoughPacket.Count));
         return true;
     }
-
-    private Line LineOf(double channel, double error) => new(channel, Slope(channel), error * -Slope(channel) + RoughBytes.RoundingOfALine);
-
-    /// <summary>What the level of a channel changes by for one unit of t.</summary>
-    private double Slope(double channel) => ((double)Color.Level<Scalar>(0) - Color.Level<Scalar>(channel)) / camera.Reach;
 
     /// <summary>How far the t of any pixel of a part may be from the one that doubles give.</summary>
     /// <remarks>A bound for the whole strip is mostly good enough, and then serves other parts of it, too.</remarks>
@@ -118,7 +112,7 @@ internal sealed class RoughPainter
     private void Paint<P, T>(P shape, bool isNear, Color color, double error, T target) where P : struct, IPrimitive where T : struct, IRoughTarget
     {
         Vector3<RoughPacket> origin = camera.Position;
-        var (red, green, blue) = (LineOf(color.R, error), LineOf(color.G, error), LineOf(color.B, error));
+        var (red, green, blue) = (new RoughLine(color.R, camera.Reach, error), new RoughLine(color.G, camera.Reach, error), new RoughLine(color.B, camera.Reach, error));
         var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / RoughPacket.Count); // locals stay in registers
         for (var row = 0; row < part.Height; row += 2)
         {
@@ -135,29 +129,9 @@ internal sealed class RoughPainter
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static Vector512<int> Least(Vector512<float> t, Line r, Line g, Line b) => RoughBytes.Packed(r.Least(t), g.Least(t), b.Least(t));
+        static Vector512<int> Least(Vector512<float> t, RoughLine r, RoughLine g, RoughLine b) => RoughBytes.Packed(r.Least(t), g.Least(t), b.Least(t));
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static Vector512<int> Most(Vector512<float> t, Line r, Line g, Line b) => RoughBytes.Packed(r.Most(t), g.Most(t), b.Most(t));
-    }
-
-    /// <summary>The level of a channel as a function of t, both ends of what it may be.</summary>
-    private readonly struct Line
-    {
-        private readonly Vector512<float> slope, least, most;
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Line(double channel, double slope, double error)
-        {
-            double atZero = Color.Level<Scalar>(channel);
-            this.slope = Vector512.Create((float)slope);
-            (least, most) = (Vector512.Create((float)(atZero - error)), Vector512.Create((float)(atZero + error)));
-        }
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector512<float> Least(Vector512<float> t) => Vector512.FusedMultiplyAdd(t, slope, least);
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector512<float> Most(Vector512<float> t) => Vector512.FusedMultiplyAdd(t, slope, most);
+        static Vector512<int> Most(Vector512<float> t, RoughLine r, RoughLine g, RoughLine b) => RoughBytes.Packed(r.Most(t), g.Most(t), b.Most(t));
     }
 }
