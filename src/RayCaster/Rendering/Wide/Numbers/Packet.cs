@@ -97,6 +97,10 @@ internal struct Packet : IPacket<Packet>
         RayCaster.Lanes.GatherFour(vertices, indices, ref triangle, corner);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<Packet> Transpose(ref Vector256<double> first) => RayCaster.Lanes.Transpose(
+        first, Unsafe.Add(ref first, 1), Unsafe.Add(ref first, 2), Unsafe.Add(ref first, 3));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
 
     /// <summary>The whole parts of numbers from 0 to 2³¹.</summary>

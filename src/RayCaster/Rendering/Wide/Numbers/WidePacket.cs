@@ -90,5 +90,10 @@ internal struct WidePacket : IPacket<WidePacket>
         RayCaster.Lanes.Gather(vertices, indices, ref triangle, corner);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<WidePacket> Transpose(ref Vector256<double> first) => RayCaster.Lanes.Transpose(
+        first, Unsafe.Add(ref first, 1), Unsafe.Add(ref first, 2), Unsafe.Add(ref first, 3),
+        Unsafe.Add(ref first, 4), Unsafe.Add(ref first, 5), Unsafe.Add(ref first, 6), Unsafe.Add(ref first, 7));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
 }
