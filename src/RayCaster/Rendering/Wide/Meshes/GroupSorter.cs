@@ -44,7 +44,7 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
                 // Of the last ones of all less than a packet, then the very last again.
                 var begin = Math.Min(first + i * Group.Length, (end - 1) / Group.Length * Group.Length);
                 (lows[i], highs[i]) = boxes.Around(begin, Math.Min(begin + Group.Length, end));
-                firsts[i] = begin;
+                firsts[i] = Math.Min(begin + Group.Length / 2, end - 1);
             }
             var ((fit, shows), sides) = (Project<N>(), Sides<N>());
             for (var i = 0; i < N.Count && first + i * Group.Length < end; i++)

@@ -223,12 +223,12 @@ internal sealed class TileFilter
         if ((shows & small) != 0)
         {
             waiting.Add(t, names, shows & small);
-            if (waiting.Count >= 8) AddSmall();
+            if (waiting.IsFull) AddSmall();
         }
         if ((shows & ~small) != 0)
         {
             waitingLarge.Add(t, names, shows & ~small);
-            if (waitingLarge.Count >= 8) AddLarge();
+            if (waitingLarge.IsFull) AddLarge();
         }
     }
 
@@ -240,28 +240,30 @@ internal sealed class TileFilter
 
     private void AddSmall()
     {
-        CoverSmall(ref waiting.Triangle, SetUp(waiting));
-        waiting.Drop();
+        for (var first = 0; first < waiting.Count; first += 8) CoverSmall(ref Unsafe.Add(ref waiting.Triangle, first), SetUp(waiting, first));
+        waiting.Clear();
         if (queue.Count > QueueLength) Decide();
     }
 
     private void AddLarge()
     {
-        for (var shows = SetUp(waitingLarge); shows != 0; shows &= shows - 1)
+        for (var first = 0; first < waitingLarge.Count; first += 8)
         {
-            var i = BitOperations.TrailingZeroCount(shows);
-            Cover(Unsafe.Add(ref waitingLarge.Triangle, i), i);
+            for (var shows = SetUp(waitingLarge, first); shows != 0; shows &= shows - 1)
+            {
+                var i = BitOperations.TrailingZeroCount(shows);
+                Cover(Unsafe.Add(ref waitingLarge.Triangle, first + i), i);
+            }
         }
-        waitingLarge.Drop();
+        waitingLarge.Clear();
         if (queue.Count > QueueLength) Decide();
     }
 
-    private uint SetUp(WaitingTriangles eight)
+    private uint SetUp(WaitingTriangles triangles, int first)
     {
-        eight.See(out var seen);
-        var shows = TriangleSetUp.Of(seen, screen, tile, setup) & (eight.Count < 8 ? (1u << eight.Count) - 1 : 0xFF);
+        var shows = TriangleSetUp.Of(triangles, first, screen, tile, setup);
         greatestW = Vector256.MaxNative(greatestW, Field(ref setup[0], TriangleSetUp.MostW));
-        return shows;
+        return triangles.Count - first < 8 ? shows & ((1u << (triangles.Count - first)) - 1) : shows;
     }
 
     /// <summary>Takes eight small triangles, sample by sample of their boxes.</summary>

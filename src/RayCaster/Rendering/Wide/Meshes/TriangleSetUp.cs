@@ -27,10 +27,11 @@ internal static class TriangleSetUp
     /// <summary>Numbers in all.</summary>
     public const int Length = 8 * 21;
 
-    /// <summary>Fills the fields and returns a bit for each triangle that may show in the tile.</summary>
+    /// <summary>Fills the fields for eight triangles and returns a bit for each that may show in the tile.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public static uint Of(in EightTriangles t, ScreenSpace screen, in Tile tile, float[] fields)
+    public static uint Of(WaitingTriangles triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
     {
+        var t = triangles.See(first);
         Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;
         var margin = Vector256.Create(screen.Margin);
         var rounding = Vector256.Create(Roundings);

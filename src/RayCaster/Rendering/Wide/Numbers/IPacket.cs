@@ -18,6 +18,9 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>A bit for each lane of a mask, the first lane's the lowest.</summary>
     static abstract uint Bits(N mask);
 
+    /// <summary>a b + c, rounded once or twice: not for a formula, whose every operation rounds once.</summary>
+    static abstract N MultiplyAddEstimate(N a, N b, N c);
+
     /// <summary>The greatest of the lanes.</summary>
     static abstract double Greatest(N a);
 

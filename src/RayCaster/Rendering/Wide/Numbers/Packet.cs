@@ -80,6 +80,9 @@ internal struct Packet : IPacket<Packet>
     public static uint Bits(Packet mask) => mask.Lanes.ExtractMostSignificantBits();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet MultiplyAddEstimate(Packet a, Packet b, Packet c) => new() { Lanes = Vector256.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(Packet a)
     {
         var pairs = Vector128.Max(a.Lanes.GetLower(), a.Lanes.GetUpper());

@@ -77,6 +77,9 @@ internal struct WidePacket : IPacket<WidePacket>
     public static uint Bits(WidePacket mask) => (uint)mask.Lanes.ExtractMostSignificantBits();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WidePacket MultiplyAddEstimate(WidePacket a, WidePacket b, WidePacket c) => new() { Lanes = Vector512.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(WidePacket a) => Packet.Greatest(new() { Lanes = Vector256.Max(a.Lanes.GetLower(), a.Lanes.GetUpper()) });
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
