@@ -207,11 +207,16 @@ internal sealed class TileFilter
         ref readonly var t = ref eight;
         var margin = Vector256.Create(screen.Margin);
         var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
-        var left = Vector256.MaxNative(Vector256.Ceiling(Lanes.Least(t.A.X, t.B.X, t.C.X) - margin), column);
-        var right = Vector256.MinNative(Vector256.Floor(Lanes.Most(t.A.X, t.B.X, t.C.X) + margin), column + Vector256.Create(tile.Width - 1f));
-        var bottom = Vector256.MaxNative(Vector256.Ceiling(Lanes.Least(t.A.Y, t.B.Y, t.C.Y) - margin), row);
-        var top = Vector256.MinNative(Vector256.Floor(Lanes.Most(t.A.Y, t.B.Y, t.C.Y) + margin), row + Vector256.Create(tile.Height - 1f));
-        var shows = (Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top)).ExtractMostSignificantBits();
+        var (minX, maxX) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
+        var (minY, maxY) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
+        var left = Vector256.MaxNative(Vector256.Ceiling(minX - margin), column);
+        var right = Vector256.MinNative(Vector256.Floor(maxX + margin), column + Vector256.Create(tile.Width - 1f));
+        var bottom = Vector256.MaxNative(Vector256.Ceiling(minY - margin), row);
+        var top = Vector256.MinNative(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
+        var isSingle = Vector256.Equals(left, right) & Vector256.Equals(bottom, top);
+        var passes = TriangleSetUp.Pass(t, left, bottom, maxX - minX + (maxY - minY), margin, out _);
+        var shows = Vector256.AndNot(Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top), isSingle & passes)
+            .ExtractMostSignificantBits();
         if (count < 8) shows &= (1u << count) - 1;
         if (shows == 0) return;
         if (set.Owners is { } owners)

@@ -98,6 +98,26 @@ internal static class TriangleSetUp
         return shows.ExtractMostSignificantBits();
     }
 
+    /// <summary>Where a sample is surely beside a triangle around which it is in the box.</summary>
+    /// <param name="t">The triangles.</param>
+    /// <param name="column">The samples' columns.</param>
+    /// <param name="row">The samples' rows.</param>
+    /// <param name="size">The boxes' widths and heights together.</param>
+    /// <param name="margin">How far off the corners may be.</param>
+    /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>
+    /// <remarks>What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0, and one above.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> Pass(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
+        Vector256<float> margin, out Vector256<float> area)
+    {
+        var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
+        var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
+        var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
+        var slack = size * (Vector256.Create(6f) * margin + size * Vector256.Create(Roundings));
+        area = u + v + w;
+        return Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Reaches(Vector256<float> f, Vector256<float> right, Vector256<float> up,
         Vector256<float> across, Vector256<float> upwards, Vector256<float> slack)
