@@ -98,14 +98,14 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
         }
     }
 
-    /// <summary>Which groups' first triangles are seen one way around. Only the order of work depends on it.</summary>
+    /// <summary>Which groups' middle triangles are seen the way around that <see cref="TriangleSorter"/> gives the second place. Only the order of work depends on it.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private uint Sides<N>() where N : struct, IPacket<N>, IReal<N>
     {
         var (a, b, c) = (First<N>(0), First<N>(1), First<N>(2));
         var (e, f, g) = (b - a, c - a, a - (Vector3<N>)screen.Camera.Position);
         var volume = (e.Y * f.Z - e.Z * f.Y) * g.X + (e.Z * f.X - e.X * f.Z) * g.Y + (e.X * f.Y - e.Y * f.X) * g.Z;
-        return N.Bits(volume < (N)0.0);
+        return N.Bits(volume > (N)0.0);
     }
 
     /// <summary>The pixels before or at places; they are in the picture where the group shows.</summary>
