@@ -17,7 +17,7 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     private readonly Vector256<double>[] lows = new Vector256<double>[WidePacket.Count], highs = new Vector256<double>[WidePacket.Count];
     private readonly double[] left = new double[WidePacket.Count], right = new double[WidePacket.Count];
     private readonly double[] bottom = new double[WidePacket.Count], top = new double[WidePacket.Count], most = new double[WidePacket.Count];
-    private readonly int[] firsts = new int[WidePacket.Count];
+    private readonly int[] middles = new int[WidePacket.Count];
     private (uint Left, uint Right, uint Bottom, uint Top) extent = (int.MaxValue, 0, int.MaxValue, 0);
 
     /// <summary>Groups by tile and side.</summary>
@@ -44,7 +44,7 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
                 // Of the last ones of all less than a packet, then the very last again.
                 var begin = Math.Min(first + i * Group.Length, (end - 1) / Group.Length * Group.Length);
                 (lows[i], highs[i]) = boxes.Around(begin, Math.Min(begin + Group.Length, end));
-                firsts[i] = Math.Min(begin + Group.Length / 2, end - 1);
+                middles[i] = Math.Min(begin + Group.Length / 2, end - 1);
             }
             var ((fit, shows), sides) = (Project<N>(), Sides<N>());
             for (var i = 0; i < N.Count && first + i * Group.Length < end; i++)
@@ -102,7 +102,7 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private uint Sides<N>() where N : struct, IPacket<N>, IReal<N>
     {
-        var (a, b, c) = (First<N>(0), First<N>(1), First<N>(2));
+        var (a, b, c) = (Middle<N>(0), Middle<N>(1), Middle<N>(2));
         var (e, f, g) = (b - a, c - a, a - (Vector3<N>)screen.Camera.Position);
         var volume = (e.Y * f.Z - e.Z * f.Y) * g.X + (e.Z * f.X - e.X * f.Z) * g.Y + (e.X * f.Y - e.Y * f.X) * g.Z;
         return N.Bits(volume > (N)0.0);
@@ -159,5 +159,5 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector3<N> First<N>(int corner) where N : struct, IPacket<N>, IReal<N> => N.Gather(vertices, indices, ref firsts[0], corner);
+    private Vector3<N> Middle<N>(int corner) where N : struct, IPacket<N>, IReal<N> => N.Gather(vertices, indices, ref middles[0], corner);
 }

@@ -58,13 +58,19 @@ internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
 
     /// <summary>Most vertices are neighbours of others: some of those of a group are enough.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Fetch(ref Vector3 vertex, ref int index)
+    private void Fetch(ref Vector3 vertex, ref int index)
     {
         for (var i = 0; i < 3 * Group.Length; i += Group.Length)
         {
             Lanes.Fetch(ref Unsafe.Add(ref index, 3 * IndicesAhead + i));
-            Lanes.Fetch(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, 3 * VerticesAhead + i)));
-            Lanes.Fetch(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, 3 * VerticesAhead + i + 1)));
+            FetchVertex(ref vertex, Unsafe.Add(ref index, 3 * VerticesAhead + i));
+            FetchVertex(ref vertex, Unsafe.Add(ref index, 3 * VerticesAhead + i + 1));
         }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void FetchVertex(ref Vector3 vertex, int index)
+    {
+        if ((uint)index < (uint)vertices.Length) Lanes.Fetch(ref Unsafe.Add(ref vertex, index)); // it is not checked yet
     }
 }
