@@ -19,7 +19,8 @@ public class GroupTests
         int[] sides = [0, 1];
         Assert.Equal(Group.Length, sides.Max(side => oneByOne.Of(tile, side).Length));
         Assert.Equal(1, sides.Sum(side => inGroups.GroupsOf(tile, side).Length));
-        Assert.Equal(Array.FindIndex(sides, side => oneByOne.Of(tile, side).Length > 0), Array.FindIndex(sides, side => inGroups.GroupsOf(tile, side).Length > 0));
+        Assert.Equal(Array.FindIndex(sides, side => oneByOne.Of(tile, side).Length > 0),
+            Array.FindIndex(sides, side => inGroups.GroupsOf(tile, side).Length > 0));
     }
 
     [Theory]

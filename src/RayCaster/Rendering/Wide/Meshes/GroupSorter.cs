@@ -98,7 +98,9 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
         }
     }
 
-    /// <summary>Which groups' middle triangles are seen the way around that <see cref="TriangleSorter"/> gives the second place. Only the order of work depends on it.</summary>
+    /// <summary>
+    /// Which groups' middle triangles are seen the way around that has a tile's second place; see <see cref="TriangleSorter"/>. Only the order of work depends on it.
+    /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private uint Sides<N>() where N : struct, IPacket<N>, IReal<N>
     {

@@ -105,7 +105,9 @@ internal static class TriangleSetUp
     /// <param name="size">The boxes' widths and heights together.</param>
     /// <param name="margin">How far off the corners may be.</param>
     /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>
-    /// <remarks>What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0, and one above.</remarks>
+    /// <remarks>
+    /// What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0, and one above.
+    /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Pass(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
         Vector256<float> margin, out Vector256<float> area)
