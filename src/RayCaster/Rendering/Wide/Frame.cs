@@ -56,7 +56,11 @@ internal sealed class Frame : IDisposable
     public SpanShader Shader => field ??= new(Scene, IsLong);
 
     /// <summary>Gives lent memory back when the picture is done.</summary>
-    public void Dispose() => Crowd?.Free();
+    public void Dispose()
+    {
+        foreach (var view in Views) view.Free();
+        Crowd?.Free();
+    }
 
     /// <summary>How many tiles lie side by side, or one upon another.</summary>
     public static int TilesOf(int pixels) => (pixels + Tile.MaxSide - 1) / Tile.MaxSide;

@@ -29,6 +29,11 @@ internal abstract class ModelView
     /// <param name="span">The rays.</param>
     /// <param name="index">The model's place in the scene, for ties.</param>
     public abstract void Meet(RaySpan span, int index);
+
+    /// <summary>Gives lent memory back when the picture is done; called once, of the view that <see cref="ForThread"/> was asked of.</summary>
+    public virtual void Free()
+    {
+    }
 }
 
 /// <summary>A view that finds the hits of a part of the picture the short way where its model surely covers the part.</summary>

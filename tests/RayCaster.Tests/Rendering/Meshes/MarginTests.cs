@@ -1,3 +1,4 @@
+using System.Runtime.Intrinsics;
 using RayCaster.Tests.MeshFiles;
 
 namespace RayCaster.Tests.Rendering.Meshes;
@@ -16,6 +17,35 @@ public class MarginTests
     [Fact]
     public void WithoutTheFarBoundOfSureHitsTrianglesCoverWhereTheFarPlaneCutsThem() =>
         AssertNeeded(random => CutBy(0.01, 2.02 + 0.04 * random.NextDouble()), camera => new(camera) { LeastSureW = 0 });
+
+    /// <summary>A triangle is dropped where the one sample in its box is surely beside it.</summary>
+    [Fact]
+    public void WithoutTheMarginOfCornersTrianglesAreDroppedWhoseSampleTheyCover()
+    {
+        var (camera, mesh) = OnEdges(new Random(1));
+        var screen = new ScreenSpace(camera);
+        var corners = new MeshCorners(screen, mesh.Vertices, mesh.Indices);
+        var missing = 0;
+        for (var i = 0; i < corners.Count; i++)
+        {
+            corners.See([i, i, i, i, i, i, i, i], out var t);
+            var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
+            var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
+            for (var column = MathF.Floor(left[0]); column <= MathF.Ceiling(right[0]); column++)
+            {
+                for (var row = MathF.Floor(bottom[0]); row <= MathF.Ceiling(top[0]); row++)
+                {
+                    var hit = new Mesh(mesh.Vertices, mesh.Indices[(3 * i)..(3 * i + 3)]).Intersect(camera.CastRay((int)column, (int)row));
+                    if (hit is null) continue;
+                    bool Passes(float margin) => 0 != TriangleSetUp.Pass(
+                        t, Vector256.Create(column), Vector256.Create(row), right - left + (top - bottom), Vector256.Create(margin), out _)[0];
+                    Assert.False(Passes(screen.Margin), $"triangle {i} at {column}, {row}");
+                    if (Passes(0)) missing++;
+                }
+            }
+        }
+        Assert.NotEqual(0, missing);
+    }
 
     [Fact]
     public void ProjectedCornersAreOffByALargePartOfTheirMargin()

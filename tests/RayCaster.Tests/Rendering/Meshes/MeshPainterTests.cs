@@ -45,7 +45,7 @@ public class MeshPainterTests
         var scene = new Scene(camera, [new Mesh([], []) { Color = new(0.9, 1, 0.3) }]);
         var screen = new ScreenSpace(camera);
         var painter = make(screen, scene);
-        const int Pixels = Tile.MaxSide * TileFilter.Stride;
+        const int Pixels = Tile.MaxSide * TilePixels.Stride;
         var (front, covered, w, rgb) = (new float[Pixels], new float[Pixels], new double[Pixels], new byte[3 * Pixels]);
         var (wrong, sure) = (0, 0);
         for (var i = 0; i < 200; i++)
@@ -61,7 +61,7 @@ public class MeshPainterTests
             var doubts = new HashSet<int>(painter.Doubts.Items.ToArray());
             for (var pixel = 0; pixel < Pixels; pixel++)
             {
-                var (row, column) = Math.DivRem(pixel, TileFilter.Stride);
+                var (row, column) = Math.DivRem(pixel, TilePixels.Stride);
                 if (column >= tile.Width || doubts.Contains(pixel)) continue;
                 sure++;
                 var ray = camera.CastRay(tile.Column + column, tile.Row + row);

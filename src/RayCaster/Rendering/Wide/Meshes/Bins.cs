@@ -1,12 +1,16 @@
+using System.Buffers;
 using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>Things sorted by a small number, their place; those of one place lie side by side, in the order in which they came.</summary>
+/// <summary>
+/// Things sorted by a small number, their place; those of one place lie side by side, in the order in which they came. Their memory is lent: fresh pages
+/// cost more than what is written on them.
+/// </summary>
 internal sealed class Bins<T> where T : struct
 {
     private readonly int[] starts;
-    private readonly T[] sorted;
+    private T[] sorted;
 
     /// <param name="count">How many places there are.</param>
     /// <param name="lists">What to sort; the lists are emptied.</param>
@@ -21,12 +25,19 @@ internal sealed class Bins<T> where T : struct
             total += list.Count;
         }
         for (var i = 2; i < starts.Length; i++) starts[i] += starts[i - 1];
-        sorted = GC.AllocateUninitializedArray<T>(total);
+        sorted = total > 0 ? ArrayPool<T>.Shared.Rent(total) : [];
         foreach (var list in lists)
         {
             foreach (ref readonly var item in list.Items) sorted[starts[item.Place + 1]++] = item.Thing;
             list.Free();
         }
+    }
+
+    /// <summary>Gives the memory back; nothing may be asked for any more.</summary>
+    public void Free()
+    {
+        if (sorted.Length > 0) ArrayPool<T>.Shared.Return(sorted);
+        sorted = [];
     }
 
     /// <summary>The things of a place.</summary>

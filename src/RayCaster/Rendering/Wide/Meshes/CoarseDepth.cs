@@ -60,4 +60,12 @@ internal sealed class CoarseDepth
 }
 
 /// <summary>A rectangle of cells of a tile.</summary>
-internal readonly record struct Cells(byte Left, byte Right, byte Bottom, byte Top);
+internal readonly record struct Cells(byte Left, byte Right, byte Bottom, byte Top)
+{
+    /// <summary>Those of pixels of a tile, by their columns and rows in the picture.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Cells Of(uint left, uint right, uint bottom, uint top) => new(CellOf(left), CellOf(right), CellOf(bottom), CellOf(top));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static byte CellOf(uint pixel) => (byte)(pixel % Tile.MaxSide / CoarseDepth.CellSide);
+}

@@ -13,135 +13,153 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     private const int ManyTiles = 6;
 
     private readonly int tilesAcross = Frame.TilesOf(screen.Camera.Width);
-    private readonly Vector3[] lows = new Vector3[Packet.Count], highs = new Vector3[Packet.Count];
-    private readonly int[] left = new int[Packet.Count], right = new int[Packet.Count], bottom = new int[Packet.Count], top = new int[Packet.Count];
-    private readonly double[] most = new double[Packet.Count];
-    private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
+    private readonly TriangleBoxes boxes = new(vertices, indices);
+    private readonly Vector256<double>[] lows = new Vector256<double>[WidePacket.Count], highs = new Vector256<double>[WidePacket.Count];
+    private readonly double[] left = new double[WidePacket.Count], right = new double[WidePacket.Count];
+    private readonly double[] bottom = new double[WidePacket.Count], top = new double[WidePacket.Count], most = new double[WidePacket.Count];
+    private readonly int[] middles = new int[WidePacket.Count];
+    private (uint Left, uint Right, uint Bottom, uint Top) extent = (int.MaxValue, 0, int.MaxValue, 0);
 
     /// <summary>Groups by tile and side.</summary>
     public GrowingArray<(int Place, Group Group)> Groups { get; } = new();
 
     /// <summary>Where samples may be covered.</summary>
-    public (int Left, int Right, int Bottom, int Top) Extent => extent;
+    public (int Left, int Right, int Bottom, int Top) Extent => ((int)extent.Left, (int)extent.Right, (int)extent.Bottom, (int)extent.Top);
 
     /// <summary>Takes triangles.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
-        for (; first < end; first += Packet.Count * Group.Length)
+        if (Vector512.IsHardwareAccelerated) Add<WidePacket>(first, end);
+        else Add<Packet>(first, end);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Add<N>(int first, int end) where N : struct, IPacket<N>, IReal<N>
+    {
+        Groups.Reserve((end - first) / Group.Length);
+        for (; first < end; first += N.Count * Group.Length)
         {
-            for (var i = 0; i < Packet.Count; i++) Bound(first + i * Group.Length, Math.Min(first + (i + 1) * Group.Length, end), i);
-            var (fit, shows) = Project();
-            for (var i = 0; i < Packet.Count && first + i * Group.Length < end; i++)
+            for (var i = 0; i < N.Count; i++)
+            {
+                // Of the last ones of all less than a packet, then the very last again.
+                var begin = Math.Min(first + i * Group.Length, (end - 1) / Group.Length * Group.Length);
+                (lows[i], highs[i]) = boxes.Around(begin, Math.Min(begin + Group.Length, end));
+                middles[i] = Math.Min(begin + Group.Length / 2, end - 1);
+            }
+            var ((fit, shows), sides) = (Project<N>(), Sides<N>());
+            for (var i = 0; i < N.Count && first + i * Group.Length < end; i++)
             {
                 var (begin, bit) = (first + i * Group.Length, 1u << i);
                 if ((fit & bit) == 0) each.Add(begin, Math.Min(begin + Group.Length, end));
-                else if ((shows & bit) != 0) Place(begin, Math.Min(begin + Group.Length, end), i);
+                else if ((shows & bit) != 0) Place(begin, Math.Min(begin + Group.Length, end), i, (int)(sides >> i) & 1);
             }
         }
     }
 
-    /// <summary>The box around triangles; a corner that is no number does not count, for it is part of no hit.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Bound(int first, int end, int group)
-    {
-        var (low, high) = (Vector256.Create(double.PositiveInfinity), Vector256.Create(double.NegativeInfinity));
-        for (var i = 3 * first; i < 3 * end; i++)
-        {
-            var corner = Lanes.NumberAndPoint(ref vertices[indices[i]]); // here each index is checked, once for all
-            low = Vector256.MinNative(corner, low);
-            high = Vector256.MaxNative(corner, high);
-        }
-        lows[group] = new(low[1], low[2], low[3]);
-        highs[group] = new(high[1], high[2], high[3]);
-    }
-
-    /// <summary>The rectangles on the screen and the ranges of w of four boxes.</summary>
+    /// <summary>The rectangles on the screen and the ranges of w of some boxes.</summary>
     /// <remarks>
     /// Rounding moves a rectangle's sides by some 2⁻⁵³ of (distance + size) / least depth, in units of the scale; the size is held below the least depth,
     /// and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private (uint Fit, uint Shows) Project()
+    private (uint Fit, uint Shows) Project<N>() where N : struct, IPacket<N>, IReal<N>
     {
-        Vector3<Packet> eye = screen.Camera.Position;
-        var (low, high) = (Load(lows) - eye, Load(highs) - eye);
-        var (center, half) = ((Packet)0.5 * (low + high), (Packet)0.5 * (high - low));
+        Vector3<N> eye = screen.Camera.Position;
+        var (low, high) = (N.Transpose(ref lows[0]) - eye, N.Transpose(ref highs[0]) - eye);
+        var (center, half) = ((N)0.5 * (low + high), (N)0.5 * (high - low));
         var (nearest, farthest) = Range(-screen.Camera.W, center, half);
-        var (inverse, inverseFar) = ((Packet)1 / nearest, (Packet)1 / farthest);
-        Packet margin = 2 * screen.Margin, scale = screen.Scale;
+        var (inverse, inverseFar) = ((N)1.0 / nearest, (N)1.0 / farthest);
+        var (w0, w1) = ((N)screen.Unit * inverseFar, (N)screen.Unit * inverse);
 
-        var (x0, x1) = Range(screen.Camera.U, center, half);
-        x0 = x0 * Packet.Select(x0 < 0, inverse, inverseFar) * scale + screen.CenterX - margin;
-        x1 = x1 * Packet.Select(x1 < 0, inverseFar, inverse) * scale + screen.CenterX + margin;
-        var (y0, y1) = Range(screen.Camera.V, center, half);
-        y0 = y0 * Packet.Select(y0 < 0, inverse, inverseFar) * scale + screen.CenterY - margin;
-        y1 = y1 * Packet.Select(y1 < 0, inverseFar, inverse) * scale + screen.CenterY + margin;
-        var (w0, w1) = ((Packet)screen.Unit * inverseFar, (Packet)screen.Unit * inverse);
+        N fit = (nearest > half.X + half.Y + half.Z) & (w0 > (N)1e-29) & (w1 < (N)1e29), shows = fit, size = 0.0;
+        Project(screen.Camera.U, screen.CenterX, screen.Camera.Width, left, right);
+        Project(screen.Camera.V, screen.CenterY, screen.Camera.Height, bottom, top);
 
         // The w of a sliver may be stretched; see TriangleSetUp.
-        var stretch = (x1 - x0 + (y1 - y0)) * (4 / screen.Scale);
-        var leastW = w0 * (1 - 1e-5) * ((Packet)1 - stretch);
-        var mostW = Packet.Select(stretch < 1, w1 * (1 + 1e-5) * ((Packet)1 + stretch), double.PositiveInfinity);
+        var (one, stretch) = ((N)1.0, size * (N)(4 / screen.Scale));
+        var leastW = w0 * (N)(1 - 1e-5) * (one - stretch);
+        var mostW = N.Select(stretch < one, w1 * (N)(1 + 1e-5) * (one + stretch), double.PositiveInfinity);
         mostW.Store(most, 0);
+        shows &= (mostW >= (N)(double)screen.LeastW) & (leastW <= (N)(double)screen.MostW);
+        return (N.Bits(fit), N.Bits(shows));
 
-        double guard = screen.Guard, width = screen.Camera.Width, height = screen.Camera.Height;
-        var fit = (nearest > half.X + half.Y + half.Z) & (w0 > 1e-29) & (w1 < 1e29)
-            & (x0 >= -guard) & (x1 <= width + guard) & (y0 >= -guard) & (y1 <= height + guard);
-        var shows = (x0 < width) & (x1 >= 0) & (y0 < height) & (y1 >= 0) & (mostW >= screen.LeastW) & (leastW <= screen.MostW);
-        Keep(left, x0, width - 1);
-        Keep(right, x1, width - 1);
-        Keep(bottom, y0, height - 1);
-        Keep(top, y1, height - 1);
-        return (fit.Lanes.ExtractMostSignificantBits(), shows.Lanes.ExtractMostSignificantBits());
+        [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a method grown too large operators, silently, become calls
+        void Project(Vector3 axis, double zero, double pixels, double[] first, double[] last)
+        {
+            N none = 0.0, scale = screen.Scale, middle = zero, margin = 2.0 * screen.Margin, end = pixels, guard = screen.Guard;
+            var (least, most) = Range(axis, center, half);
+            least = least * N.Select(least < none, inverse, inverseFar) * scale + middle - margin;
+            most = most * N.Select(most < none, inverseFar, inverse) * scale + middle + margin;
+            fit &= (least >= -guard) & (most <= end + guard);
+            shows &= (least < end) & (most >= none);
+            size += most - least;
+            Keep(first, least, end - (N)1.0);
+            Keep(last, most, end - (N)1.0);
+        }
+    }
+
+    /// <summary>
+    /// Which groups' middle triangles are seen the way around that has a tile's second place; see <see cref="TriangleSorter"/>. Only the order of work depends on it.
+    /// </summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private uint Sides<N>() where N : struct, IPacket<N>, IReal<N>
+    {
+        var (a, b, c) = (Middle<N>(0), Middle<N>(1), Middle<N>(2));
+        var (e, f, g) = (b - a, c - a, a - (Vector3<N>)screen.Camera.Position);
+        var volume = (e.Y * f.Z - e.Z * f.Y) * g.X + (e.Z * f.X - e.X * f.Z) * g.Y + (e.X * f.Y - e.Y * f.X) * g.Z;
+        return N.Bits(volume > (N)0.0);
     }
 
     /// <summary>The pixels before or at places; they are in the picture where the group shows.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Keep(int[] pixels, Packet place, double last) =>
-        Packet.Select(place >= 0, Packet.Select(place < last, place, last), 0).ToInts().StoreUnsafe(ref pixels[0]);
+    private static void Keep<N>(double[] pixels, N place, N last) where N : struct, IPacket<N>, IReal<N> =>
+        N.Select(place >= (N)0.0, N.Select(place < last, place, last), 0.0).Store(pixels, 0);
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Place(int first, int end, int i)
+    private void Place(int first, int end, int i, int side)
     {
-        var (x0, x1, y0, y1) = (left[i], right[i], bottom[i], top[i]);
-        var (tileX0, tileX1, tileY0, tileY1) = (x0 / Tile.MaxSide, x1 / Tile.MaxSide, y0 / Tile.MaxSide, y1 / Tile.MaxSide);
-        if ((tileX1 - tileX0 + 1) * (tileY1 - tileY0 + 1) > ManyTiles)
-        {
-            each.Add(first, end);
-            return;
-        }
-
+        var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
         if (x0 < extent.Left) extent.Left = x0;
         if (x1 > extent.Right) extent.Right = x1;
         if (y0 < extent.Bottom) extent.Bottom = y0;
         if (y1 > extent.Top) extent.Top = y1;
-        var (side, mostW) = (SideOf((first + end) / 2), (float)most[i]);
-        for (var y = tileY0; y <= tileY1; y++)
-            for (var x = tileX0; x <= tileX1; x++)
-                Groups.Add((2 * (y * tilesAcross + x) + side, new(first, mostW,
-                    new(Cell(x0 - x * Tile.MaxSide), Cell(x1 - x * Tile.MaxSide), Cell(y0 - y * Tile.MaxSide), Cell(y1 - y * Tile.MaxSide)))));
+        var group = new Group(first, (float)most[i], Cells.Of(x0, x1, y0, y1));
+        if (((x0 ^ x1) | (y0 ^ y1)) < Tile.MaxSide) Groups.Add((PlaceOf(x0 / Tile.MaxSide, y0 / Tile.MaxSide, side), group));
+        else if (Tiles(x0, x1) * Tiles(y0, y1) > ManyTiles) each.Add(first, end);
+        else PlaceInTiles(group, x0, x1, y0, y1, side);
+    }
+
+    private void PlaceInTiles(Group group, uint x0, uint x1, uint y0, uint y1, int side)
+    {
+        for (var y = y0 / Tile.MaxSide; y <= y1 / Tile.MaxSide; y++)
+        {
+            for (var x = x0 / Tile.MaxSide; x <= x1 / Tile.MaxSide; x++)
+            {
+                var (column, row) = (x * Tile.MaxSide, y * Tile.MaxSide);
+                const uint Last = Tile.MaxSide - 1;
+                var cells = Cells.Of(Math.Max(x0, column), Math.Min(x1, column + Last), Math.Max(y0, row), Math.Min(y1, row + Last));
+                Groups.Add((PlaceOf(x, y, side), group with { Cells = cells }));
+            }
+        }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static byte Cell(int pixel) => (byte)((uint)Math.Max(0, Math.Min(pixel, Tile.MaxSide - 1)) / CoarseDepth.CellSide);
+    private int PlaceOf(uint tileX, uint tileY, int side) => 2 * ((int)tileY * tilesAcross + (int)tileX) + side;
 
-    /// <summary>Which way around a triangle's corners are seen. Only the order of work depends on it.</summary>
-    private int SideOf(int triangle)
-    {
-        var (a, b, c) = (vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);
-        return (b - a) % (c - a) * (a - screen.Camera.Position) < 0 ? 0 : 1;
-    }
+    /// <summary>How many tiles pixels lie in.</summary>
+    private static long Tiles(uint first, uint last) => last / Tile.MaxSide - first / Tile.MaxSide + 1L;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static (Packet Least, Packet Most) Range(Vector3 axis, Vector3<Packet> center, Vector3<Packet> half)
+    private static uint Pixel(double place) => (uint)double.ConvertToIntegerNative<int>(place);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static (N Least, N Most) Range<N>(Vector3 axis, Vector3<N> center, Vector3<N> half) where N : struct, IPacket<N>, IReal<N>
     {
-        Vector3<Packet> along = axis, across = new Vector3(Math.Abs(axis.X), Math.Abs(axis.Y), Math.Abs(axis.Z));
+        Vector3<N> along = axis, across = new Vector3(Math.Abs(axis.X), Math.Abs(axis.Y), Math.Abs(axis.Z));
         var (middle, spread) = (center * along, half * across);
         return (middle - spread, middle + spread);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector3<Packet> Load(Vector3[] points) => Lanes.Transpose(
-        Lanes.NumberAndPoint(ref points[0]), Lanes.NumberAndPoint(ref points[1]), Lanes.NumberAndPoint(ref points[2]), Lanes.NumberAndPoint(ref points[3]));
+    private Vector3<N> Middle<N>(int corner) where N : struct, IPacket<N>, IReal<N> => N.Gather(vertices, indices, ref middles[0], corner);
 }

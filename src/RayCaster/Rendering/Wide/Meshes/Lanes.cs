@@ -46,8 +46,8 @@ internal static class Lanes
             Vector512<double> Of(int i) => Vector512.Create(p0[i], p1[i], p2[i], p3[i], p4[i], p5[i], p6[i], p7[i]);
             return new(new(Of(1)), new(Of(2)), new(Of(3)));
         }
-        var (p04, p15) = (Vector512.Create(p0, p4), Vector512.Create(p1, p5));
-        var (p26, p37) = (Vector512.Create(p2, p6), Vector512.Create(p3, p7));
+        var (p04, p15) = (Pair(p0, p4), Pair(p1, p5));
+        var (p26, p37) = (Pair(p2, p6), Pair(p3, p7));
         var (xz01, xz23) = (Avx512F.UnpackHigh(p04, p15), Avx512F.UnpackHigh(p26, p37));
         var (y01, y23) = (Avx512F.UnpackLow(p04, p15), Avx512F.UnpackLow(p26, p37));
         var (even, odd) = (Vector512.Create(0L, 1, 8, 9, 4, 5, 12, 13), Vector512.Create(2L, 3, 10, 11, 6, 7, 14, 15));
@@ -56,6 +56,10 @@ internal static class Lanes
             new(Avx512F.PermuteVar8x64x2(y01, odd, y23)),
             new(Avx512F.PermuteVar8x64x2(xz01, odd, xz23)));
     }
+
+    /// <summary>Two halves; <see cref="Vector512.Create{T}(Vector256{T}, Vector256{T})"/> would clear the upper one before it is set.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<double> Pair(Vector256<double> lower, Vector256<double> upper) => lower.ToVector512Unsafe().WithUpper(upper);
 
     /// <summary>The same of four triangles.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

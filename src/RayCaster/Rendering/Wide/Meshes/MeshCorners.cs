@@ -50,11 +50,13 @@ internal sealed class MeshCorners(ScreenSpace screen, Vector3[] vertices, int[] 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void FetchVertices(int group)
     {
-        var end = Math.Min(3 * (group + Group.Length), indices.Length);
-        for (var i = 3 * group; i < end; i += 9) // most are neighbours of others
+        if (group + Group.Length > Count) return;
+        ref var index = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(indices), 3 * group);
+        ref var vertex = ref MemoryMarshal.GetArrayDataReference(vertices);
+        for (var i = 0; i < 3 * Group.Length; i += 9) // most are neighbours of others
         {
-            Lanes.Fetch(ref vertices[indices[i]]);
-            Lanes.Fetch(ref vertices[indices[i + 1]]);
+            Lanes.Fetch(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, i)));
+            Lanes.Fetch(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, i + 1)));
         }
     }
 

@@ -56,7 +56,7 @@ internal sealed class MeshPainter
 
     /// <summary>Writes the bytes of a tile.</summary>
     /// <param name="tile">The tile.</param>
-    /// <param name="covered">The least w that a pixel's hit may have, row by row of <see cref="TileFilter.Stride"/>.</param>
+    /// <param name="covered">The least w that a pixel's hit may have, row by row of <see cref="TilePixels.Stride"/>.</param>
     /// <param name="front">The greatest; 0 where there is no hit.</param>
     /// <param name="decided">Less than +∞ where the w are not all that is known; null if there is no such pixel.</param>
     /// <param name="rgb">Room for the bytes.</param>
@@ -73,7 +73,7 @@ internal sealed class MeshPainter
         for (var i = 0; i < packets * tile.Height; i++)
         {
             for (var lanes = doubts[i]; lanes != 0; lanes &= lanes - 1)
-                Doubts.Add(i / packets * TileFilter.Stride + i % packets * RoughPacket.Count + BitOperations.TrailingZeroCount(lanes));
+                Doubts.Add(i / packets * TilePixels.Stride + i % packets * RoughPacket.Count + BitOperations.TrailingZeroCount(lanes));
         }
     }
 
@@ -82,7 +82,7 @@ internal sealed class MeshPainter
     /// <param name="t">Where its ray hits the mesh; +∞ if it does not.</param>
     public void Write(int pixel, double t)
     {
-        var to = first + pixel / TileFilter.Stride * step + 3 * (pixel % TileFilter.Stride);
+        var to = first + pixel / TilePixels.Stride * step + 3 * (pixel % TilePixels.Stride);
         (rgb[to], rgb[to + 1], rgb[to + 2]) = scene.Shade(t, double.IsPositiveInfinity(t) ? null : model).ToBytes();
     }
 
@@ -100,7 +100,7 @@ internal sealed class MeshPainter
             ref var to = ref rgb[first + row * step];
             for (var i = 0; i < tile.Width; i += RoughPacket.Count, packet++)
             {
-                var at = row * TileFilter.Stride + i;
+                var at = row * TilePixels.Stride + i;
                 var ends = new RoughPacket(Vector512.LoadUnsafe(ref front[at]), Vector512.LoadUnsafe(ref covered[at]));
                 var far = RoughPacket.Of(unit * Vector512.Sqrt(upwards + Vector512.LoadUnsafe(ref squares[i])));
                 var light = scene.Attenuation(far / ends);

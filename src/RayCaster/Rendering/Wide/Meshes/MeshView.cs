@@ -71,6 +71,12 @@ internal sealed class MeshView : ModelView, IPaintingView
     }
 
     /// <inheritdoc/>
+    public override void Free()
+    {
+        foreach (var set in sets) set.Free();
+    }
+
+    /// <inheritdoc/>
     public bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
     {
         if (hard is not null) return false;

@@ -10,11 +10,13 @@ namespace RayCaster;
 internal sealed class ScreenSpace
 {
     private readonly Vector3 origin, u, v, w;
+    private readonly Vector3 right, up, ahead; // the axes in pixels at unit depth
 
     public ScreenSpace(Camera camera)
     {
         (Camera, origin, u, v, w) = (camera, camera.Position, camera.U, camera.V, camera.W);
         (Scale, Unit) = (camera.Height / camera.PlaneHeight, camera.Reach / 2);
+        (right, up, ahead) = (Scale / Unit * u, Scale / Unit * v, -w);
         var sample = camera.Sample == Sample.Center ? 0.5 : 0;
         (CenterX, CenterY) = (camera.Width / 2.0 - sample, camera.Height / 2.0 - sample);
         Guard = 256 + Math.Max(camera.Width, camera.Height) / 4.0;
@@ -103,13 +105,22 @@ internal sealed class ScreenSpace
         return (x * inverse * Scale + CenterX, y * inverse * Scale + CenterY, (N)Unit * inverse);
     }
 
-    /// <summary>Column, row and w of a point.</summary>
+    /// <summary>Column, row and w of points.</summary>
+    /// <remarks>
+    /// The axes in pixels are rounded once more than those of the camera, and products and sums less often; what that changes is a few parts in 2⁵³ of a
+    /// coordinate, as <see cref="DoubleMargin"/> counts for any order of these steps. What overflows is not fit for floats.
+    /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public (N X, N Y, N W) Project<N>(Vector3<N> point) where N : struct, IReal<N>
+    public (N X, N Y, N W) Project<N>(Vector3<N> point) where N : struct, IPacket<N>, IReal<N>
     {
         var p = point - (Vector3<N>)origin;
-        return Project(p * (Vector3<N>)u, p * (Vector3<N>)v, -(p * (Vector3<N>)w));
+        var nearness = (N)Unit / Along(p, ahead);
+        return (N.MultiplyAddEstimate(Along(p, right), nearness, CenterX), N.MultiplyAddEstimate(Along(p, up), nearness, CenterY), nearness);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static N Along<N>(Vector3<N> p, Vector3 axis) where N : struct, IPacket<N>, IReal<N> =>
+        N.MultiplyAddEstimate(p.X, axis.X, N.MultiplyAddEstimate(p.Y, axis.Y, p.Z * (N)axis.Z));
 
     /// <summary>Where corners are fit for floats.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

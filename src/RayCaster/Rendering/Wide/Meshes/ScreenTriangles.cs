@@ -63,6 +63,13 @@ internal sealed class ScreenTriangles
     /// <summary>Groups of a tile most of which are seen one way or the other way around.</summary>
     public ReadOnlySpan<Group> GroupsOf(in Tile tile, int side) => groups[2 * PlaceOf(tile) + side];
 
+    /// <summary>Gives lent memory back; nothing may be asked for any more.</summary>
+    public void Free()
+    {
+        triangles.Free();
+        groups.Free();
+    }
+
     private void Extend((int Left, int Right, int Bottom, int Top) other) => Extent = (
         Math.Min(Extent.Left, other.Left), Math.Max(Extent.Right, other.Right),
         Math.Min(Extent.Bottom, other.Bottom), Math.Max(Extent.Top, other.Top));

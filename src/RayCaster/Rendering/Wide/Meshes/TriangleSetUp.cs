@@ -27,10 +27,11 @@ internal static class TriangleSetUp
     /// <summary>Numbers in all.</summary>
     public const int Length = 8 * 21;
 
-    /// <summary>Fills the fields and returns a bit for each triangle that may show in the tile.</summary>
+    /// <summary>Fills the fields for eight triangles and returns a bit for each that may show in the tile.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public static uint Of(in EightTriangles t, ScreenSpace screen, in Tile tile, float[] fields)
+    public static uint Of(WaitingTriangles triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
     {
+        var t = triangles.See(first);
         Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;
         var margin = Vector256.Create(screen.Margin);
         var rounding = Vector256.Create(Roundings);
@@ -95,6 +96,28 @@ internal static class TriangleSetUp
             Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack),
             Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)));
         return shows.ExtractMostSignificantBits();
+    }
+
+    /// <summary>Where a sample is surely beside a triangle around which it is in the box.</summary>
+    /// <param name="t">The triangles.</param>
+    /// <param name="column">The samples' columns.</param>
+    /// <param name="row">The samples' rows.</param>
+    /// <param name="size">The boxes' widths and heights together.</param>
+    /// <param name="margin">How far off the corners may be.</param>
+    /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>
+    /// <remarks>
+    /// What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0, and one above.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> Pass(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
+        Vector256<float> margin, out Vector256<float> area)
+    {
+        var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
+        var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
+        var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
+        var slack = size * (Vector256.Create(6f) * margin + size * Vector256.Create(Roundings));
+        area = u + v + w;
+        return Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -61,13 +61,9 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Twins?
             shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
 
             // Where the box holds one sample only, the sides tell whether it is beside the triangle. (The others are looked at in their tiles.)
-            var (ax, bx, cx) = (t.A.X - column0, t.B.X - column0, t.C.X - column0);
-            var (ay, by, cy) = (t.A.Y - row0, t.B.Y - row0, t.C.Y - row0);
-            var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
-            var slack = size * (Vector256.Create(6 * screen.Margin) + size * Vector256.Create(TriangleSetUp.Roundings));
-            var beside = Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
+            var passes = TriangleSetUp.Pass(t, column0, row0, size, margin, out var area);
             var single = Vector256.Equals(column0, column1) & Vector256.Equals(row0, row1);
-            shows &= ~(beside & single) & fit;
+            shows &= ~(passes & single) & fit;
 
             var inRange = end - first >= 8 ? 0xFFu : (1u << (end - first)) - 1;
             var unfit = ~fit.ExtractMostSignificantBits() & inRange;
@@ -79,7 +75,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Twins?
             var bits = shows.ExtractMostSignificantBits() & inRange;
             if (bits == 0) continue;
 
-            var turned = Vector256.LessThan(u + v + w, zero).ExtractMostSignificantBits();
+            var turned = Vector256.LessThan(area, zero).ExtractMostSignificantBits();
             Vector256.ConvertToInt32(column0).CopyTo(box);
             Vector256.ConvertToInt32(column1).CopyTo(box[8..]);
             Vector256.ConvertToInt32(row0).CopyTo(box[16..]);

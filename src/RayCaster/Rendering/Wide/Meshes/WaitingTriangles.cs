@@ -4,10 +4,16 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster;
 
-/// <summary>Triangles that wait until there are eight of them, since of eight that come together often only some need a further look.</summary>
+/// <summary>
+/// Triangles that wait until there are many of them: of eight that come together often only some need a further look; and while they are only collected,
+/// nothing depends on what comes out, so that the processor can work far ahead.
+/// </summary>
 internal sealed class WaitingTriangles
 {
-    private const int Room = 16;
+    /// <summary>More than these never wait.</summary>
+    public const int Limit = 128;
+
+    private const int Room = Limit + 8;
 
     private static readonly int[] Orders = MakeOrders();
 
@@ -15,13 +21,16 @@ internal sealed class WaitingTriangles
     private readonly float[] corners = new float[9 * Room];
     private readonly int[] triangles = new int[Room];
 
-    /// <summary>How many there are: after <see cref="Add"/> fewer than sixteen.</summary>
+    /// <summary>How many there are.</summary>
     public int Count { get; private set; }
 
-    /// <summary>The first one's number, which those of the others follow.</summary>
+    /// <summary>Whether no eight have room.</summary>
+    public bool IsFull => Count > Limit - 8;
+
+    /// <summary>The number of the first one, which those of the others follow.</summary>
     public ref int Triangle => ref triangles[0];
 
-    /// <summary>Adds some of eight triangles, while there are fewer than eight.</summary>
+    /// <summary>Adds some of eight triangles, while it is not full.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(in EightTriangles t, Vector256<int> ids, uint lanes)
     {
@@ -40,19 +49,16 @@ internal sealed class WaitingTriangles
         Count += BitOperations.PopCount(lanes);
     }
 
-    /// <summary>The first eight; where there are fewer, the others are any that were there before.</summary>
-    public void See(out EightTriangles seen) => (seen.A, seen.B, seen.C) = (Points(0), Points(3 * Room), Points(6 * Room));
+    /// <summary>Eight of them; where there are fewer, the others are any that were there before.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public EightTriangles See(int first) => new() { A = Points(first), B = Points(first + 3 * Room), C = Points(first + 6 * Room) };
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private EightPoints Points(int first) => new(
         Vector256.LoadUnsafe(ref corners[first]), Vector256.LoadUnsafe(ref corners[first + Room]), Vector256.LoadUnsafe(ref corners[first + 2 * Room]));
 
-    /// <summary>Forgets the first eight.</summary>
-    public void Drop()
-    {
-        Count = Math.Max(0, Count - 8);
-        for (var i = 0; i < corners.Length; i += Room) Vector256.LoadUnsafe(ref corners[i + 8]).StoreUnsafe(ref corners[i]);
-        Vector256.LoadUnsafe(ref triangles[8]).StoreUnsafe(ref triangles[0]);
-    }
+    /// <summary>Forgets all.</summary>
+    public void Clear() => Count = 0;
 
     /// <summary>For each mask of eight lanes the set ones, from the first place on.</summary>
     private static int[] MakeOrders()

@@ -1,3 +1,5 @@
+using System.Runtime.Intrinsics;
+
 namespace RayCaster;
 
 /// <summary>Numbers of several pixels side by side; as a mask all bits of a lane set for true, none for false.</summary>
@@ -22,6 +24,9 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>A bit for each lane of a mask, the first lane's the lowest.</summary>
     static abstract uint Bits(N mask);
 
+    /// <summary>a b + c, rounded once or twice: not for a formula, whose every operation rounds once.</summary>
+    static abstract N MultiplyAddEstimate(N a, N b, N c);
+
     /// <summary>The greatest of the lanes.</summary>
     static abstract double Greatest(N a);
 
@@ -33,6 +38,9 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
 
     /// <summary>A corner of triangles of a mesh, one to each lane; see <see cref="Lanes"/>.</summary>
     static abstract Vector3<N> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner);
+
+    /// <summary>Points, one to each lane, of which each is the last three of four numbers.</summary>
+    static abstract Vector3<N> Transpose(ref Vector256<double> first);
 
     /// <summary>Puts the packet at a place in an array.</summary>
     void Store(double[] numbers, int first);

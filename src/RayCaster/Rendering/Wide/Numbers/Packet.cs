@@ -86,6 +86,9 @@ internal struct Packet : IPacket<Packet>
     public static uint Bits(Packet mask) => mask.Lanes.ExtractMostSignificantBits();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet MultiplyAddEstimate(Packet a, Packet b, Packet c) => new() { Lanes = Vector256.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(Packet a)
     {
         var pairs = Vector128.Max(a.Lanes.GetLower(), a.Lanes.GetUpper());
@@ -101,6 +104,10 @@ internal struct Packet : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner) =>
         RayCaster.Lanes.GatherFour(vertices, indices, ref triangle, corner);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<Packet> Transpose(ref Vector256<double> first) => RayCaster.Lanes.Transpose(
+        first, Unsafe.Add(ref first, 1), Unsafe.Add(ref first, 2), Unsafe.Add(ref first, 3));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);

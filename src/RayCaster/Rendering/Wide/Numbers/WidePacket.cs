@@ -83,6 +83,9 @@ internal struct WidePacket : IPacket<WidePacket>
     public static uint Bits(WidePacket mask) => (uint)mask.Lanes.ExtractMostSignificantBits();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WidePacket MultiplyAddEstimate(WidePacket a, WidePacket b, WidePacket c) => new() { Lanes = Vector512.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(WidePacket a) => Packet.Greatest(new() { Lanes = Vector256.Max(a.Lanes.GetLower(), a.Lanes.GetUpper()) });
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -94,6 +97,11 @@ internal struct WidePacket : IPacket<WidePacket>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<WidePacket> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner) =>
         RayCaster.Lanes.Gather(vertices, indices, ref triangle, corner);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector3<WidePacket> Transpose(ref Vector256<double> first) => RayCaster.Lanes.Transpose(
+        first, Unsafe.Add(ref first, 1), Unsafe.Add(ref first, 2), Unsafe.Add(ref first, 3),
+        Unsafe.Add(ref first, 4), Unsafe.Add(ref first, 5), Unsafe.Add(ref first, 6), Unsafe.Add(ref first, 7));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
