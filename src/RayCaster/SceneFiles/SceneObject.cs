@@ -19,23 +19,27 @@ internal sealed class SceneObject
     private readonly JsonValue json;
     private readonly string path;
     private readonly int? index; // in an array of that path
-    private readonly List<string> asked = new(8);
+    private readonly List<string> asked;
     private readonly List<SceneKey>? described;
     private readonly int errorsBefore;
+    private readonly int? keyCount; // null where a key may be there twice
+    private int found, likely;      // keys that were asked for and are there; where the next may be
 
     /// <summary>An object in a text. Notes the keys that stand in it twice; the first counts.</summary>
     /// <param name="document">The scene file.</param>
     /// <param name="json">The object.</param>
     /// <param name="path">Its path, empty for the scene itself; of the element of an array that of the array.</param>
     /// <param name="index">Its place in the array.</param>
-    public SceneObject(SceneDocument document, JsonValue json, string path, int? index)
+    /// <param name="asked">Takes the keys that it is asked for; a new list if left out.</param>
+    private SceneObject(SceneDocument document, JsonValue json, string path, int? index, List<string>? asked)
     {
-        (this.document, this.json, this.path, this.index) = (document, json, path, index);
+        (this.document, this.json, this.path, this.index, this.asked) = (document, json, path, index, asked ?? []);
         errorsBefore = document.ErrorCount;
-        if (json.MayRepeatKey) RefuseRepeatedKeys(document);
+        keyCount = json.CountKeys();
+        if (keyCount is null) RefuseRepeatedKeys(document);
     }
 
-    private SceneObject(List<SceneKey> described) => (this.described, path) = (described, "");
+    private SceneObject(List<SceneKey> described) => (this.described, path, asked) = (described, "", []);
 
     /// <summary>The scene file; null where the object is only described.</summary>
     public SceneDocument? Document => document;
@@ -166,7 +170,10 @@ internal sealed class SceneObject
         return Take(key, meaning, true) is { } value ? AsObject(document!, value, PathOf(key)) : null;
     }
 
-    /// <summary>An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none.</summary>
+    /// <summary>
+    /// An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none. The caller is done
+    /// with each when it takes the next.
+    /// </summary>
     public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
         described?.Add(new(key, KeyKind.Objects, meaning, true));
@@ -176,10 +183,13 @@ internal sealed class SceneObject
             Report(true, value, PathOf(key), $" must be an array of objects in brackets [ ], but is {value.InWords}");
             yield break;
         }
-        var (elements, whole) = (value.Content, PathOf(key));
-        for (var i = 0; i < elements.Length && !document!.IsHopeless; i++)
-            if (AsObject(document!, elements[i], whole, i) is { } element)
-                yield return element;
+        var (i, whole, shared) = (0, PathOf(key), new List<string>());
+        foreach (var element in value.Content)
+        {
+            if (document!.IsHopeless) yield break;
+            shared.Clear();
+            if (AsObject(document, element, whole, i++, asked: shared) is { } o) yield return o;
+        }
     }
 
     /// <summary>An object, or null and a problem.</summary>
@@ -188,9 +198,11 @@ internal sealed class SceneObject
     /// <param name="path">Its path, empty for the outermost; of the element of an array that of the array.</param>
     /// <param name="index">Its place in the array.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
-    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, int? index = null, string? name = null)
+    /// <param name="asked">Takes the keys that it is asked for; a new list if left out.</param>
+    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, int? index = null, string? name = null,
+        List<string>? asked = null)
     {
-        if (value.Kind == JsonTokenType.StartObject) return new(document, value, path, index);
+        if (value.Kind == JsonTokenType.StartObject) return new(document, value, path, index, asked);
         if (index is not null) path += $"[{index}]";
         document.Add(true, value.Start, value.End, path, $"{name ?? path} must be an object in braces {{ }}, but is {value.InWords}");
         return null;
@@ -209,8 +221,8 @@ internal sealed class SceneObject
     public void Close(params IEnumerable<string> allowed)
     {
         if (document is null) return;
+        if (found == keyCount) return;
         asked.AddRange(allowed);
-        if (!json.HasKeyBeyond(asked)) return;
         var refused = new HashSet<string>(); // each once, though it may be there twice
         foreach (var key in json.Keys)
         {
@@ -244,12 +256,13 @@ internal sealed class SceneObject
         return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
     }
 
-    /// <summary>The value of a key, or null if it is not written, which is a problem where it is required.</summary>
+    /// <summary>The value of a key that has not been asked for before, or null if it is not written, which is a problem where it is required.</summary>
     private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
     {
         if (document is null) return null;
         asked.Add(key);
-        var value = json.Find(key);
+        var value = keyCount is null ? json.Find(key) : json.Find(key, ref likely);
+        if (value is not null) found++;
         if (value is null && isRequired)
             document.Add(true, json.Start, json.Start + 1, PathOf(key), $"{PathOf(key)} is missing: {(words is null ? meaning : InWords(words))}");
         return value;
@@ -306,7 +319,7 @@ internal sealed class SceneObject
         }
         if (value.IsOfThree(out var x, out var y, out var z))
             return new(NumberAt(x, key, 0, limits), NumberAt(y, key, 1, limits), NumberAt(z, key, 2, limits));
-        var elements = value.Content;
+        var elements = value.Content.ToArray();
         Report(true, value, PathOf(key), $" must be {what}, but has {elements.Length} element{(elements.Length == 1 ? "" : "s")}{DecimalComma(elements)}");
         return NoVector;
     }
@@ -328,7 +341,7 @@ internal sealed class SceneObject
     private JsonValue? Place(string key, int? element)
     {
         if (document is null || json.Find(key) is not { } value) return null;
-        return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content[i] : value;
+        return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content.ElementAt(i) : value;
     }
 
     /// <summary>Notes a problem; where there is no value at the object's opening brace.</summary>
