@@ -34,6 +34,12 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
+    /// <summary>The first element of an array; null if it has none.</summary>
+    public JsonValue? First => node + 1 < tree[node].Next ? new(tree, node + 1) : null;
+
+    /// <summary>The element after another one of an array; null after the last.</summary>
+    public JsonValue? After(JsonValue element) => tree[element.node].Next < tree[node].Next ? new(tree, tree[element.node].Next) : null;
+
     /// <summary>The three elements of an array that has three.</summary>
     public bool IsOfThree(out JsonValue first, out JsonValue second, out JsonValue third)
     {

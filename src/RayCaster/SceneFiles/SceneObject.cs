@@ -184,9 +184,8 @@ internal sealed class SceneObject
             yield break;
         }
         var (i, whole, shared) = (0, PathOf(key), new List<string>());
-        foreach (var element in value.Content)
+        for (var next = value.First; next is { } element && !document!.IsHopeless; next = value.After(element))
         {
-            if (document!.IsHopeless) yield break;
             shared.Clear();
             if (AsObject(document, element, whole, i++, asked: shared) is { } o) yield return o;
         }

@@ -9,13 +9,14 @@ public static class SceneReader
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
-    public static SceneReading Read(string path, int? threads = null)
+    /// <param name="look">Sees the text before it is read, right or wrong as it may be.</param>
+    public static SceneReading Read(string path, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
         try
         {
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
             if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads);
+            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads, look);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException || (e is ArgumentException && !File.Exists(path)))
         {
@@ -28,8 +29,9 @@ public static class SceneReader
     /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
     /// <param name="folder">Where the paths of mesh files start.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+    /// <param name="look">Sees the text before it is read.</param>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null)
+    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
         var known = stream.CanSeek ? stream.Length - stream.Position : 0;
         if (known > MostBytes) return TooLong(displayName);
@@ -37,7 +39,11 @@ public static class SceneReader
         for (var length = 0; ;)
         {
             var count = stream.Read(bytes.AsSpan(length));
-            if (count == 0) return Parse(bytes.AsMemory(0, length), displayName, folder, threads);
+            if (count == 0)
+            {
+                look?.Invoke(bytes.AsSpan(0, length));
+                return Parse(bytes.AsMemory(0, length), displayName, folder, threads);
+            }
             length += count;
             if (length > MostBytes) return TooLong(displayName);
             if (length == bytes.Length) Array.Resize(ref bytes, Math.Min(2 * length, MostBytes + 1));

@@ -9,14 +9,23 @@ internal sealed class FourParts(Camera camera)
     public const int Count = 4;
 
     private readonly Tile[] tiles = new Tile[Count];
+    private bool isAimed;
 
     /// <summary>One of them; it may be empty.</summary>
     public ref readonly Tile this[int part] => ref tiles[part];
 
-    /// <summary>The rays.</summary>
-    public Ray<Interval<Packet>> Rays { get; private set; }
+    /// <summary>The rays; found when they are asked for first, for a mesh or a crowd does not, and they are the longest formula there is to compile.</summary>
+    public Ray<Interval<Packet>> Rays
+    {
+        get
+        {
+            if (!isAimed) Aim();
+            return field;
+        }
+        private set;
+    }
 
-    /// <summary>What z gains for one unit of t.</summary>
+    /// <summary>What z gains for one unit of t along the <see cref="Rays"/> that were asked for.</summary>
     public Interval<Packet> ZPerT { get; private set; }
 
     /// <summary>Goes to the quarters of a part.</summary>
@@ -27,7 +36,7 @@ internal sealed class FourParts(Camera camera)
         tiles[1] = new(part.Column + width, part.Row, part.Width - width, height);
         tiles[2] = new(part.Column, part.Row + height, width, part.Height - height);
         tiles[3] = new(part.Column + width, part.Row + height, part.Width - width, part.Height - height);
-        Aim();
+        isAimed = false;
     }
 
     /// <summary>Goes to the tiles of a strip.</summary>
@@ -39,7 +48,7 @@ internal sealed class FourParts(Camera camera)
             var left = Math.Min(i * Tile.MaxSide, strip.Width);
             tiles[i] = new(strip.Column + left, strip.Row, Math.Min(Tile.MaxSide, strip.Width - left), strip.Height);
         }
-        Aim();
+        isAimed = false;
     }
 
     private void Aim()
@@ -53,6 +62,7 @@ internal sealed class FourParts(Camera camera)
         var direction = camera.Direction(Range(left, right), Range(bottom, top));
         Rays = new(camera.Position, direction);
         ZPerT = camera.ZPerT(direction);
+        isAimed = true;
     }
 
     private static Interval<Packet> Range(ReadOnlySpan<double> lo, ReadOnlySpan<double> hi) =>

@@ -1,0 +1,31 @@
+using System.Text;
+
+namespace RayCaster.Tests.Rendering;
+
+public class RehearsalTests
+{
+    [Theory]
+    [InlineData("plane")]
+    [InlineData("sphere")]
+    [InlineData("aabb")]
+    [InlineData("circle")]
+    [InlineData("triangle")]
+    [InlineData("mesh")]
+    public void AModelIsGuessedFromItsType(string type) => Assert.Equal(type, Assert.Single(Guess($$"""{ "type": "{{type}}" }""", 1)).Kind);
+
+    [Fact]
+    public void NothingIsGuessedFromOtherWords() => Assert.Empty(Guess("""{ "name": "spheres" } // a plane and a "mesh """, 100));
+
+    [Theory]
+    [InlineData(1, true)]
+    [InlineData(1, false)]
+    [InlineData(100, false)]
+    public void WhatIsGuessedCanBeDrawn(int count, bool mayBeSmall)
+    {
+        var models = Guess("\"plane\" \"sphere\" \"aabb\" \"circle\" \"triangle\" \"mesh\"", count);
+
+        Assert.Null(Record.Exception(() => Rehearsal.Draw(models, mayBeSmall)));
+    }
+
+    private static List<Model> Guess(string text, int count) => Rehearsal.Guess(Encoding.UTF8.GetBytes(text), count);
+}
