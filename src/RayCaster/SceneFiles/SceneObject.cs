@@ -10,9 +10,11 @@ namespace RayCaster;
 /// <remarks>
 /// The same calls describe the keys: an object made by <see cref="Describing"/> has no text behind it, notes no problems and collects what
 /// it is asked for. The editors' schema is made of that, so it cannot differ from what is read.
+/// <para>Messages are put together in methods of their own, which need not be compiled where all is well.</para>
 /// </remarks>
 internal sealed class SceneObject
 {
+    private const string WhatColorsAre = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
     private static readonly Vector3 NoVector = new(double.NaN, double.NaN, double.NaN);
 
     private readonly SceneDocument? document;
@@ -59,7 +61,9 @@ internal sealed class SceneObject
     public bool Has(string key) => document is not null && json.Find(key) is not null;
 
     /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>
-    public string PathOf(string key, int? element = null) =>
+    public string PathOf(string key, int? element = null) => path.Length == 0 && element is null ? key : LongPathOf(key, element);
+
+    private string LongPathOf(string key, int? element) =>
         (path.Length > 0 ? $"{path}{(index is { } place ? $"[{place}]" : "")}.{key}" : key) + (element is { } i ? $"[{i}]" : "");
 
     /// <summary>Any number.</summary>
@@ -83,7 +87,7 @@ internal sealed class SceneObject
         if (Take(key, meaning, false) is not { } value) return orElse;
         if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
         {
-            Report(true, value, PathOf(key), $" must be a whole number, but is {value.AsWritten}");
+            Report(value, key, " must be a whole number, but is " + value.AsWritten);
             return orElse;
         }
         var number = NumberAt(value, key, null, limits);
@@ -106,7 +110,7 @@ internal sealed class SceneObject
         if (Take(key, meaning, orElse is null) is not { } value) return orElse ?? NoVector;
         var direction = VectorAt(value, key, Limits.None, "an array of three numbers [x, y, z]");
         if (direction.Length != 0) return direction;
-        Report(true, value, PathOf(key), $" must not be {value.AsWritten}: a direction has a length");
+        Report(value, key, " must not be " + value.AsWritten + ": a direction has a length");
         return NoVector;
     }
 
@@ -125,17 +129,9 @@ internal sealed class SceneObject
     {
         described?.Add(new(key, KeyKind.Color, meaning, false, orElse));
         if (Take(key, meaning, false) is not { } value) return orElse;
-        const string What = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
-        if (value.Kind == JsonTokenType.String)
-        {
-            var text = value.Text;
-            if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
-                return new((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
-            Report(true, value, PathOf(key), $" must be {What}, but is {value.InWords}; # and six hexadecimal digits make a colour");
-            return orElse;
-        }
-        var color = VectorAt(value, key, Limits.NotNegative, What);
-        if (LooksLikeBytes(color)) Warn(key, $" is {color}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
+        if (value.Kind == JsonTokenType.String) return HexColorAt(value, key) ?? orElse;
+        var color = VectorAt(value, key, Limits.NotNegative, WhatColorsAre);
+        if (LooksLikeBytes(color)) WarnOfBytes(key, color);
         return new(color.X, color.Y, color.Z);
     }
 
@@ -180,7 +176,7 @@ internal sealed class SceneObject
         if (Take(key, meaning, true) is not { } value) yield break;
         if (value.Kind != JsonTokenType.StartArray)
         {
-            Report(true, value, PathOf(key), $" must be an array of objects in brackets [ ], but is {value.InWords}");
+            Report(value, key, " must be an array of objects in brackets [ ], but is " + value.InWords);
             yield break;
         }
         var (i, whole, shared) = (0, PathOf(key), new List<string>());
@@ -202,9 +198,14 @@ internal sealed class SceneObject
         List<string>? asked = null)
     {
         if (value.Kind == JsonTokenType.StartObject) return new(document, value, path, index, asked);
+        RefuseAsObject(document, value, path, index, name);
+        return null;
+    }
+
+    private static void RefuseAsObject(SceneDocument document, JsonValue value, string path, int? index, string? name)
+    {
         if (index is not null) path += $"[{index}]";
         document.Add(true, value.Start, value.End, path, $"{name ?? path} must be an object in braces {{ }}, but is {value.InWords}");
-        return null;
     }
 
     /// <summary>Refuses a value that was read, or one of its elements: <paramref name="message"/> follows the path.</summary>
@@ -219,8 +220,11 @@ internal sealed class SceneObject
     /// <param name="allowed">Keys that are right although nobody has asked for them.</param>
     public void Close(params IEnumerable<string> allowed)
     {
-        if (document is null) return;
-        if (found == keyCount) return;
+        if (document is not null && found != keyCount) RefuseUnknownKeys(document, allowed);
+    }
+
+    private void RefuseUnknownKeys(SceneDocument document, IEnumerable<string> allowed)
+    {
         asked.AddRange(allowed);
         var refused = new HashSet<string>(); // each once, though it may be there twice
         foreach (var key in json.Keys)
@@ -263,7 +267,7 @@ internal sealed class SceneObject
         var value = keyCount is null ? json.Find(key) : json.Find(key, ref likely);
         if (value is not null) found++;
         if (value is null && isRequired)
-            document.Add(true, json.Start, json.Start + 1, PathOf(key), $"{PathOf(key)} is missing: {(words is null ? meaning : InWords(words))}");
+            Report(true, null, PathOf(key), " is missing: " + (words is null ? meaning : InWords(words)));
         return value;
     }
 
@@ -276,7 +280,7 @@ internal sealed class SceneObject
     private bool IsText(JsonValue value, string key)
     {
         if (value.Kind == JsonTokenType.String) return true;
-        Report(true, value, PathOf(key), $" must be a text in double quotes, but is {value.InWords}");
+        Report(value, key, " must be a text in double quotes, but is " + value.InWords);
         return false;
     }
 
@@ -287,41 +291,58 @@ internal sealed class SceneObject
         foreach (var word in words)
             if (value.Is(word))
                 return word;
-        Report(true, value, PathOf(key), $" must be {InWords(words)}, but is {value.AsWritten}{Spelling.DidYouMean(value.Text, words)}");
+        return NearestWord(value, key, words);
+    }
+
+    private string? NearestWord(JsonValue value, string key, string[] words)
+    {
+        Report(value, key, $" must be {InWords(words)}, but is {value.AsWritten}{Spelling.DidYouMean(value.Text, words)}");
         return Spelling.Nearest(value.Text, words);
     }
 
     private double NumberAt(JsonValue value, string key, int? element, Limits limits)
     {
-        if (value.Kind != JsonTokenType.Number)
-        {
-            var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
-            Report(true, value, PathOf(key, element), $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}");
-            return double.NaN;
-        }
-        var number = value.Number;
-        if (!double.IsFinite(number))
-            Report(true, value, PathOf(key, element), $" must be finite, but {value.AsWritten} is beyond the largest number, 1.8e308");
-        else if (!limits.Allow(number))
-            Report(true, value, PathOf(key, element), $" must be {limits.Words}, but is {value.AsWritten}");
-        else
-            return number;
+        if (value.Kind == JsonTokenType.Number && value.Number is var number && double.IsFinite(number) && limits.Allow(number)) return number;
+        Report(value, key, WrongNumber(value, limits), element);
         return double.NaN;
+    }
+
+    private static string WrongNumber(JsonValue value, Limits limits)
+    {
+        if (value.Kind == JsonTokenType.Number)
+            return double.IsFinite(value.Number)
+                ? $" must be {limits.Words}, but is {value.AsWritten}"
+                : $" must be finite, but {value.AsWritten} is beyond the largest number, 1.8e308";
+        var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
+        return $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}";
     }
 
     private Vector3 VectorAt(JsonValue value, string key, Limits limits, string what)
     {
-        if (value.Kind != JsonTokenType.StartArray)
-        {
-            Report(true, value, PathOf(key), $" must be {what}, but is {value.InWords}");
-            return NoVector;
-        }
-        if (value.IsOfThree(out var x, out var y, out var z))
+        if (value.Kind == JsonTokenType.StartArray && value.IsOfThree(out var x, out var y, out var z))
             return new(NumberAt(x, key, 0, limits), NumberAt(y, key, 1, limits), NumberAt(z, key, 2, limits));
-        var elements = value.Content.ToArray();
-        Report(true, value, PathOf(key), $" must be {what}, but has {elements.Length} element{(elements.Length == 1 ? "" : "s")}{DecimalComma(elements)}");
+        Report(value, key, WrongVector(value, what));
         return NoVector;
     }
+
+    private static string WrongVector(JsonValue value, string what)
+    {
+        if (value.Kind != JsonTokenType.StartArray) return $" must be {what}, but is {value.InWords}";
+        var elements = value.Content.ToArray();
+        return $" must be {what}, but has {elements.Length} element{(elements.Length == 1 ? "" : "s")}{DecimalComma(elements)}";
+    }
+
+    /// <summary>A colour like <c>"#ff8800"</c>; null and a problem where it is none.</summary>
+    private Color? HexColorAt(JsonValue value, string key)
+    {
+        var text = value.Text;
+        if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
+            return new((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
+        Report(value, key, $" must be {WhatColorsAre}, but is {value.InWords}; # and six hexadecimal digits make a colour");
+        return null;
+    }
+
+    private void WarnOfBytes(string key, Vector3 color) => Warn(key, $" is {color}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
 
     /// <summary>In [2,5, 0, 0] a whole number follows its comma without a blank: somebody may have meant 2.5.</summary>
     private static string DecimalComma(JsonValue[] elements)
@@ -342,6 +363,9 @@ internal sealed class SceneObject
         if (document is null || json.Find(key) is not { } value) return null;
         return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content.ElementAt(i) : value;
     }
+
+    /// <summary>Notes an error in the value of a key, or in an element of it.</summary>
+    private void Report(JsonValue value, string key, string message, int? element = null) => Report(true, value, PathOf(key, element), message);
 
     /// <summary>Notes a problem; where there is no value at the object's opening brace.</summary>
     private void Report(bool isError, JsonValue? value, string path, string message)

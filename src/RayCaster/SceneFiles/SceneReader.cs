@@ -125,28 +125,45 @@ public static class SceneReader
             "corner", "center") == "center" ? Sample.Center : Sample.Corner;
         o.Close();
 
-        var view = target - position;
-        if (view.Length == 0)
-            o.Refuse("target", $" must differ from {o.PathOf("position")}, but both are {target}");
-        else if (double.IsInfinity(view.Length))
-            o.Refuse("target", $" is too far from {o.PathOf("position")}: the distance is beyond the largest number");
-        else if ((up % view.Normalized).Length <= 1e-12 * up.Length)
-        {
-            var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
-            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{remedy}");
-        }
-
-        if (zFar <= zNear && !o.Has("zFar"))
-            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
-        else if (zFar <= zNear)
-            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
-
-        if ((long)width * height > Camera.MaxPixels)
-            o.Refuse("height", $" times {o.PathOf("width")} must be at most {Camera.MaxPixels}, but is {height} x {width} = {(long)width * height}");
-        if (fovY is >= 0.2 and < 3)
-            o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
+        CheckView(o, position, target, up);
+        if (zFar <= zNear) RefuseDepths(o, zNear, zFar);
+        if ((long)width * height > Camera.MaxPixels) RefuseSize(o, width, height);
+        if (fovY is >= 0.2 and < 3) WarnOfRadians(o, fovY);
         return o.IsSound ? new(position, target, up, fovY, width, height, zNear, zFar, bias, clip, sample) : null;
     }
+
+    private static void CheckView(SceneObject o, Vector3 position, Vector3 target, Vector3 up)
+    {
+        var view = target - position;
+        if (view.Length == 0 || double.IsInfinity(view.Length)) RefuseTarget(o, position, target);
+        else if ((up % view.Normalized).Length <= 1e-12 * up.Length) RefuseUp(o, up);
+    }
+
+    private static void RefuseTarget(SceneObject o, Vector3 position, Vector3 target)
+    {
+        if ((target - position).Length == 0) o.Refuse("target", $" must differ from {o.PathOf("position")}, but both are {target}");
+        else o.Refuse("target", $" is too far from {o.PathOf("position")}: the distance is beyond the largest number");
+    }
+
+    private static void RefuseUp(SceneObject o, Vector3 up)
+    {
+        var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
+        o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{remedy}");
+    }
+
+    private static void RefuseDepths(SceneObject o, double zNear, double zFar)
+    {
+        if (!o.Has("zFar"))
+            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
+        else
+            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
+    }
+
+    private static void RefuseSize(SceneObject o, int width, int height) =>
+        o.Refuse("height", $" times {o.PathOf("width")} must be at most {Camera.MaxPixels}, but is {height} x {width} = {(long)width * height}");
+
+    private static void WarnOfRadians(SceneObject o, double fovY) =>
+        o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
 
     /// <summary>Reads a model of any type; null if the type is unknown.</summary>
     private static Model? ReadModel(SceneObject o)
