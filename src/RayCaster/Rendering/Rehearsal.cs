@@ -2,6 +2,7 @@ namespace RayCaster;
 
 /// <summary>
 /// Draws a small picture for nobody while a scene file is still being read: by the time that the scene is there, the runtime has compiled most of what draws it.
+/// The beginning of a long file is read in advance, too, while all of it is still being split into words: many times, so that the runtime optimises what reads models.
 /// </summary>
 /// <remarks>What the scene will hold is guessed from its text. Where the guess is wrong, a core has worked in vain that would have been idle.</remarks>
 public static class Rehearsal
@@ -16,7 +17,10 @@ public static class Rehearsal
     private const int LongText = 1 << 16;
 
     /// <summary>The bytes that are looked at; all of most scenes.</summary>
-    private const int Glimpse = 1 << 12;
+    private const int Glimpse = 1 << 13;
+
+    /// <summary>How often the beginning is read: some forty models each time make more calls than the runtime asks for.</summary>
+    private const int Readings = 100;
 
     private const int Width = 128, Height = 64, CrowdSize = 100;
 
@@ -31,11 +35,12 @@ public static class Rehearsal
         var start = text[..Math.Min(text.Length, Glimpse)];
         if (!isLong && pixels < ManyPixels && start.IndexOf("\"mesh\""u8) < 0) return;
         if (Environment.ProcessorCount == 1 || Interlocked.Exchange(ref begun, 1) != 0) return;
-        var models = Guess(start, isLong ? CrowdSize : 1);
+        var (models, beginning) = (Guess(start, isLong ? CrowdSize : 1), isLong ? Beginning(start) : []);
         new Thread(() =>
         {
             try
             {
+                for (var i = 0; i < Readings && beginning.Length > 0; i++) SceneReader.Parse(beginning, "", "");
                 Draw(models, mayBeSmall: !isLong);
             }
             catch (Exception)
@@ -62,6 +67,10 @@ public static class Rehearsal
         if (text.IndexOf("\"mesh\""u8) >= 0) models.Add(Sheet());
         return models;
     }
+
+    /// <summary>A text that ends after its last whole model as a scene does; empty where it names a mesh, whose file is not to be read in advance.</summary>
+    internal static byte[] Beginning(ReadOnlySpan<byte> text) =>
+        text.IndexOf("\"mesh\""u8) < 0 && text.LastIndexOf("},"u8) is >= 0 and var end ? [.. text[..(end + 1)], .. "]}"u8] : [];
 
     /// <summary>Draws them, to nowhere.</summary>
     internal static void Draw(List<Model> models, bool mayBeSmall)
