@@ -50,7 +50,7 @@ internal sealed class DrawCommand : Command
         var odd = new OddPicture(scene.Background);
         var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
-        PictureOutput.Draw(output, format, scene, lines, part, threads, showProgress, cancellation, Watch);
+        PictureOutput.Draw(output, format, scene, lines, part, threads, showProgress, cancellation, quiet && preview is null ? null : Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
