@@ -65,15 +65,16 @@ internal sealed class DrawCommand : Command
         }
     }
 
-    private static string ScenePath(CommandLine line) => line.Operands switch
+    private static string ScenePath(CommandLine line) => line.Operands is [{ Length: > 0 } scene] ? scene : throw NotOneScene(line.Operands);
+
+    private static ProblemException NotOneScene(IReadOnlyList<string> operands) => operands switch
     {
-        [var scene] when scene.Length > 0 => scene,
-        [] or [_] => throw ProblemException.Usage("which scene? Name a scene file, for example scenes/room.json"),
+        [] or [_] => ProblemException.Usage("which scene? Name a scene file, for example scenes/room.json"),
         [var word, ..] when Spelling.Nearest(word, Command.Names) is { } name =>
-            throw ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
+            ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
         [var word, ..] when !File.Exists(word) && IsOfLetters(word) =>
-            throw ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one"),
-        var scenes => throw ProblemException.Usage(
+            ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one"),
+        var scenes => ProblemException.Usage(
             $"one scene at a time, but there are {scenes.Count}: {string.Join(", ", scenes)}{OutputHint(scenes)}"),
     };
 
