@@ -18,30 +18,20 @@ internal sealed class SceneObject
     private static readonly Vector3 NoVector = new(double.NaN, double.NaN, double.NaN);
 
     private readonly SceneDocument? document;
-    private readonly JsonValue json;
     private readonly string path;
-    private readonly int? index; // in an array of that path
-    private readonly List<string> asked;
+    private readonly List<string> asked = [];
     private readonly List<SceneKey>? described;
-    private readonly int errorsBefore;
-    private readonly int? keyCount; // null where a key may be there twice
-    private int found, likely;      // keys that were asked for and are there; where the next may be
+    private JsonValue json;
+    private int? index;        // in an array of that path
+    private int errorsBefore;
+    private int? keyCount;     // null where a key may be there twice
+    private int found, likely; // keys that were asked for and are there; where the next may be
 
-    /// <summary>An object in a text. Notes the keys that stand in it twice; the first counts.</summary>
     /// <param name="document">The scene file.</param>
-    /// <param name="json">The object.</param>
-    /// <param name="path">Its path, empty for the scene itself; of the element of an array that of the array.</param>
-    /// <param name="index">Its place in the array.</param>
-    /// <param name="asked">Takes the keys that it is asked for; a new list if left out.</param>
-    private SceneObject(SceneDocument document, JsonValue json, string path, int? index, List<string>? asked)
-    {
-        (this.document, this.json, this.path, this.index, this.asked) = (document, json, path, index, asked ?? []);
-        errorsBefore = document.ErrorCount;
-        keyCount = json.CountKeys();
-        if (keyCount is null) RefuseRepeatedKeys(document);
-    }
+    /// <param name="path">The object's path, empty for the scene itself; of the elements of an array that of the array.</param>
+    private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
 
-    private SceneObject(List<SceneKey> described) => (this.described, path, asked) = (described, "", []);
+    private SceneObject(List<SceneKey> described) => (this.described, path) = (described, "");
 
     /// <summary>The scene file; null where the object is only described.</summary>
     public SceneDocument? Document => document;
@@ -167,8 +157,8 @@ internal sealed class SceneObject
     }
 
     /// <summary>
-    /// An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none. The caller is done
-    /// with each when it takes the next.
+    /// An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none. It is the same
+    /// one each time: the caller is done with an element when it takes the next.
     /// </summary>
     public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
@@ -179,33 +169,44 @@ internal sealed class SceneObject
             Report(value, key, " must be an array of objects in brackets [ ], but is " + value.InWords);
             yield break;
         }
-        var (i, whole, shared) = (0, PathOf(key), new List<string>());
-        for (var next = value.First; next is { } element && !document!.IsHopeless; next = value.After(element))
-        {
-            shared.Clear();
-            if (AsObject(document, element, whole, i++, asked: shared) is { } o) yield return o;
-        }
+        var (i, o) = (0, new SceneObject(document!, PathOf(key)));
+        for (var next = value.First; next is { } element && !document!.IsHopeless; next = value.After(element), i++)
+            if (o.IsNow(element, i))
+                yield return o;
     }
 
     /// <summary>An object, or null and a problem.</summary>
     /// <param name="document">The scene file.</param>
     /// <param name="value">What should be an object.</param>
-    /// <param name="path">Its path, empty for the outermost; of the element of an array that of the array.</param>
-    /// <param name="index">Its place in the array.</param>
+    /// <param name="path">Its path, empty for the outermost.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
-    /// <param name="asked">Takes the keys that it is asked for; a new list if left out.</param>
-    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, int? index = null, string? name = null,
-        List<string>? asked = null)
+    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string? name = null)
     {
-        if (value.Kind == JsonTokenType.StartObject) return new(document, value, path, index, asked);
-        RefuseAsObject(document, value, path, index, name);
-        return null;
+        var o = new SceneObject(document, path);
+        return o.IsNow(value, null, name) ? o : null;
     }
 
-    private static void RefuseAsObject(SceneDocument document, JsonValue value, string path, int? index, string? name)
+    /// <summary>Begins an object in the text, and notes the keys that stand in it twice, of which the first counts; false and a problem where it is none.</summary>
+    /// <param name="value">What should be an object.</param>
+    /// <param name="place">Its place in the array.</param>
+    /// <param name="name">What a message calls it, if not by its path.</param>
+    private bool IsNow(JsonValue value, int? place, string? name = null)
     {
-        if (index is not null) path += $"[{index}]";
-        document.Add(true, value.Start, value.End, path, $"{name ?? path} must be an object in braces {{ }}, but is {value.InWords}");
+        if (value.Kind != JsonTokenType.StartObject)
+        {
+            RefuseAsObject(value, place, name);
+            return false;
+        }
+        (json, index, errorsBefore, keyCount, found, likely) = (value, place, document!.ErrorCount, value.CountKeys(), 0, 0);
+        asked.Clear();
+        if (keyCount is null) RefuseRepeatedKeys(document);
+        return true;
+    }
+
+    private void RefuseAsObject(JsonValue value, int? place, string? name)
+    {
+        var whole = place is null ? path : $"{path}[{place}]";
+        document!.Add(true, value.Start, value.End, whole, $"{name ?? whole} must be an object in braces {{ }}, but is {value.InWords}");
     }
 
     /// <summary>Refuses a value that was read, or one of its elements: <paramref name="message"/> follows the path.</summary>
