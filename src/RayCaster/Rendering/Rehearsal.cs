@@ -20,7 +20,7 @@ public static class Rehearsal
     private const int Glimpse = 1 << 13;
 
     /// <summary>How often the beginning is read: some forty models each time make more calls than the runtime asks for.</summary>
-    private const int Readings = 250;
+    private const int Readings = 150;
 
     private const int Width = 128, Height = 64, CrowdSize = 100;
 
