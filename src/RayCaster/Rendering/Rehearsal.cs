@@ -33,7 +33,8 @@ public static class Rehearsal
     {
         var isLong = text.Length > LongText;
         var start = text[..Math.Min(text.Length, Glimpse)];
-        if (!isLong && pixels < ManyPixels && start.IndexOf("\"mesh\""u8) < 0) return;
+        var isPlain = !isLong && start.IndexOf("\"mesh\""u8) < 0;
+        if (isPlain && pixels < ManyPixels) return;
         if (Environment.ProcessorCount == 1 || Interlocked.Exchange(ref begun, 1) != 0) return;
         var (models, beginning) = (Guess(start, isLong ? CrowdSize : 1), isLong ? Beginning(start) : []);
         new Thread(() =>
@@ -41,7 +42,7 @@ public static class Rehearsal
             try
             {
                 for (var i = 0; i < Readings && beginning.Length > 0; i++) SceneReader.Parse(beginning, "", "");
-                Draw(models, mayBeSmall: !isLong);
+                Draw(models, isPlain);
             }
             catch (Exception)
             {
@@ -73,11 +74,11 @@ public static class Rehearsal
         text.IndexOf("\"mesh\""u8) < 0 && text.LastIndexOf("},"u8) is >= 0 and var end ? [.. text[..(end + 1)], .. "]}"u8] : [];
 
     /// <summary>Draws them, to nowhere.</summary>
-    internal static void Draw(List<Model> models, bool mayBeSmall)
+    internal static void Draw(List<Model> models, bool isPlain)
     {
         var scene = new Scene(new Camera(new(0, -2, 0.5), new(0.5, 0, 0), width: Width, height: Height), models);
         using var writer = PictureWriter.Create(PictureFormat.Png, Stream.Null, Width, Height);
-        new Renderer(scene, threads: 1) { MayBeSmall = mayBeSmall }.Draw(writer.WriteRows);
+        new BandQueue(scene, LineRange.Whole(Height), threads: 1, isPlain, linesDone: null, default).WriteAll(writer.WriteRows);
         writer.Finish();
     }
 

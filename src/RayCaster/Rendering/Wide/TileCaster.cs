@@ -6,7 +6,7 @@ namespace RayCaster;
 /// One thread's tool: finds for the pixels of a tile the nearest hits. The tile is halved and halved again, and each part drops the models that
 /// cannot show in it; what is left meets the rays.
 /// </summary>
-internal sealed class TileCaster
+internal sealed class TileCaster : IStripCaster
 {
     /// <summary>Parts of this size are not halved again: a row of it is a few packets, for which a call is still cheap.</summary>
     private const int LeastSide = 16;
@@ -43,9 +43,7 @@ internal sealed class TileCaster
         isPrimitive = candidate => views[candidate.Index] is ICoveringView;
     }
 
-    /// <summary>Casts all rays of a strip.</summary>
-    /// <param name="strip">Up to four tiles side by side, each at multiples of <see cref="Tile.MaxSide"/> and at most as large.</param>
-    /// <param name="sink">Takes the hits.</param>
+    /// <inheritdoc/>
     public void Cast(in Tile strip, ISpanSink sink)
     {
         this.sink = sink;
