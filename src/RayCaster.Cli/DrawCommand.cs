@@ -50,7 +50,7 @@ internal sealed class DrawCommand : Command
         var odd = new OddPicture(scene.Background);
         var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
-        PictureOutput.Draw(output, format, scene, lines, part, threads, showProgress, cancellation, Watch);
+        PictureOutput.Draw(output, format, scene, lines, part, threads, showProgress, cancellation, quiet && preview is null ? null : Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
@@ -65,15 +65,16 @@ internal sealed class DrawCommand : Command
         }
     }
 
-    private static string ScenePath(CommandLine line) => line.Operands switch
+    private static string ScenePath(CommandLine line) => line.Operands is [{ Length: > 0 } scene] ? scene : throw NotOneScene(line.Operands);
+
+    private static ProblemException NotOneScene(IReadOnlyList<string> operands) => operands switch
     {
-        [var scene] when scene.Length > 0 => scene,
-        [] or [_] => throw ProblemException.Usage("which scene? Name a scene file, for example scenes/room.json"),
+        [] or [_] => ProblemException.Usage("which scene? Name a scene file, for example scenes/room.json"),
         [var word, ..] when Spelling.Nearest(word, Command.Names) is { } name =>
-            throw ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
+            ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
         [var word, ..] when !File.Exists(word) && IsOfLetters(word) =>
-            throw ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one"),
-        var scenes => throw ProblemException.Usage(
+            ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one"),
+        var scenes => ProblemException.Usage(
             $"one scene at a time, but there are {scenes.Count}: {string.Join(", ", scenes)}{OutputHint(scenes)}"),
     };
 

@@ -43,7 +43,7 @@ internal static class Program
         }
         catch (PictureFileException problem)
         {
-            StandardFile.WriteError($"raycaster: {problem.Message}{Environment.NewLine}");
+            StandardFile.WriteError("raycaster: " + problem.Message + Environment.NewLine);
             return ExitCode.CouldNot;
         }
         catch (Exception e) when (IsOutOfMemory(e))
@@ -53,19 +53,24 @@ internal static class Program
         }
         catch (Exception unexpected)
         {
-            StandardFile.WriteError($"""
-                raycaster: internal error: {unexpected.Message}
-                This is a fault of raycaster, please report it; with RAYCASTER_TRACE=1 it shows where it happened.
-
-                """);
-            if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1")
-                StandardFile.WriteError(unexpected.StackTrace + Environment.NewLine);
-            return ExitCode.InternalError;
+            return Report(unexpected);
         }
         finally
         {
             GC.KeepAlive(tooLarge);
         }
+    }
+
+    private static int Report(Exception unexpected)
+    {
+        StandardFile.WriteError($"""
+            raycaster: internal error: {unexpected.Message}
+            This is a fault of raycaster, please report it; with RAYCASTER_TRACE=1 it shows where it happened.
+
+            """);
+        if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1")
+            StandardFile.WriteError(unexpected.StackTrace + Environment.NewLine);
+        return ExitCode.InternalError;
     }
 
     /// <summary>Whether memory ran out, on whatever thread.</summary>

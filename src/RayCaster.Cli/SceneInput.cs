@@ -15,17 +15,24 @@ internal static class SceneInput
     /// <returns>The scene, or null after its errors have been printed.</returns>
     public static Scene? Read(string path, (int Width, int Height)? size, int? threads, bool quiet, CancellationToken cancellation)
     {
-        var reading = Abandonable.Run(() => Read(path, threads), cancellation);
+        var (wide, high) = size ?? (0, 0); // the scene's own is not known before it is read
+        var reading = Abandonable.Run(() => Read(path, threads, text => Rehearsal.Begin(text, (long)wide * high)), cancellation);
         if (reading.Scene is null || !quiet) StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
         return scene with { Camera = scene.Camera.WithSize(width, height) };
     }
 
     /// <summary>Reads a scene and all that is to be said of it.</summary>
-    public static SceneReading Read(string path, int? threads)
+    /// <param name="path">The file, or "-".</param>
+    /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
+    /// <param name="look">Sees the text before it is read.</param>
+    public static SceneReading Read(string path, int? threads, Action<ReadOnlySpan<byte>>? look = null) =>
+        path == Standard ? ReadStandardInput(threads, look) : SceneReader.Read(path, threads, look);
+
+    /// <remarks>By itself, since the console, too, would be loaded where this is compiled.</remarks>
+    private static SceneReading ReadStandardInput(int? threads, Action<ReadOnlySpan<byte>>? look)
     {
-        if (path != Standard) return SceneReader.Read(path, threads);
         using var input = Console.OpenStandardInput();
-        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads);
+        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads, look);
     }
 }

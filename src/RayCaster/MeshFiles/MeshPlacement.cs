@@ -9,16 +9,20 @@ namespace RayCaster;
 public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vector3 Translate)
 {
     /// <summary>The mesh as a model, without the triangles that have no area where they are placed.</summary>
-    /// <param name="data">The file's vertices and triangles. The model keeps the array of indices where no triangle is dropped.</param>
+    /// <param name="data">
+    /// The file's vertices and triangles. The model keeps the array of vertices where all stay in their places, and that of indices where no triangle is dropped.
+    /// </param>
     /// <param name="dropped">How many triangles had no area.</param>
     /// <exception cref="OverflowException">A placed vertex is not finite.</exception>
     public Mesh Place(MeshData data, out int dropped)
     {
-        var vertices = PlaceVertices(data.Vertices);
+        var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices);
         var indices = WithoutFlat(data.Indices, vertices);
         dropped = (data.Indices.Length - indices.Length) / 3;
         return new Mesh(vertices, indices);
     }
+
+    private bool IsNone => Scale == new Vector3(1, 1, 1) && Rotate == Vector3.Zero && Translate == Vector3.Zero;
 
     private Vector3[] PlaceVertices(Vector3[] from)
     {

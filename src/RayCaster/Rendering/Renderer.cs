@@ -61,8 +61,9 @@ public sealed class Renderer(Scene scene, int? threads = null)
     {
         if (lines.First < 0 || lines.Last >= camera.Height || lines.Count < 1)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
-        if (MayBeSmall && SmallPicture.IsSmall(scene, lines)) new SmallPicture(scene).Draw(lines, write, linesDone, cancellation);
-        else new BandQueue(scene, lines, threadCount, linesDone, cancellation).WriteAll(write);
+        var isPlain = MayBeSmall && SmallPicture.IsPlain(scene, lines);
+        if (isPlain && SmallPicture.IsSmall(scene, lines)) new SmallPicture(scene).Draw(lines, write, linesDone, cancellation);
+        else new BandQueue(scene, lines, threadCount, isPlain, linesDone, cancellation).WriteAll(write);
     }
 
     /// <summary>Casts all rays; this thread is one of those that do.</summary>

@@ -58,14 +58,15 @@ internal sealed class JsonTree
         {
             while (reader.Read())
             {
-                (last, lastEnd) = (reader.TokenType, (int)reader.BytesConsumed);
+                (last, lastEnd) = (reader.TokenType, (int)reader.BytesConsumed); // a key's ends after its colon
                 if (last is JsonTokenType.EndObject or JsonTokenType.EndArray)
                 {
                     tree.Close(open[--depth], lastEnd);
                     continue;
                 }
                 if (last is JsonTokenType.StartObject or JsonTokenType.StartArray) open[depth++] = tree.count;
-                tree.Add(last, (int)reader.TokenStartIndex, lastEnd);
+                var start = (int)reader.TokenStartIndex;
+                tree.Add(last, start, last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd);
             }
             mistake = default;
             return tree;
@@ -79,7 +80,6 @@ internal sealed class JsonTree
 
     private void Add(JsonTokenType kind, int start, int end)
     {
-        if (kind == JsonTokenType.PropertyName) end = EndOfText(Text.Utf8, start); // the reader's ends after the colon
         if (count == nodes.Length) Array.Resize(ref nodes, 2 * count);
         ref var node = ref nodes[count++];
         (node.Kind, node.Start, node.End, node.Next) = (kind, start, end, count);
@@ -94,6 +94,7 @@ internal sealed class JsonTree
     private static ReadOnlySpan<byte> WithoutComments(ReadOnlySpan<byte> utf8)
     {
         byte[]? copy = null;
+        if (utf8.IndexOf((byte)'/') < 0) return utf8;
         for (var i = 0; utf8[i..].IndexOfAny((byte)'"', (byte)'/') is >= 0 and var way;)
         {
             i += way;

@@ -26,17 +26,19 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     public string AsWritten => tree.Text.Quote(Start, End);
 
     /// <summary>What an array holds: elements; what an object holds: key, value, key, value …</summary>
-    public JsonValue[] Content
+    public IEnumerable<JsonValue> Content
     {
         get
         {
-            var (count, end) = (0, tree[node].Next);
-            for (var i = node + 1; i < end; i = tree[i].Next) count++;
-            var content = new JsonValue[count];
-            for (var (i, place) = (node + 1, 0); i < end; i = tree[i].Next) content[place++] = new(tree, i);
-            return content;
+            for (int i = node + 1, end = tree[node].Next; i < end; i = tree[i].Next) yield return new(tree, i);
         }
     }
+
+    /// <summary>The first element of an array; null if it has none.</summary>
+    public JsonValue? First => node + 1 < tree[node].Next ? new(tree, node + 1) : null;
+
+    /// <summary>The element after another one of an array; null after the last.</summary>
+    public JsonValue? After(JsonValue element) => tree[element.node].Next < tree[node].Next ? new(tree, tree[element.node].Next) : null;
 
     /// <summary>The three elements of an array that has three.</summary>
     public bool IsOfThree(out JsonValue first, out JsonValue second, out JsonValue third)
@@ -60,6 +62,15 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     /// <summary>The value of a key of an object, the first if there are several; null if there is none.</summary>
     public JsonValue? Find(string name) => FindKey(name) is { } key ? new(tree, key.node + 1) : null;
 
+    /// <summary>The same in an object that has no key twice.</summary>
+    /// <param name="name">The key.</param>
+    /// <param name="likely">Where it is looked for first, 0 for no such place; becomes the place after it: most files have their keys in the order of the questions.</param>
+    public JsonValue? Find(string name, ref int likely)
+    {
+        if (likely > 0 && likely < tree[node].Next && new JsonValue(tree, likely).Is(name)) return ValueOf(new(tree, likely), ref likely);
+        return FindKey(name) is { } key ? ValueOf(key, ref likely) : null;
+    }
+
     /// <summary>A key of an object, the first if there are several; null if there is none.</summary>
     public JsonValue? FindKey(string name)
     {
@@ -69,33 +80,19 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         return null;
     }
 
-    /// <summary>Whether an object has a key that is none of some.</summary>
-    public bool HasKeyBeyond(List<string> known)
+    /// <summary>How many keys an object has; null where it may have one of them twice.</summary>
+    public int? CountKeys()
     {
-        for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next)
+        var (count, end) = (0, tree[node].Next);
+        for (var key = node + 1; key < end; key = tree[key + 1].Next)
         {
-            var i = 0;
-            while (i < known.Count && !new JsonValue(tree, key).Is(known[i])) i++;
-            if (i == known.Count) return true;
+            var written = tree.Written(key);
+            if (++count > FewKeys || written.IndexOf((byte)'\\') >= 0) return null;
+            for (var before = node + 1; before < key; before = tree[before + 1].Next)
+                if (tree[before].End - tree[before].Start == written.Length + 2 && tree.Written(before).SequenceEqual(written))
+                    return null;
         }
-        return false;
-    }
-
-    /// <summary>Whether an object may have a key twice: if false, it has surely not.</summary>
-    public bool MayRepeatKey
-    {
-        get
-        {
-            var (count, end) = (0, tree[node].Next);
-            for (var key = node + 1; key < end; key = tree[key + 1].Next)
-            {
-                if (++count > FewKeys || tree.Written(key).IndexOf((byte)'\\') >= 0) return true;
-                for (var before = node + 1; before < key; before = tree[before + 1].Next)
-                    if (tree.Written(before).SequenceEqual(tree.Written(key)))
-                        return true;
-            }
-            return false;
-        }
+        return count;
     }
 
     /// <summary>Whether a text or key says this, which is plain ASCII.</summary>
@@ -137,6 +134,12 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         JsonTokenType.String => $"the text {AsWritten}",
         _ => AsWritten, // a number, true, false or null
     };
+
+    private JsonValue ValueOf(JsonValue key, ref int next)
+    {
+        next = tree[key.node + 1].Next;
+        return new(tree, key.node + 1);
+    }
 
     private string Unescaped()
     {

@@ -10,30 +10,26 @@ namespace RayCaster;
 /// <remarks>
 /// The same calls describe the keys: an object made by <see cref="Describing"/> has no text behind it, notes no problems and collects what
 /// it is asked for. The editors' schema is made of that, so it cannot differ from what is read.
+/// <para>Messages are put together in methods of their own, which need not be compiled where all is well.</para>
 /// </remarks>
 internal sealed class SceneObject
 {
+    private const string WhatColorsAre = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
     private static readonly Vector3 NoVector = new(double.NaN, double.NaN, double.NaN);
 
     private readonly SceneDocument? document;
-    private readonly JsonValue json;
     private readonly string path;
-    private readonly int? index; // in an array of that path
-    private readonly List<string> asked = new(8);
+    private readonly List<string> asked = [];
     private readonly List<SceneKey>? described;
-    private readonly int errorsBefore;
+    private JsonValue json;
+    private int? index;        // in an array of that path
+    private int errorsBefore;
+    private int? keyCount;     // null where a key may be there twice
+    private int found, likely; // keys that were asked for and are there; where the next may be
 
-    /// <summary>An object in a text. Notes the keys that stand in it twice; the first counts.</summary>
     /// <param name="document">The scene file.</param>
-    /// <param name="json">The object.</param>
-    /// <param name="path">Its path, empty for the scene itself; of the element of an array that of the array.</param>
-    /// <param name="index">Its place in the array.</param>
-    public SceneObject(SceneDocument document, JsonValue json, string path, int? index)
-    {
-        (this.document, this.json, this.path, this.index) = (document, json, path, index);
-        errorsBefore = document.ErrorCount;
-        if (json.MayRepeatKey) RefuseRepeatedKeys(document);
-    }
+    /// <param name="path">The object's path, empty for the scene itself; of the elements of an array that of the array.</param>
+    private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
 
     private SceneObject(List<SceneKey> described) => (this.described, path) = (described, "");
 
@@ -55,7 +51,9 @@ internal sealed class SceneObject
     public bool Has(string key) => document is not null && json.Find(key) is not null;
 
     /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>
-    public string PathOf(string key, int? element = null) =>
+    public string PathOf(string key, int? element = null) => path.Length == 0 && element is null ? key : LongPathOf(key, element);
+
+    private string LongPathOf(string key, int? element) =>
         (path.Length > 0 ? $"{path}{(index is { } place ? $"[{place}]" : "")}.{key}" : key) + (element is { } i ? $"[{i}]" : "");
 
     /// <summary>Any number.</summary>
@@ -79,7 +77,7 @@ internal sealed class SceneObject
         if (Take(key, meaning, false) is not { } value) return orElse;
         if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
         {
-            Report(true, value, PathOf(key), $" must be a whole number, but is {value.AsWritten}");
+            Report(value, key, " must be a whole number, but is " + value.AsWritten);
             return orElse;
         }
         var number = NumberAt(value, key, null, limits);
@@ -102,7 +100,7 @@ internal sealed class SceneObject
         if (Take(key, meaning, orElse is null) is not { } value) return orElse ?? NoVector;
         var direction = VectorAt(value, key, Limits.None, "an array of three numbers [x, y, z]");
         if (direction.Length != 0) return direction;
-        Report(true, value, PathOf(key), $" must not be {value.AsWritten}: a direction has a length");
+        Report(value, key, " must not be " + value.AsWritten + ": a direction has a length");
         return NoVector;
     }
 
@@ -121,17 +119,9 @@ internal sealed class SceneObject
     {
         described?.Add(new(key, KeyKind.Color, meaning, false, orElse));
         if (Take(key, meaning, false) is not { } value) return orElse;
-        const string What = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
-        if (value.Kind == JsonTokenType.String)
-        {
-            var text = value.Text;
-            if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
-                return new((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
-            Report(true, value, PathOf(key), $" must be {What}, but is {value.InWords}; # and six hexadecimal digits make a colour");
-            return orElse;
-        }
-        var color = VectorAt(value, key, Limits.NotNegative, What);
-        if (LooksLikeBytes(color)) Warn(key, $" is {color}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
+        if (value.Kind == JsonTokenType.String) return HexColorAt(value, key) ?? orElse;
+        var color = VectorAt(value, key, Limits.NotNegative, WhatColorsAre);
+        if (LooksLikeBytes(color)) WarnOfBytes(key, color);
         return new(color.X, color.Y, color.Z);
     }
 
@@ -166,34 +156,57 @@ internal sealed class SceneObject
         return Take(key, meaning, true) is { } value ? AsObject(document!, value, PathOf(key)) : null;
     }
 
-    /// <summary>An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none.</summary>
+    /// <summary>
+    /// An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none. It is the same
+    /// one each time: the caller is done with an element when it takes the next.
+    /// </summary>
     public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
         described?.Add(new(key, KeyKind.Objects, meaning, true));
         if (Take(key, meaning, true) is not { } value) yield break;
         if (value.Kind != JsonTokenType.StartArray)
         {
-            Report(true, value, PathOf(key), $" must be an array of objects in brackets [ ], but is {value.InWords}");
+            Report(value, key, " must be an array of objects in brackets [ ], but is " + value.InWords);
             yield break;
         }
-        var (elements, whole) = (value.Content, PathOf(key));
-        for (var i = 0; i < elements.Length && !document!.IsHopeless; i++)
-            if (AsObject(document!, elements[i], whole, i) is { } element)
-                yield return element;
+        var (i, o) = (0, new SceneObject(document!, PathOf(key)));
+        for (var next = value.First; next is { } element && !document!.IsHopeless; next = value.After(element), i++)
+            if (o.IsNow(element, i))
+                yield return o;
     }
 
     /// <summary>An object, or null and a problem.</summary>
     /// <param name="document">The scene file.</param>
     /// <param name="value">What should be an object.</param>
-    /// <param name="path">Its path, empty for the outermost; of the element of an array that of the array.</param>
-    /// <param name="index">Its place in the array.</param>
+    /// <param name="path">Its path, empty for the outermost.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
-    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, int? index = null, string? name = null)
+    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string? name = null)
     {
-        if (value.Kind == JsonTokenType.StartObject) return new(document, value, path, index);
-        if (index is not null) path += $"[{index}]";
-        document.Add(true, value.Start, value.End, path, $"{name ?? path} must be an object in braces {{ }}, but is {value.InWords}");
-        return null;
+        var o = new SceneObject(document, path);
+        return o.IsNow(value, null, name) ? o : null;
+    }
+
+    /// <summary>Begins an object in the text, and notes the keys that stand in it twice, of which the first counts; false and a problem where it is none.</summary>
+    /// <param name="value">What should be an object.</param>
+    /// <param name="place">Its place in the array.</param>
+    /// <param name="name">What a message calls it, if not by its path.</param>
+    private bool IsNow(JsonValue value, int? place, string? name = null)
+    {
+        if (value.Kind != JsonTokenType.StartObject)
+        {
+            RefuseAsObject(value, place, name);
+            return false;
+        }
+        (json, index, errorsBefore, keyCount, found, likely) = (value, place, document!.ErrorCount, value.CountKeys(), 0, 0);
+        asked.Clear();
+        if (keyCount is null) RefuseRepeatedKeys(document);
+        return true;
+    }
+
+    private void RefuseAsObject(JsonValue value, int? place, string? name)
+    {
+        var whole = place is null ? path : $"{path}[{place}]";
+        document!.Add(true, value.Start, value.End, whole, $"{name ?? whole} must be an object in braces {{ }}, but is {value.InWords}");
     }
 
     /// <summary>Refuses a value that was read, or one of its elements: <paramref name="message"/> follows the path.</summary>
@@ -208,9 +221,12 @@ internal sealed class SceneObject
     /// <param name="allowed">Keys that are right although nobody has asked for them.</param>
     public void Close(params IEnumerable<string> allowed)
     {
-        if (document is null) return;
+        if (document is not null && found != keyCount) RefuseUnknownKeys(document, allowed);
+    }
+
+    private void RefuseUnknownKeys(SceneDocument document, IEnumerable<string> allowed)
+    {
         asked.AddRange(allowed);
-        if (!json.HasKeyBeyond(asked)) return;
         var refused = new HashSet<string>(); // each once, though it may be there twice
         foreach (var key in json.Keys)
         {
@@ -244,14 +260,15 @@ internal sealed class SceneObject
         return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
     }
 
-    /// <summary>The value of a key, or null if it is not written, which is a problem where it is required.</summary>
+    /// <summary>The value of a key that has not been asked for before, or null if it is not written, which is a problem where it is required.</summary>
     private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
     {
         if (document is null) return null;
         asked.Add(key);
-        var value = json.Find(key);
+        var value = keyCount is null ? json.Find(key) : json.Find(key, ref likely);
+        if (value is not null) found++;
         if (value is null && isRequired)
-            document.Add(true, json.Start, json.Start + 1, PathOf(key), $"{PathOf(key)} is missing: {(words is null ? meaning : InWords(words))}");
+            Report(true, null, PathOf(key), " is missing: " + (words is null ? meaning : InWords(words)));
         return value;
     }
 
@@ -264,7 +281,7 @@ internal sealed class SceneObject
     private bool IsText(JsonValue value, string key)
     {
         if (value.Kind == JsonTokenType.String) return true;
-        Report(true, value, PathOf(key), $" must be a text in double quotes, but is {value.InWords}");
+        Report(value, key, " must be a text in double quotes, but is " + value.InWords);
         return false;
     }
 
@@ -275,41 +292,58 @@ internal sealed class SceneObject
         foreach (var word in words)
             if (value.Is(word))
                 return word;
-        Report(true, value, PathOf(key), $" must be {InWords(words)}, but is {value.AsWritten}{Spelling.DidYouMean(value.Text, words)}");
+        return NearestWord(value, key, words);
+    }
+
+    private string? NearestWord(JsonValue value, string key, string[] words)
+    {
+        Report(value, key, $" must be {InWords(words)}, but is {value.AsWritten}{Spelling.DidYouMean(value.Text, words)}");
         return Spelling.Nearest(value.Text, words);
     }
 
     private double NumberAt(JsonValue value, string key, int? element, Limits limits)
     {
-        if (value.Kind != JsonTokenType.Number)
-        {
-            var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
-            Report(true, value, PathOf(key, element), $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}");
-            return double.NaN;
-        }
-        var number = value.Number;
-        if (!double.IsFinite(number))
-            Report(true, value, PathOf(key, element), $" must be finite, but {value.AsWritten} is beyond the largest number, 1.8e308");
-        else if (!limits.Allow(number))
-            Report(true, value, PathOf(key, element), $" must be {limits.Words}, but is {value.AsWritten}");
-        else
-            return number;
+        if (value.Kind == JsonTokenType.Number && value.Number is var number && double.IsFinite(number) && limits.Allow(number)) return number;
+        Report(value, key, WrongNumber(value, limits), element);
         return double.NaN;
+    }
+
+    private static string WrongNumber(JsonValue value, Limits limits)
+    {
+        if (value.Kind == JsonTokenType.Number)
+            return double.IsFinite(value.Number)
+                ? $" must be {limits.Words}, but is {value.AsWritten}"
+                : $" must be finite, but {value.AsWritten} is beyond the largest number, 1.8e308";
+        var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
+        return $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}";
     }
 
     private Vector3 VectorAt(JsonValue value, string key, Limits limits, string what)
     {
-        if (value.Kind != JsonTokenType.StartArray)
-        {
-            Report(true, value, PathOf(key), $" must be {what}, but is {value.InWords}");
-            return NoVector;
-        }
-        if (value.IsOfThree(out var x, out var y, out var z))
+        if (value.Kind == JsonTokenType.StartArray && value.IsOfThree(out var x, out var y, out var z))
             return new(NumberAt(x, key, 0, limits), NumberAt(y, key, 1, limits), NumberAt(z, key, 2, limits));
-        var elements = value.Content;
-        Report(true, value, PathOf(key), $" must be {what}, but has {elements.Length} element{(elements.Length == 1 ? "" : "s")}{DecimalComma(elements)}");
+        Report(value, key, WrongVector(value, what));
         return NoVector;
     }
+
+    private static string WrongVector(JsonValue value, string what)
+    {
+        if (value.Kind != JsonTokenType.StartArray) return $" must be {what}, but is {value.InWords}";
+        var elements = value.Content.ToArray();
+        return $" must be {what}, but has {elements.Length} element{(elements.Length == 1 ? "" : "s")}{DecimalComma(elements)}";
+    }
+
+    /// <summary>A colour like <c>"#ff8800"</c>; null and a problem where it is none.</summary>
+    private Color? HexColorAt(JsonValue value, string key)
+    {
+        var text = value.Text;
+        if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
+            return new((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
+        Report(value, key, $" must be {WhatColorsAre}, but is {value.InWords}; # and six hexadecimal digits make a colour");
+        return null;
+    }
+
+    private void WarnOfBytes(string key, Vector3 color) => Warn(key, $" is {color}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
 
     /// <summary>In [2,5, 0, 0] a whole number follows its comma without a blank: somebody may have meant 2.5.</summary>
     private static string DecimalComma(JsonValue[] elements)
@@ -328,8 +362,11 @@ internal sealed class SceneObject
     private JsonValue? Place(string key, int? element)
     {
         if (document is null || json.Find(key) is not { } value) return null;
-        return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content[i] : value;
+        return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content.ElementAt(i) : value;
     }
+
+    /// <summary>Notes an error in the value of a key, or in an element of it.</summary>
+    private void Report(JsonValue value, string key, string message, int? element = null) => Report(true, value, PathOf(key, element), message);
 
     /// <summary>Notes a problem; where there is no value at the object's opening brace.</summary>
     private void Report(bool isError, JsonValue? value, string path, string message)

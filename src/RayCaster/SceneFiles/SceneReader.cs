@@ -9,13 +9,14 @@ public static class SceneReader
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
-    public static SceneReading Read(string path, int? threads = null)
+    /// <param name="look">Sees the text before it is read, right or wrong as it may be.</param>
+    public static SceneReading Read(string path, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
         try
         {
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
             if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads);
+            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads, look);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException || (e is ArgumentException && !File.Exists(path)))
         {
@@ -28,8 +29,9 @@ public static class SceneReader
     /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
     /// <param name="folder">Where the paths of mesh files start.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+    /// <param name="look">Sees the text before it is read.</param>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null)
+    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
         var known = stream.CanSeek ? stream.Length - stream.Position : 0;
         if (known > MostBytes) return TooLong(displayName);
@@ -37,7 +39,11 @@ public static class SceneReader
         for (var length = 0; ;)
         {
             var count = stream.Read(bytes.AsSpan(length));
-            if (count == 0) return Parse(bytes.AsMemory(0, length), displayName, folder, threads);
+            if (count == 0)
+            {
+                look?.Invoke(bytes.AsSpan(0, length));
+                return Parse(bytes.AsMemory(0, length), displayName, folder, threads);
+            }
             length += count;
             if (length > MostBytes) return TooLong(displayName);
             if (length == bytes.Length) Array.Resize(ref bytes, Math.Min(2 * length, MostBytes + 1));
@@ -119,28 +125,45 @@ public static class SceneReader
             "corner", "center") == "center" ? Sample.Center : Sample.Corner;
         o.Close();
 
-        var view = target - position;
-        if (view.Length == 0)
-            o.Refuse("target", $" must differ from {o.PathOf("position")}, but both are {target}");
-        else if (double.IsInfinity(view.Length))
-            o.Refuse("target", $" is too far from {o.PathOf("position")}: the distance is beyond the largest number");
-        else if ((up % view.Normalized).Length <= 1e-12 * up.Length)
-        {
-            var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
-            o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{remedy}");
-        }
-
-        if (zFar <= zNear && !o.Has("zFar"))
-            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
-        else if (zFar <= zNear)
-            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
-
-        if ((long)width * height > Camera.MaxPixels)
-            o.Refuse("height", $" times {o.PathOf("width")} must be at most {Camera.MaxPixels}, but is {height} x {width} = {(long)width * height}");
-        if (fovY is >= 0.2 and < 3)
-            o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
+        CheckView(o, position, target, up);
+        if (zFar <= zNear) RefuseDepths(o, zNear, zFar);
+        if ((long)width * height > Camera.MaxPixels) RefuseSize(o, width, height);
+        if (fovY is >= 0.2 and < 3) WarnOfRadians(o, fovY);
         return o.IsSound ? new(position, target, up, fovY, width, height, zNear, zFar, bias, clip, sample) : null;
     }
+
+    private static void CheckView(SceneObject o, Vector3 position, Vector3 target, Vector3 up)
+    {
+        var view = target - position;
+        if (view.Length == 0 || double.IsInfinity(view.Length)) RefuseTarget(o, position, target);
+        else if ((up % view.Normalized).Length <= 1e-12 * up.Length) RefuseUp(o, up);
+    }
+
+    private static void RefuseTarget(SceneObject o, Vector3 position, Vector3 target)
+    {
+        if ((target - position).Length == 0) o.Refuse("target", $" must differ from {o.PathOf("position")}, but both are {target}");
+        else o.Refuse("target", $" is too far from {o.PathOf("position")}: the distance is beyond the largest number");
+    }
+
+    private static void RefuseUp(SceneObject o, Vector3 up)
+    {
+        var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
+        o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{remedy}");
+    }
+
+    private static void RefuseDepths(SceneObject o, double zNear, double zFar)
+    {
+        if (!o.Has("zFar"))
+            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
+        else
+            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
+    }
+
+    private static void RefuseSize(SceneObject o, int width, int height) =>
+        o.Refuse("height", $" times {o.PathOf("width")} must be at most {Camera.MaxPixels}, but is {height} x {width} = {(long)width * height}");
+
+    private static void WarnOfRadians(SceneObject o, double fovY) =>
+        o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
 
     /// <summary>Reads a model of any type; null if the type is unknown.</summary>
     private static Model? ReadModel(SceneObject o)

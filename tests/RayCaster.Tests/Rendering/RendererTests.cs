@@ -59,6 +59,21 @@ public class RendererTests
         Assert.Equal(height, lines);
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(3)]
+    public void FewModelsInManyPixelsAreCastThePlainWayInBands(int threads)
+    {
+        var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
+        var scene = room with { Camera = room.Camera.WithSize(1301, 901) };
+        Assert.True(SmallPicture.IsPlain(scene, LineRange.Whole(901)) && !SmallPicture.IsSmall(scene, LineRange.Whole(901)));
+
+        var bytes = new List<byte>();
+        new Renderer(scene, threads).Draw(part => bytes.AddRange(part));
+
+        Assert.Equal(Renderer.Render(scene).Rgb, bytes);
+    }
+
     /// <summary>So wide that a row of tiles is drawn in halves, and with triangles that are smaller than a pixel.</summary>
     [Fact]
     public void AVeryWidePictureOfAMeshIsRightInAllItsBands()

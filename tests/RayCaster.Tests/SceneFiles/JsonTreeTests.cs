@@ -22,7 +22,7 @@ public class JsonTreeTests
 
         Assert.Equal(text, root.AsWritten);
         Assert.Equal(["\"k\\\"ey\"", "[1e3, true, { }]", "\"é\"", "\"té\""], root.Content.Select(value => value.AsWritten));
-        Assert.Equal(["1e3", "true", "{ }"], root.Content[1].Content.Select(value => value.AsWritten));
+        Assert.Equal(["1e3", "true", "{ }"], root.Content.ElementAt(1).Content.Select(value => value.AsWritten));
     }
 
     private static JsonTree? Parse(string text) => JsonTree.Parse(new SourceText("a.json", Encoding.UTF8.GetBytes(text)), out _);

@@ -17,6 +17,7 @@ internal sealed class BandQueue
     private readonly SpanShader shader;
     private readonly Action<int>? linesDone;
     private readonly CancellationToken cancellation;
+    private readonly bool isPlain;
     private readonly int rowsOfBand, stripsAcross, threadCount;
     private readonly int lowestRow, endRow;  // of the lines to draw
     private readonly long bandCount, lowestBand;
@@ -30,11 +31,13 @@ internal sealed class BandQueue
     /// <param name="scene">What to draw.</param>
     /// <param name="lines">Which lines.</param>
     /// <param name="threads">How many threads cast.</param>
+    /// <param name="isPlain">Whether every ray may as well meet every model.</param>
     /// <param name="linesDone">Told how many lines have been cast, from any thread.</param>
     /// <param name="cancellation">Stops the work.</param>
-    public BandQueue(Scene scene, LineRange lines, int threads, Action<int>? linesDone, CancellationToken cancellation)
+    public BandQueue(Scene scene, LineRange lines, int threads, bool isPlain, Action<int>? linesDone, CancellationToken cancellation)
     {
         (frame, camera) = (new(scene, threads), scene.Camera);
+        this.isPlain = isPlain && !frame.IsLong && frame.Crowd is null;
         shader = frame.Shader;
         (this.linesDone, this.cancellation) = (linesDone, cancellation);
 
@@ -93,7 +96,7 @@ internal sealed class BandQueue
     {
         try
         {
-            var caster = new TileCaster(frame);
+            var caster = isPlain ? new PlainCaster(camera, Array.ConvertAll(frame.Views, view => view.ForThread())) : NewTileCaster();
             while (true)
             {
                 var strip = Interlocked.Increment(ref nextStrip) - 1;
@@ -111,6 +114,9 @@ internal sealed class BandQueue
             Fail(e);
         }
     }
+
+    /// <remarks>By itself, so that a tile caster is not even loaded where none is needed.</remarks>
+    private IStripCaster NewTileCaster() => new TileCaster(frame);
 
     /// <summary>Waits until the band before the last that used the same buffer is written; false if the work is off.</summary>
     private bool WaitForRoom(long band)

@@ -11,6 +11,7 @@ internal sealed class EightParts(Camera camera)
     private readonly Tile[] tiles = new Tile[Count];
     private Ray<Interval> rays;
     private Interval zPerT;
+    private bool isAimed;
 
     /// <summary>One of them; it may be empty.</summary>
     public ref readonly Tile this[int part] => ref tiles[part];
@@ -18,10 +19,17 @@ internal sealed class EightParts(Camera camera)
     /// <summary>How many lie side by side; the others lie above them.</summary>
     public int Across { get; private set; }
 
-    /// <summary>The rays.</summary>
-    public ref readonly Ray<Interval> Rays => ref rays;
+    /// <summary>The rays; found when they are asked for first, for a mesh or a crowd does not, and they are the longest formula there is to compile.</summary>
+    public ref readonly Ray<Interval> Rays
+    {
+        get
+        {
+            if (!isAimed) Aim();
+            return ref rays;
+        }
+    }
 
-    /// <summary>What z gains for one unit of t.</summary>
+    /// <summary>What z gains for one unit of t along the <see cref="Rays"/> that were asked for.</summary>
     public ref readonly Interval ZPerT => ref zPerT;
 
     /// <summary>Goes to the parts of a rectangle, from left to right and then upwards.</summary>
@@ -31,19 +39,27 @@ internal sealed class EightParts(Camera camera)
     public void Cut(in Tile whole, int side, int across)
     {
         Across = across;
-        Span<double> left = stackalloc double[Count], right = stackalloc double[Count], bottom = stackalloc double[Count], top = stackalloc double[Count];
         for (var i = 0; i < Count; i++)
         {
             var (up, along) = Math.DivRem(i, across);
             var (column, row) = (Math.Min(along * side, whole.Width), Math.Min(up * side, whole.Height));
-            var part = new Tile(whole.Column + column, whole.Row + row, Math.Min(side, whole.Width - column), Math.Min(side, whole.Height - row));
-            (left[i], bottom[i]) = (part.Column, part.Row);
-            (right[i], top[i]) = (Math.Max(part.EndColumn - 1, part.Column), Math.Max(part.EndRow - 1, part.Row)); // of an empty one, any
-            tiles[i] = part;
+            tiles[i] = new(whole.Column + column, whole.Row + row, Math.Min(side, whole.Width - column), Math.Min(side, whole.Height - row));
+        }
+        isAimed = false;
+    }
+
+    private void Aim()
+    {
+        Span<double> left = stackalloc double[Count], right = stackalloc double[Count], bottom = stackalloc double[Count], top = stackalloc double[Count];
+        for (var i = 0; i < Count; i++)
+        {
+            (left[i], bottom[i]) = (tiles[i].Column, tiles[i].Row);
+            (right[i], top[i]) = (Math.Max(tiles[i].EndColumn - 1, tiles[i].Column), Math.Max(tiles[i].EndRow - 1, tiles[i].Row)); // of an empty one, any
         }
         var direction = camera.Direction(Range(left, right), Range(bottom, top));
         rays = new(camera.Position, direction);
         zPerT = camera.ZPerT(direction);
+        isAimed = true;
     }
 
     private static Interval Range(ReadOnlySpan<double> lo, ReadOnlySpan<double> hi) =>

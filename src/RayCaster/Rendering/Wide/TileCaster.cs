@@ -6,7 +6,7 @@ namespace RayCaster;
 /// One thread's tool: finds for the pixels of a tile the nearest hits. A strip is cut into tiles, and a tile in which several models may show into
 /// small parts; each drops the models that cannot show in it, and what is left meets the rays.
 /// </summary>
-internal sealed class TileCaster
+internal sealed class TileCaster : IStripCaster
 {
     /// <summary>The side of the small parts: a row of one is a few packets, for which a call is still cheap.</summary>
     private const int PartSide = 16;
@@ -46,9 +46,7 @@ internal sealed class TileCaster
         isCovering = candidate => frame.IsLong && candidate.Reach.Cover < double.PositiveInfinity && isPrimitive(candidate);
     }
 
-    /// <summary>Casts all rays of a strip.</summary>
-    /// <param name="strip">Up to eight tiles side by side, each at multiples of <see cref="Tile.MaxSide"/> and at most as large.</param>
-    /// <param name="sink">Takes the hits.</param>
+    /// <inheritdoc/>
     public void Cast(in Tile strip, ISpanSink sink)
     {
         this.sink = sink;

@@ -28,6 +28,9 @@ internal sealed class RoughShader
     public static RoughShader? For(Scene scene) =>
         RoughBytes.IsSupported && new RoughShader(scene) is { error: < MostError } shader ? shader : null;
 
+    /// <summary>Whether a span is of a form that it can shade.</summary>
+    public static bool Takes(RaySpan span) => span.IsDense && span.Width % RoughPacket.Count == 0;
+
     /// <inheritdoc cref="SpanShader.Shade(RaySpan, byte[], int, int)"/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public unsafe void Shade(RaySpan span, SpanShader exact, byte[] rgb, int first, int step)

@@ -35,7 +35,7 @@ internal sealed class SpanShader
     /// <param name="step">From a pixel's place to that of the one above it.</param>
     public void Shade(RaySpan span, byte[] rgb, int first, int step)
     {
-        if (rough is not null && span.IsDense && span.Width % RoughPacket.Count == 0) rough.Shade(span, this, rgb, first, step);
+        if (rough is not null && RoughShader.Takes(span)) rough.Shade(span, this, rgb, first, step);
         else
             for (var i = 0; i < span.Length; i += span.Pitch, first += step)
                 Shade(span, i, rgb.AsSpan(first, 3 * span.Width));
