@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Runtime.ExceptionServices;
 
 namespace RayCaster;
@@ -8,7 +9,14 @@ namespace RayCaster;
 /// <remarks>Not the runtime's pool: its first use takes milliseconds, and often it begins a piece a picture later.</remarks>
 internal static class Workers
 {
+    /// <summary>
+    /// So long a thread that waits stays awake: a tenth of a millisecond, in which the next picture, or the last of the others, has mostly come. To be woken takes up to
+    /// half of that; and now and then much longer, on a machine that shares its cores.
+    /// </summary>
+    private static readonly long awake = Stopwatch.Frequency / 10_000;
+
     private static readonly Queue<Job> offers = new(); // a place in a job for each thread that is to help
+    private static int offered;                        // how many there are, for a look without the lock
     private static int free;                           // threads that take offers, now or as soon as they have begun
 
     /// <summary>Does some pieces of work, 0 to count − 1, in any order; in order and without another thread where one is enough.</summary>
@@ -29,6 +37,7 @@ internal static class Workers
         lock (offers)
         {
             for (var i = 0; i < places; i++) offers.Enqueue(job);
+            offered = offers.Count;
             for (; free < offers.Count; free++) new Thread(Help) { IsBackground = true, Name = "worker" }.Start();
             Monitor.PulseAll(offers);
         }
@@ -47,13 +56,20 @@ internal static class Workers
     private static void HelpOnce()
     {
         Job job;
+        StayAwakeWhile(ref offered, isZero: true);
         lock (offers)
         {
             while (offers.Count == 0) Monitor.Wait(offers);
             job = offers.Dequeue();
+            offered = offers.Count;
             free--;
         }
         job.Help();
+    }
+
+    private static void StayAwakeWhile(ref int count, bool isZero)
+    {
+        for (var end = Stopwatch.GetTimestamp() + awake; Volatile.Read(ref count) == 0 == isZero && Stopwatch.GetTimestamp() < end;) Thread.SpinWait(8);
     }
 
     /// <summary>The pieces of one call.</summary>
@@ -95,6 +111,7 @@ internal static class Workers
         /// <summary>Waits for those who help, but not for those who have not come.</summary>
         public void End()
         {
+            StayAwakeWhile(ref helpers, isZero: false);
             lock (this)
             {
                 isOver = true;
