@@ -76,9 +76,14 @@ internal sealed class TileCaster : IStripCaster
             list[i] = list[i] with { Reach = reach };
         }
         DropHidden(list, cover);
-        if (crowd?.IsFor(tile) == true) crowd.Cast(tile, list.Count > 0 ? Meet : null, sink);
+        if (crowd?.IsFor(tile) == true) CastCrowd(crowd, tile, list);
         else if (list.Count == 1 && views[list[0].Index] is IPaintingView) CastAlone(tile, list);
         else Cut(tile, list);
+    }
+
+    private void CastCrowd(CrowdCaster crowd, in Tile tile, List<Candidate> list)
+    {
+        crowd.Cast(tile, list.Count > 0 ? Meet : null, sink);
 
         void Meet(RaySpan span)
         {
