@@ -26,6 +26,7 @@ public sealed class HitMap(int width, int height) : ISpanSink
             span.T.Slice(i * span.Pitch, span.Width).CopyTo(T.AsSpan(first));
             span.CopyModels(i * span.Pitch, Model.AsSpan(first, span.Width));
         }
+        Fetch(span.Column, span.Row + span.Rows, span.Width);
     }
 
     /// <inheritdoc/>
@@ -35,10 +36,19 @@ public sealed class HitMap(int width, int height) : ISpanSink
         FillModels(part, -1);
     }
 
+    /// <summary>Asks the memory for the place of a row that is likely the next: tiles are narrow, and a machine foresees only what follows in memory.</summary>
+    private void Fetch(int column, int row, int width)
+    {
+        if (row >= Height) return;
+        var first = PlaceOf(column, row);
+        for (var i = 0; i < width; i += 8) Lanes.Fetch(ref T[first + i]);
+        for (var i = 0; i < width; i += 16) Lanes.Fetch(ref Model[first + i]);
+    }
+
     /// <inheritdoc/>
     bool ISpanSink.TryTake(CoveredPart covered)
     {
-        if (covered.Shapes is not [var only]) return false;
+        if (covered.Shapes is not [var only] || covered.Part.Width < WidePacket.Count) return false;
         only.View.Hit(covered, T, PlaceOf(covered.Part.Column, covered.Part.Row), -Width);
         FillModels(covered.Part, only.Index);
         return true;

@@ -10,7 +10,6 @@ internal sealed class CoveredPart(Frame frame)
 {
     private readonly Camera camera = frame.Scene.Camera;
     private readonly double[] acrossX = new double[Tile.MaxStrip], acrossY = new double[Tile.MaxStrip], acrossZ = new double[Tile.MaxStrip];
-    private readonly double[] tail = new double[WidePacket.Count];
 
     /// <summary>The part.</summary>
     public Tile Part { get; private set; }
@@ -28,7 +27,7 @@ internal sealed class CoveredPart(Frame frame)
         Shapes.Clear();
     }
 
-    /// <summary>Writes down where the rays hit a shape that all of them hit.</summary>
+    /// <summary>Writes down where the rays of a part of at least a packet's width hit a shape that all of them hit.</summary>
     /// <param name="shape">The shape.</param>
     /// <param name="t">Room for the ray parameters.</param>
     /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
@@ -41,27 +40,20 @@ internal sealed class CoveredPart(Frame frame)
         Look<N>();
         Vector3<N> origin = camera.Position;
         var isNear = Shapes[0].IsNear;
-        for (var row = Part.Row; row < Part.EndRow; row++, first += step)
+        var (width, end) = (Part.Width, Part.EndRow);
+        for (var row = Part.Row; row < end; row++, first += step)
         {
             var upwards = camera.Upwards(RaySpan.All<N>(row));
-            for (var i = 0; i < Part.Width; i += N.Count)
+            for (var next = 0; next < width; next += N.Count)
             {
+                var i = Math.Min(next, width - N.Count); // the last packet may overlap the one before: a call for what is left would cost the loop its registers
                 var across = new Vector3<N>(N.Load(acrossX, i), N.Load(acrossY, i), N.Load(acrossZ, i));
                 var direction = camera.Direction(across, upwards);
                 var crossings = shape.Cross(new Ray<N>(origin, direction));
                 var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
-                if (i + N.Count <= Part.Width) hit.Store(t, first + i);
-                else StoreTail(hit, t, first + i, Part.Width - i);
+                hit.Store(t, first + i);
             }
         }
-    }
-
-    /// <summary>Stores the first lanes of a packet that reaches beyond the part.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private void StoreTail<N>(in N hit, double[] t, int first, int count) where N : struct, IPacket<N>
-    {
-        hit.Store(tail, 0);
-        tail.AsSpan(0, count).CopyTo(t.AsSpan(first));
     }
 
     /// <summary>Finds out what the rows have in common.</summary>

@@ -56,11 +56,11 @@ internal sealed class TileCaster : IStripCaster
                 candidates.Add(new(i, new(views[i].Nearest, double.PositiveInfinity)));
         tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
         Narrow(tiles, candidates, ofTiles);
-        var mayBeCovered = crowd?.IsFor(strip) != true;
+        var areAllKnown = crowd?.IsFor(strip) != true;
         for (var i = 0; i < EightParts.Count; i++)
         {
             if (tiles[i].Area == 0) continue;
-            if (mayBeCovered && TryCover(tiles, ofTiles, i) is > 0 and var count) i += count - 1;
+            if (areAllKnown && TakeAlike(tiles, ofTiles, i) is > 0 and var count) i += count - 1;
             else Cast(tiles[i], ofTiles[i]);
         }
     }
@@ -101,7 +101,7 @@ internal sealed class TileCaster : IStripCaster
     /// <summary>Casts a tile part by part.</summary>
     private void Cut(in Tile tile, List<Candidate> list)
     {
-        if (IsCovered(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
+        if (list.Count == 0 || IsCovered(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
         else
             for (var row = 0; row < tile.Height; row += PartsUp * PartSide)
             {
@@ -110,7 +110,7 @@ internal sealed class TileCaster : IStripCaster
                 for (var i = 0; i < EightParts.Count; i++)
                 {
                     if (parts[i].Area == 0) continue;
-                    if (TryCover(parts, ofParts, i) is > 0 and var count) i += count - 1;
+                    if (TakeAlike(parts, ofParts, i) is > 0 and var count) i += count - 1;
                     else CastPart(parts[i], ofParts[i]);
                 }
             }
@@ -147,24 +147,35 @@ internal sealed class TileCaster : IStripCaster
     /// <summary>Whether every ray's first hit is surely one of the same model, which knows the short way.</summary>
     private bool IsCovered(List<Candidate> list) => list.Count == 1 && isCovering(list[0]);
 
-    /// <summary>Offers the sink some parts side by side that one model covers.</summary>
+    /// <summary>Casts parts side by side at once, in all of which nothing shows, or which one model covers: the longer the rows, the sooner memory follows.</summary>
     /// <param name="parts">The parts.</param>
     /// <param name="lists">The models that may show in them.</param>
     /// <param name="first">The first part.</param>
-    /// <returns>How many it took, from the first on.</returns>
-    private int TryCover(EightParts parts, List<Candidate>[] lists, int first)
+    /// <returns>How many are done, from the first on.</returns>
+    private int TakeAlike(EightParts parts, List<Candidate>[] lists, int first)
     {
-        if (!IsCovered(lists[first])) return 0;
-        var (only, whole) = (lists[first][0], parts[first]);
+        var isMiss = lists[first].Count == 0;
+        if (!isMiss && !IsCovered(lists[first])) return 0;
+        var (only, whole) = (isMiss ? default : lists[first][0], parts[first]);
         var end = first + 1;
-        for (; end % parts.Across != 0 && IsCovered(lists[end]) && lists[end][0].Index == only.Index; end++)
+        for (; end % parts.Across != 0; end++)
         {
+            var list = lists[end];
+            if (isMiss ? list.Count > 0 : !IsCovered(list) || list[0].Index != only.Index) break;
             whole = whole with { Width = whole.Width + parts[end].Width };
-            if (!lists[end][0].Reach.IsNear) only = only with { Reach = lists[end][0].Reach };
+            if (!isMiss && !list[0].Reach.IsNear) only = list[0];
         }
-        covered.Enter(whole);
+        if (isMiss) sink.TakeMiss(whole);
+        else if (!TryCover(whole, only)) return 0;
+        return end - first;
+    }
+
+    /// <summary>Offers the sink a part that one model covers.</summary>
+    private bool TryCover(in Tile part, Candidate only)
+    {
+        covered.Enter(part);
         AddShape(only);
-        return sink.TryTake(covered) ? end - first : 0;
+        return sink.TryTake(covered);
     }
 
     /// <summary>Offers the sink a small part that several models cover.</summary>
