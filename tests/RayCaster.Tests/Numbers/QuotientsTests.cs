@@ -10,13 +10,13 @@ public class QuotientsTests
     [Fact]
     public void QuotientsNextToTheMiddleOfTwoDoublesRoundAsDivisionDoes()
     {
-        for (var i = 0; i < 100_000; i++) Compare(Enumerable.Range(0, 8).Select(_ => NextToAMiddle(Significand())));
+        for (var i = 0; i < 40_000; i++) Compare(Enumerable.Range(0, 8).Select(_ => NextToAMiddle(Significand())));
     }
 
     [Fact]
     public void SoDoTheyForDivisorsNextToAPowerOfTwo()
     {
-        for (var beta = 1L; beta < 4000; beta += 2)
+        for (var beta = 1L; beta < 2000; beta += 2)
         {
             Compare(Enumerable.Range(0, 8).Select(_ => NextToAMiddle((1L << 53) - beta)));
             Compare(Enumerable.Range(0, 8).Select(_ => NextToAMiddle((1L << 52) + beta)));
@@ -27,7 +27,7 @@ public class QuotientsTests
     [Fact]
     public void QuotientsOfAllSizesAndSignsAreThoseOfDivision()
     {
-        for (var i = 0; i < 200_000; i++) Compare(Enumerable.Range(0, 8).Select(_ => (OfAnySize(), OfAnySize())));
+        for (var i = 0; i < 60_000; i++) Compare(Enumerable.Range(0, 8).Select(_ => (OfAnySize(), OfAnySize())));
     }
 
     [Fact]
