@@ -26,7 +26,6 @@ public sealed class HitMap(int width, int height) : ISpanSink
             span.T.Slice(i * span.Pitch, span.Width).CopyTo(T.AsSpan(first));
             span.CopyModels(i * span.Pitch, Model.AsSpan(first, span.Width));
         }
-        Fetch(span.Column, span.Row + span.Rows, span.Width);
     }
 
     /// <inheritdoc/>
@@ -34,15 +33,6 @@ public sealed class HitMap(int width, int height) : ISpanSink
     {
         for (var row = part.Row; row < part.EndRow; row++) T.AsSpan(PlaceOf(part.Column, row), part.Width).Fill(double.PositiveInfinity);
         FillModels(part, -1);
-    }
-
-    /// <summary>Asks the memory for the place of a row that is likely the next: tiles are narrow, and a machine foresees only what follows in memory.</summary>
-    private void Fetch(int column, int row, int width)
-    {
-        if (row >= Height) return;
-        var first = PlaceOf(column, row);
-        for (var i = 0; i < width; i += 8) Lanes.Fetch(ref T[first + i]);
-        for (var i = 0; i < width; i += 16) Lanes.Fetch(ref Model[first + i]);
     }
 
     /// <inheritdoc/>
