@@ -19,28 +19,26 @@ namespace RayCaster;
 /// </remarks>
 internal static class Quotients
 {
-    /// <summary>Between these sizes nothing above is too small or too large; 0, too, is left to the division, for its sign.</summary>
-    private const double Least = 1e-150, Most = 1e150;
-
-    private const byte LesserSize = 0b10_10, GreaterSize = 0b10_11; // what is asked of the instruction "range"
+    /// <summary>The exponent of 2⁻²⁵⁵ in its place, and the bits of an exponent that is less, or more than 511 greater, once that one is subtracted.</summary>
+    private const long Least = 768L << 52, Beyond = 3L << 61;
 
     /// <summary>a / b, each lane and each coordinate rounded once.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<WidePacket> Divide(Vector3<WidePacket> a, WidePacket b)
     {
         // A call for the rare case would cost the loops around their registers.
-        if (!Avx512DQ.IsSupported || !AreMiddling(a.X.Lanes, a.Y.Lanes, a.Z.Lanes, b.Lanes)) return new(a.X / b, a.Y / b, a.Z / b);
+        if (!Avx512F.IsSupported || !AreMiddling(a.X.Lanes, a.Y.Lanes, a.Z.Lanes, b.Lanes)) return new(a.X / b, a.Y / b, a.Z / b);
         var y = Reciprocal(b.Lanes);
         return new(Quotient(a.X.Lanes, b.Lanes, y), Quotient(a.Y.Lanes, b.Lanes, y), Quotient(a.Z.Lanes, b.Lanes, y));
     }
 
-    /// <summary>NaN may pass: what it is computed with becomes NaN.</summary>
+    /// <summary>Whether nothing can become too small or too large: 2⁻²⁵⁵ ≤ |x| &lt; 2²⁵⁷. Neither 0, whose sign would be lost, nor infinite numbers nor NaN are.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool AreMiddling(Vector512<double> x, Vector512<double> y, Vector512<double> z, Vector512<double> b)
     {
-        var least = Avx512DQ.Range(Avx512DQ.Range(x, y, LesserSize), Avx512DQ.Range(z, b, LesserSize), LesserSize);
-        var most = Avx512DQ.Range(Avx512DQ.Range(x, y, GreaterSize), Avx512DQ.Range(z, b, GreaterSize), GreaterSize);
-        return Vector512.GreaterThanOrEqualAll(least, Vector512.Create(Least)) && Vector512.LessThanOrEqualAll(most, Vector512.Create(Most));
+        var least = Vector512.Create(Least);
+        var exponents = (x.AsInt64() - least) | (y.AsInt64() - least) | (z.AsInt64() - least) | (b.AsInt64() - least);
+        return (exponents & Vector512.Create(Beyond)) == Vector512<long>.Zero;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
