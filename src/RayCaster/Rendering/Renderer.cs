@@ -69,7 +69,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
     /// <summary>Casts all rays; this thread is one of those that do.</summary>
     private void Cast(Frame frame, ISpanSink sink)
     {
-        var (across, up) = (Frame.StripsOf(camera.Width), Frame.TilesOf(camera.Height));
+        var (across, up) = (Tile.StripsOf(camera.Width), Tile.TilesOf(camera.Height));
         var workers = Math.Min(threadCount, across * up);
         var next = -1;
         Workers.Each(workers, workers, _ =>

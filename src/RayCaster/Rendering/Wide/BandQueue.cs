@@ -43,7 +43,7 @@ internal sealed class BandQueue
 
         // A band is a row of tiles, or of very wide pictures a half, a quarter … of one, so that no tile lies in two bands.
         for (rowsOfBand = Tile.MaxSide; rowsOfBand > 1 && 3L * camera.Width * rowsOfBand > BytesOfBand;) rowsOfBand /= 2;
-        stripsAcross = Frame.StripsOf(camera.Width);
+        stripsAcross = Tile.StripsOf(camera.Width);
         (lowestRow, endRow) = (camera.Height - 1 - lines.Last, camera.Height - lines.First);
         lowestBand = lowestRow / rowsOfBand;
         bandCount = (endRow - 1) / rowsOfBand - lowestBand + 1;

@@ -65,13 +65,3 @@ internal sealed class EightParts(Camera camera)
     private static Interval Range(ReadOnlySpan<double> lo, ReadOnlySpan<double> hi) =>
         new(new WidePacket(Vector512.Create(lo)), new WidePacket(Vector512.Create(hi)));
 }
-
-/// <summary>Where the hits of a model in eight parts lie (<see cref="Reach"/>), a lane for each.</summary>
-internal readonly struct Reaches(WidePacket least, WidePacket cover, WidePacket isNear)
-{
-    /// <summary>The same in all parts.</summary>
-    public Reaches(Reach all) : this(all.Least, all.Cover, 0) { }
-
-    /// <summary>That of a part.</summary>
-    public Reach this[int part] => new(least.Lanes[part], cover.Lanes[part], double.IsNegative(isNear.Lanes[part])); // a mask's sign is its truth
-}

@@ -61,15 +61,4 @@ internal sealed class Frame : IDisposable
         foreach (var view in Views) view.Free();
         Crowd?.Free();
     }
-
-    /// <summary>How many tiles lie side by side, or one upon another.</summary>
-    public static int TilesOf(int pixels) => (pixels + Tile.MaxSide - 1) / Tile.MaxSide;
-
-    /// <summary>How many strips lie side by side.</summary>
-    public static int StripsOf(int pixels) => (pixels + Tile.MaxStrip - 1) / Tile.MaxStrip;
 }
-
-/// <summary>A model that may show in a tile.</summary>
-/// <param name="Index">The place of its view.</param>
-/// <param name="Reach">Where its hits lie.</param>
-internal readonly record struct Candidate(int Index, Reach Reach);

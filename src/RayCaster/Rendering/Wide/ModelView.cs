@@ -57,16 +57,3 @@ internal interface IPaintingView
     /// <param name="step">From a pixel's place to that of the one above it.</param>
     bool Paint(Scene scene, int index, byte[] rgb, int first, int step);
 }
-
-/// <summary>Where the hits of a model in a tile lie.</summary>
-/// <param name="Least">No hit is nearer; +∞ if there is none.</param>
-/// <param name="Cover">Every pixel of the tile surely has a hit that is not farther; +∞ if that is not sure.</param>
-/// <param name="IsNear">Every hit is surely its shape's first crossing: there is nothing to choose or clip.</param>
-internal readonly record struct Reach(double Least, double Cover, bool IsNear = false)
-{
-    /// <summary>Anything is possible.</summary>
-    public static Reach Unknown => new(0, double.PositiveInfinity);
-
-    /// <summary>No hit.</summary>
-    public static Reach None => new(double.PositiveInfinity, double.PositiveInfinity);
-}

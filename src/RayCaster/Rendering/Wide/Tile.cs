@@ -30,6 +30,12 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>Whether it is small enough to be looked for by its place alone.</summary>
     public bool IsSmall => Area < MaxSide * MaxSide / 4;
 
+    /// <summary>How many tiles it takes for so many pixels side by side, or one upon another.</summary>
+    public static int TilesOf(int pixels) => (pixels + MaxSide - 1) / MaxSide;
+
+    /// <summary>How many strips it takes for so many pixels side by side.</summary>
+    public static int StripsOf(int pixels) => (pixels + MaxStrip - 1) / MaxStrip;
+
     /// <summary>Whether the tiles share a pixel.</summary>
     public bool Overlaps(in Tile other) =>
         Column < other.EndColumn && other.Column < EndColumn && Row < other.EndRow && other.Row < EndRow;

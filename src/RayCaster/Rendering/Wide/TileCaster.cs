@@ -264,3 +264,8 @@ internal sealed class TileCaster : IStripCaster
         for (var i = 0; i < part.Height; i++) sink.Take(rows[i]);
     }
 }
+
+/// <summary>A model that may show in a tile.</summary>
+/// <param name="Index">The place of its view.</param>
+/// <param name="Reach">Where its hits lie.</param>
+internal readonly record struct Candidate(int Index, Reach Reach);

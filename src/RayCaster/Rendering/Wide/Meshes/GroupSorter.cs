@@ -12,7 +12,7 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     /// <summary>The triangles of a group in more tiles than this are sorted one by one: they lie far from each other, or are large.</summary>
     private const int ManyTiles = 6;
 
-    private readonly int tilesAcross = Frame.TilesOf(screen.Camera.Width);
+    private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private readonly TriangleBoxes boxes = new(vertices, indices);
     private readonly Vector256<double>[] lows = new Vector256<double>[WidePacket.Count], highs = new Vector256<double>[WidePacket.Count];
     private readonly double[] left = new double[WidePacket.Count], right = new double[WidePacket.Count];

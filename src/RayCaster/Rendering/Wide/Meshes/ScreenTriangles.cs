@@ -18,7 +18,7 @@ internal sealed class ScreenTriangles
     public ScreenTriangles(ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, GroupSorter>? group, Func<Twins>? twins, int threads)
     {
         (Corners, Owners) = (corners, owners);
-        tilesAcross = Frame.TilesOf(screen.Camera.Width);
+        tilesAcross = Tile.TilesOf(screen.Camera.Width);
         var count = corners.Count;
         var sorters = new TriangleSorter[Math.Clamp(count / LeastForAThread, 1, threads)];
         for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
@@ -30,7 +30,7 @@ internal sealed class ScreenTriangles
             else groupers[i].Add(First(i), First(i + 1));
         });
 
-        var places = 2 * tilesAcross * Frame.TilesOf(screen.Camera.Height);
+        var places = 2 * tilesAcross * Tile.TilesOf(screen.Camera.Height);
         triangles = new(places, Array.ConvertAll(sorters, sorter => sorter.Triangles));
         groups = new(places, Array.ConvertAll(groupers, grouper => grouper.Groups));
         foreach (var sorter in sorters)

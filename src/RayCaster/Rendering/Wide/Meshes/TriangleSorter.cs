@@ -13,7 +13,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Twins?
     /// <summary>A triangle in more tiles than this is looked at in every tile, so that a million large ones do not need a place in each.</summary>
     private const int ManyTiles = 64;
 
-    private readonly int tilesAcross = Frame.TilesOf(screen.Camera.Width);
+    private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
 
     /// <summary>Triangles by tile and side.</summary>
