@@ -10,8 +10,8 @@ namespace RayCaster;
 internal static class Workers
 {
     /// <summary>
-    /// So long a thread that waits stays awake: a tenth of a millisecond, in which the next picture, or the last of the others, has mostly come. To be woken takes up to
-    /// half of that; and now and then much longer, on a machine that shares its cores.
+    /// How long a thread that waits stays awake: a tenth of a millisecond, in which mostly the next picture has come, or the last of the others has ended. To be woken takes
+    /// up to half of that, and now and then much longer on a machine that shares its cores.
     /// </summary>
     private static readonly long awake = Stopwatch.Frequency / 10_000;
 
@@ -36,10 +36,24 @@ internal static class Workers
         if (places <= 0) return;
         lock (offers)
         {
-            for (var i = 0; i < places; i++) offers.Enqueue(job);
+            for (; places > 0 && (offers.Count < free || TryStart()); places--) offers.Enqueue(job);
             offered = offers.Count;
-            for (; free < offers.Count; free++) new Thread(Help) { IsBackground = true, Name = "worker" }.Start();
             Monitor.PulseAll(offers);
+        }
+    }
+
+    /// <summary>Starts a thread; false where the system gives no more, so that those who are there do the work.</summary>
+    private static bool TryStart()
+    {
+        try
+        {
+            new Thread(Help) { IsBackground = true, Name = "worker" }.Start();
+            free++;
+            return true;
+        }
+        catch (Exception e) when (e is OutOfMemoryException or ThreadStartException)
+        {
+            return false;
         }
     }
 

@@ -57,14 +57,15 @@ internal sealed class BandQueue
     /// <param name="write">Takes whole lines, in order, on this thread.</param>
     public void WriteAll(Action<ReadOnlySpan<byte>> write)
     {
-        var workers = new Thread[threadCount];
-        for (var i = 0; i < workers.Length; i++)
-        {
-            workers[i] = new(Work) { IsBackground = true, Name = "caster" };
-            workers[i].Start();
-        }
+        var workers = new List<Thread>(threadCount);
         try
         {
+            while (workers.Count < threadCount)
+            {
+                var worker = new Thread(Work) { IsBackground = true, Name = "caster" };
+                worker.Start(); // if it throws, those who have begun are sent home
+                workers.Add(worker);
+            }
             for (var band = 0L; band < bandCount; band++)
             {
                 var buffer = WaitForBand(band);
