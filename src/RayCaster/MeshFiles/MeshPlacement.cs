@@ -13,23 +13,25 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     /// The file's vertices and triangles. The model keeps the array of vertices where all stay in their places, and that of indices where no triangle is dropped.
     /// </param>
     /// <param name="dropped">How many triangles had no area.</param>
+    /// <param name="threads">How many threads place a large mesh; one per core if left out.</param>
     /// <exception cref="OverflowException">A placed vertex is not finite.</exception>
-    public Mesh Place(MeshData data, out int dropped)
+    public Mesh Place(MeshData data, out int dropped, int? threads = null)
     {
-        var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices);
-        var indices = WithoutFlat(data.Indices, vertices);
+        var threadCount = threads ?? Environment.ProcessorCount;
+        var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices, threadCount);
+        var indices = WithoutFlat(data.Indices, vertices, threadCount);
         dropped = (data.Indices.Length - indices.Length) / 3;
         return new Mesh(vertices, indices);
     }
 
     private bool IsNone => Scale == new Vector3(1, 1, 1) && Rotate == Vector3.Zero && Translate == Vector3.Zero;
 
-    private Vector3[] PlaceVertices(Vector3[] from)
+    private Vector3[] PlaceVertices(Vector3[] from, int threads)
     {
         var placement = this;
         var placed = GC.AllocateUninitializedArray<Vector3>(from.Length);
         var areFinite = true;
-        Ranges.Each(from.Length, Environment.ProcessorCount, (start, length) =>
+        Ranges.Each(from.Length, threads, (start, length) =>
         {
             if (!placement.Place(from.AsSpan(start, length), placed.AsSpan(start, length))) Volatile.Write(ref areFinite, false);
         });
@@ -62,10 +64,10 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     }
 
     /// <summary>The triangles that have an area: the same array where all have.</summary>
-    private static int[] WithoutFlat(int[] indices, Vector3[] vertices)
+    private static int[] WithoutFlat(int[] indices, Vector3[] vertices, int threads)
     {
         var kept = new int[Ranges.CountIn(indices.Length) + 1]; // how many in the ranges before, when they are summed up
-        Ranges.Each(indices.Length, Environment.ProcessorCount, (start, length) =>
+        Ranges.Each(indices.Length, threads, (start, length) =>
         {
             kept[start / Ranges.Usual + 1] = length - 3 * CountFlat(indices.AsSpan(start, length), vertices);
         });
@@ -73,7 +75,7 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
         if (kept[^1] == indices.Length) return indices;
 
         var left = GC.AllocateUninitializedArray<int>(kept[^1]);
-        Ranges.Each(indices.Length, Environment.ProcessorCount, (start, length) =>
+        Ranges.Each(indices.Length, threads, (start, length) =>
         {
             var to = kept[start / Ranges.Usual];
             if (kept[start / Ranges.Usual + 1] - to == length)

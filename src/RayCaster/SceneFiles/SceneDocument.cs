@@ -3,7 +3,7 @@ namespace RayCaster;
 /// <summary>A scene file while it is read: its text, the problems found so far and the mesh files that it names.</summary>
 /// <param name="text">The text.</param>
 /// <param name="folder">Where the paths of mesh files start.</param>
-/// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+/// <param name="threads">How many threads read and place a large mesh; one per core if left out.</param>
 internal sealed class SceneDocument(SourceText text, string folder, int? threads = null)
 {
     /// <summary>After so many errors the rest is not read, and after so many problems no warning is kept: a file of nothing but mistakes would take hours.</summary>
@@ -21,6 +21,9 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
 
     /// <summary>The text.</summary>
     public SourceText Text => text;
+
+    /// <summary>How many threads read and place a large mesh; one per core if null.</summary>
+    public int? Threads => threads;
 
     /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
     public void Add(bool isError, int start, int end, string path, string message)

@@ -17,7 +17,7 @@ internal static class SceneMesh
 
         try
         {
-            var mesh = placement.Place(data, out var dropped);
+            var mesh = placement.Place(data, out var dropped, o.Document!.Threads);
             if (dropped > 0) o.Warn("file", $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
             return mesh;
         }
