@@ -92,6 +92,9 @@ public sealed class Camera
     /// <summary>Where in its pixel a ray passes.</summary>
     public Sample Sample { get; }
 
+    /// <summary>How far from its pixel's lower left corner a ray passes, to the right and upwards, in pixels.</summary>
+    internal double SampleOffset => Sample == Sample.Center ? 0.5 : 0;
+
     /// <summary>W = −(T − P) normalised: backwards.</summary>
     public Vector3 W { get; }
 

@@ -73,7 +73,7 @@ internal readonly record struct Tile(int Column, int Row, int Width, int Height)
             // The sample of pixel c lies at u = planeSize · c / pixels − planeSize / 2, half a pixel further for centres.
             int Pixel(double u, double beyond)
             {
-                var c = (u / planeSize + 0.5) * pixels - (camera.Sample == Sample.Center ? 0.5 : 0);
+                var c = (u / planeSize + 0.5) * pixels - camera.SampleOffset;
                 return double.IsNaN(c) ? beyond < 0 ? 0 : pixels : (int)Math.Clamp(beyond < 0 ? Math.Ceiling(c + beyond) : Math.Floor(c + beyond), 0, pixels);
             }
         }

@@ -34,7 +34,7 @@ internal sealed class Outlines
 
     public Outlines(Camera camera)
     {
-        (this.camera, sample, byDistance) = (camera, camera.Sample == Sample.Center ? 0.5 : 0, camera.Clip == Clip.Distance);
+        (this.camera, sample, byDistance) = (camera, camera.SampleOffset, camera.Clip == Clip.Distance);
         (leftmost, lengthLeft) = Slope(-1, camera.PlaneWidth, camera.Width);
         (rightmost, lengthRight) = Slope(camera.Width + 1, camera.PlaneWidth, camera.Width);
         (lowest, lengthLow) = Slope(-1, camera.PlaneHeight, camera.Height);

@@ -17,8 +17,7 @@ internal sealed class ScreenSpace
         (Camera, origin, u, v, w) = (camera, camera.Position, camera.U, camera.V, camera.W);
         (Scale, Unit) = (camera.Height / camera.PlaneHeight, camera.Reach / 2);
         (right, up, ahead) = (Scale / Unit * u, Scale / Unit * v, -w);
-        var sample = camera.Sample == Sample.Center ? 0.5 : 0;
-        (CenterX, CenterY) = (camera.Width / 2.0 - sample, camera.Height / 2.0 - sample);
+        (CenterX, CenterY) = (camera.Width / 2.0 - camera.SampleOffset, camera.Height / 2.0 - camera.SampleOffset);
         Guard = 256 + Math.Max(camera.Width, camera.Height) / 4.0;
 
         var squareOfSlope = (camera.PlaneWidth * camera.PlaneWidth + camera.PlaneHeight * camera.PlaneHeight) / 4;
