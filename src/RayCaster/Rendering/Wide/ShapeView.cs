@@ -5,11 +5,13 @@ namespace RayCaster;
 /// <summary>What the views of all kinds of shape have in common, so that only a shape's formula is compiled for each kind.</summary>
 internal abstract class ShapeView : ModelView
 {
+    private readonly ClipRange clip;
+
     /// <param name="bounds">The shape's, if it has any.</param>
     /// <param name="camera">Where it is seen from.</param>
     protected ShapeView(Bounds? bounds, Camera camera)
     {
-        (Clip, Extent) = (camera.ClipRange, Tile.Everywhere);
+        (clip, Extent) = (camera.ClipRange, Tile.Everywhere);
         if (bounds is not { } tight) return;
         var padded = tight.PaddedFrom(camera.Position);
         (Extent, Nearest) = (Tile.Of(padded, camera), padded.LeastT);
@@ -21,15 +23,12 @@ internal abstract class ShapeView : ModelView
     /// <inheritdoc/>
     public sealed override double Nearest { get; }
 
-    /// <summary>Which crossings count.</summary>
-    protected ClipRange Clip { get; }
-
     /// <inheritdoc/>
     public sealed override Reaches Narrow(EightParts parts, Reach whole)
     {
         Cross(parts, out var crossings);
-        var nearCounts = Clip.Counts(crossings.Near, parts.ZPerT);
-        var hit = Clip.First(crossings, parts.ZPerT, nearCounts);
+        var nearCounts = clip.Counts(crossings.Near, parts.ZPerT);
+        var hit = clip.First(crossings, parts.ZPerT, nearCounts);
         return new(
             WidePacket.Select(hit.IsNothing, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)), // a hit that counts is not behind the eye
             WidePacket.Select(hit.MayBeNaN, double.PositiveInfinity, hit.Hi),

@@ -12,12 +12,6 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>Where a equals b; false where either is NaN.</summary>
     static abstract N Equal(N a, N b);
 
-    /// <summary>The lesser of two numbers; where one is NaN, either.</summary>
-    static abstract N Lesser(N a, N b);
-
-    /// <summary>The greater of two numbers; where one is NaN, either.</summary>
-    static abstract N Greater(N a, N b);
-
     /// <summary>Whether a mask holds in every lane.</summary>
     static abstract bool All(N mask);
 

@@ -74,12 +74,6 @@ internal struct Packet : IPacket<Packet>
     public static Packet Equal(Packet a, Packet b) => new() { Lanes = Vector256.Equals(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Lesser(Packet a, Packet b) => new() { Lanes = Vector256.MinNative(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Greater(Packet a, Packet b) => new() { Lanes = Vector256.MaxNative(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool All(Packet mask) => mask.Lanes.ExtractMostSignificantBits() == (1 << Vector256<double>.Count) - 1;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

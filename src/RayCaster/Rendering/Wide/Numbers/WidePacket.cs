@@ -70,9 +70,11 @@ internal struct WidePacket : IPacket<WidePacket>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };
 
+    /// <summary>The lesser of two numbers; where one is NaN, either.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Lesser(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MinNative(a.Lanes, b.Lanes) };
 
+    /// <summary>The greater of two numbers; where one is NaN, either.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Greater(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MaxNative(a.Lanes, b.Lanes) };
 
