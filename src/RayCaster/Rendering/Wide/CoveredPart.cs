@@ -14,7 +14,7 @@ internal sealed class CoveredPart(Frame frame)
     /// <summary>The part.</summary>
     public Tile Part { get; private set; }
 
-    /// <summary>For bytes.</summary>
+    /// <summary>Paints the part without exact hits; made when it is first asked for.</summary>
     public RoughPainter Painter => field ??= new(frame);
 
     /// <summary>The shapes.</summary>

@@ -19,7 +19,7 @@ internal sealed class EightParts(Camera camera)
     /// <summary>How many lie side by side; the others lie above them.</summary>
     public int Across { get; private set; }
 
-    /// <summary>The rays; found when they are asked for first, for a mesh or a crowd does not, and they are the longest formula there is to compile.</summary>
+    /// <summary>The rays; computed when they are first asked for: a mesh or a crowd does not ask, and no formula takes longer to compile.</summary>
     public ref readonly Ray<Interval> Rays
     {
         get
@@ -29,7 +29,7 @@ internal sealed class EightParts(Camera camera)
         }
     }
 
-    /// <summary>What z gains for one unit of t along the <see cref="Rays"/> that were asked for.</summary>
+    /// <summary>What z gains for one unit of t along the <see cref="Rays"/>, which must have been asked for before.</summary>
     public ref readonly Interval ZPerT => ref zPerT;
 
     /// <summary>Goes to the parts of a rectangle, from left to right and then upwards.</summary>

@@ -52,10 +52,10 @@ internal sealed class Frame : IDisposable
     /// <summary>The other models; null where there are few.</summary>
     public Crowd? Crowd { get; }
 
-    /// <summary>Turns hits into bytes; made when it is asked for first.</summary>
+    /// <summary>Turns hits into bytes; made when it is first asked for.</summary>
     public SpanShader Shader => field ??= new(Scene, IsLong);
 
-    /// <summary>Gives lent memory back when the picture is done.</summary>
+    /// <summary>Gives rented memory back when the picture is done.</summary>
     public void Dispose()
     {
         foreach (var view in Views) view.Free();

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A list of plain values whose items can be read as a span. Its memory is lent: fresh pages cost more than what is written on them.</summary>
+/// <summary>A list of plain values whose items can be read as a span. Its memory is rented from the pool: fresh pages cost more than what is written on them.</summary>
 internal sealed class GrowingArray<T> where T : struct
 {
     private const int LeastLength = 1024;

@@ -4,7 +4,7 @@ namespace RayCaster;
 internal interface IStripCaster
 {
     /// <summary>Casts all rays of a strip.</summary>
-    /// <param name="strip">Up to eight tiles side by side, each at multiples of <see cref="Tile.MaxSide"/> and at most as large.</param>
+    /// <param name="strip">Up to eight tiles side by side, none of which reaches over a multiple of <see cref="Tile.MaxSide"/>.</param>
     /// <param name="sink">Takes the hits.</param>
     void Cast(in Tile strip, ISpanSink sink);
 }

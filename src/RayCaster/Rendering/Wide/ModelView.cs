@@ -30,7 +30,7 @@ internal abstract class ModelView
     /// <param name="index">The model's place in the scene, for ties.</param>
     public abstract void Meet(RaySpan span, int index);
 
-    /// <summary>Gives lent memory back when the picture is done; called once, of the view that <see cref="ForThread"/> was asked of.</summary>
+    /// <summary>Gives rented memory back when the picture is done; called once, of the view that <see cref="ForThread"/> was asked of.</summary>
     public virtual void Free()
     {
     }

@@ -13,6 +13,7 @@ internal sealed class PlainCaster(Camera camera, ModelView[] views) : IStripCast
     private readonly RaySpan span = new(camera);
 
     /// <inheritdoc/>
+    /// <remarks>Here a strip may have any place and size.</remarks>
     public void Cast(in Tile strip, ISpanSink sink)
     {
         for (var column = strip.Column; column < strip.EndColumn; column += RaySpan.MaxLength)

@@ -13,7 +13,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     /// <summary>The most pixels in a span: few enough to stay in the first-level cache, many enough to make a virtual call cheap.</summary>
     public const int MaxLength = Tile.MaxSide;
 
-    /// <summary>The most pixels of a part whose rows are cast at once; they stay in the first-level cache, too.</summary>
+    /// <summary>The most pixels of a small part of a tile, the rows of which are cast at once; they stay in the first-level cache, too. (The parts of a crowd are larger.)</summary>
     public const int MaxArea = 256;
 
     private readonly Vector3 origin = camera.Position;

@@ -7,7 +7,7 @@ namespace RayCaster;
 /// <param name="Height">Rows.</param>
 internal readonly record struct Tile(int Column, int Row, int Width, int Height)
 {
-    /// <summary>The most columns and rows of a tile that is worked on at once; such tiles lie at multiples of it.</summary>
+    /// <summary>The most columns and rows of a tile that is worked on at once; none reaches over a multiple of it.</summary>
     public const int MaxSide = 64;
 
     /// <summary>The most columns of a strip: tiles side by side that a thread takes at once.</summary>

@@ -144,10 +144,10 @@ internal sealed class TileCaster : IStripCaster
         for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], covers[i]);
     }
 
-    /// <summary>Whether every ray's first hit is surely one of the same model, which knows the short way.</summary>
+    /// <summary>Whether one model, which knows the short way, surely covers the part.</summary>
     private bool IsCovered(List<Candidate> list) => list.Count == 1 && isCovering(list[0]);
 
-    /// <summary>Casts parts side by side at once, in all of which nothing shows, or which one model covers: the longer the rows, the sooner memory follows.</summary>
+    /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than short ones.</summary>
     /// <param name="parts">The parts.</param>
     /// <param name="lists">The models that may show in them.</param>
     /// <param name="first">The first part.</param>

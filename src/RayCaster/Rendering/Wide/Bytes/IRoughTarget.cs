@@ -9,7 +9,7 @@ internal interface IRoughTarget
     /// <param name="row">Their row in the part.</param>
     /// <param name="packet">The number of their packet in the row.</param>
     /// <param name="t">Where the shape is hit.</param>
-    /// <param name="least">The bytes if all errors go one way,</param>
-    /// <param name="most">and if they go the other way: the same, unless the pixel is in doubt.</param>
+    /// <param name="least">The least byte that each channel may have.</param>
+    /// <param name="most">The greatest; the same, unless the pixel is in doubt.</param>
     void Take(int row, int packet, Vector512<float> t, Vector512<int> least, Vector512<int> most);
 }

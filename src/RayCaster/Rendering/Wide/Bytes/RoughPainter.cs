@@ -13,7 +13,7 @@ internal sealed class RoughPainter
     /// <summary>With a greater error too many pixels would be in doubt.</summary>
     private const double MostError = 0.02;
 
-    /// <summary>So few pixels are in doubt that a closer look is not worth it.</summary>
+    /// <summary>With a smaller error so few pixels are in doubt that a closer look is not worth it.</summary>
     private const double GoodError = 0.002;
 
     private readonly Scene scene;

@@ -6,7 +6,6 @@ namespace RayCaster;
 /// <summary>One thread's tool: the rays of a strip in floats, and how far from those in doubles they may be.</summary>
 internal sealed class RoughRays(Camera camera)
 {
-
     /// <summary>The strip.</summary>
     public Tile Strip { get; private set; }
 
@@ -16,7 +15,7 @@ internal sealed class RoughRays(Camera camera)
     /// <summary>What the directions of each row have in common, from the strip's lowest.</summary>
     public Floats Upwards { get; } = new(Tile.MaxSide + RoughPacket.Count); // one row more than there are is asked for
 
-    /// <summary>Goes to the strip of a part; whether it is another one than before.</summary>
+    /// <summary>Goes to the strip in which a part lies, and returns whether it is another one than before.</summary>
     public bool Enter(in Tile part)
     {
         var strip = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);

@@ -7,6 +7,7 @@ namespace RayCaster;
 /// <summary>Turns the hits of spans into bytes, sixteen pixels at once, in floats; the pixels that are in doubt go to <see cref="SpanShader"/>.</summary>
 internal sealed class RoughShader
 {
+    /// <summary>With a greater error too many pixels would be in doubt.</summary>
     private const double MostError = 0.001;
 
     private readonly Scene scene;

@@ -46,7 +46,7 @@ internal sealed class CrowdCaster(Crowd crowd, Camera camera)
         sink.Take(part.Rays);
     }
 
-    /// <summary>Views of other models know rows only.</summary>
+    /// <summary>Row by row, since not every view can meet several rows at once.</summary>
     private void MeetOthers<N>(in Tile tile, Action<RaySpan> others) where N : struct, IPacket<N>
     {
         row.Enter<N>(tile.Column, tile.Width);

@@ -5,7 +5,7 @@ namespace RayCaster;
 /// <summary>One thread's tool: puts the members of a part in order, the nearest first.</summary>
 internal sealed class CrowdOrder
 {
-    /// <summary>So many classes of distance are told apart; within one the order does not matter.</summary>
+    /// <summary>How many classes of distance are told apart; within one the order does not matter.</summary>
     private const int Classes = 256;
 
     private readonly int[] next = new int[Classes + 1];

@@ -13,7 +13,7 @@ internal abstract class Corners
     /// <param name="seen">Their corners on the screen. Where one is not fit for floats the numbers mean nothing.</param>
     public abstract void See(ReadOnlySpan<int> triangles, out EightTriangles seen);
 
-    /// <summary>Sees eight triangles that follow one another; of the last ones of all less than eight, then the very last again.</summary>
+    /// <summary>Sees eight triangles that follow one another; where fewer are left, the last one again in the other lanes.</summary>
     public virtual void SeeRun(int first, out EightTriangles seen)
     {
         Span<int> triangles = stackalloc int[8];

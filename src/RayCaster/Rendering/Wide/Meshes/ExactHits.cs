@@ -10,7 +10,7 @@ internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] in
     private readonly int[] triangles = new int[Length], places = new int[Length];
     private int count;
 
-    /// <summary>How many questions wait for each other.</summary>
+    /// <summary>How many questions are asked at once.</summary>
     private static int Length => Vector512.IsHardwareAccelerated ? WidePacket.Count : Packet.Count;
 
     /// <summary>The t of each lane's hit that counts, or NaN.</summary>
@@ -27,8 +27,8 @@ internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] in
     /// <param name="row">The pixel's row.</param>
     /// <param name="triangle">The triangle.</param>
     /// <param name="place">Where the pixel's numbers stand.</param>
-    /// <param name="least">The least t.</param>
-    /// <param name="covered">The greatest w, less what may be rounded.</param>
+    /// <param name="least">Of each pixel the least t so far.</param>
+    /// <param name="covered">Of each pixel the greatest w so far, less what may be rounded.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(int column, int row, int triangle, int place, double[] least, float[] covered)
     {

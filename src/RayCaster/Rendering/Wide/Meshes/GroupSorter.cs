@@ -41,7 +41,7 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
         {
             for (var i = 0; i < N.Count; i++)
             {
-                // Of the last ones of all less than a packet, then the very last again.
+                // Where fewer are left than there are lanes, the last group again.
                 var begin = Math.Min(first + i * Group.Length, (end - 1) / Group.Length * Group.Length);
                 (lows[i], highs[i]) = boxes.Around(begin, Math.Min(begin + Group.Length, end));
                 middles[i] = Math.Min(begin + Group.Length / 2, end - 1);

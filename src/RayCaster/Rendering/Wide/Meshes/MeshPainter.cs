@@ -10,6 +10,7 @@ namespace RayCaster;
 /// </summary>
 internal sealed class MeshPainter
 {
+    /// <summary>With a greater error too many pixels would be in doubt.</summary>
     private const double MostError = 0.002;
 
     /// <summary>

@@ -63,7 +63,7 @@ internal sealed class ScreenTriangles
     /// <summary>Groups of a tile most of which are seen one way or the other way around.</summary>
     public ReadOnlySpan<Group> GroupsOf(in Tile tile, int side) => groups[2 * PlaceOf(tile) + side];
 
-    /// <summary>Gives lent memory back; nothing may be asked for any more.</summary>
+    /// <summary>Gives rented memory back; nothing may be asked for any more.</summary>
     public void Free()
     {
         triangles.Free();

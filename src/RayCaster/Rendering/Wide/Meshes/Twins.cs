@@ -7,7 +7,7 @@ namespace RayCaster;
 /// asked. Without this a million copies of one triangle would all be asked about each pixel, since none is surely before another.
 /// </summary>
 /// <remarks>
-/// It forgets some, for each slot of the table remembers one triangle. A twin is reported for an earlier triangle of the mesh only: so of all that
+/// It forgets some, since a slot of the table remembers one triangle only. And it tells only of twins that are earlier in the mesh: so of all that
 /// have the same corners the first one is never left out, in whatever order they come.
 /// </remarks>
 internal sealed class Twins(Vector3[] vertices, int[] indices)

@@ -10,7 +10,7 @@ namespace RayCaster;
 /// </summary>
 internal sealed class WaitingTriangles
 {
-    /// <summary>More than these never wait.</summary>
+    /// <summary>The most that ever wait.</summary>
     public const int Limit = 128;
 
     private const int Room = Limit + 8;
@@ -24,7 +24,7 @@ internal sealed class WaitingTriangles
     /// <summary>How many there are.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Whether no eight have room.</summary>
+    /// <summary>Whether there is no room for another eight.</summary>
     public bool IsFull => Count > Limit - 8;
 
     /// <summary>The number of the first one, which those of the others follow.</summary>
@@ -49,7 +49,7 @@ internal sealed class WaitingTriangles
         Count += BitOperations.PopCount(lanes);
     }
 
-    /// <summary>Eight of them; where there are fewer, the others are any that were there before.</summary>
+    /// <summary>Eight of them; where fewer are left, the other lanes hold what was there before.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public EightTriangles See(int first) => new() { A = Points(first), B = Points(first + 3 * Room), C = Points(first + 6 * Room) };
 
@@ -60,7 +60,7 @@ internal sealed class WaitingTriangles
     /// <summary>Forgets all.</summary>
     public void Clear() => Count = 0;
 
-    /// <summary>For each mask of eight lanes the set ones, from the first place on.</summary>
+    /// <summary>For each mask of eight lanes the numbers of the lanes that are set, from the first place on.</summary>
     private static int[] MakeOrders()
     {
         var orders = new int[8 << 8];
