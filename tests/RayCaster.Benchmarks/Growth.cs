@@ -77,15 +77,19 @@ internal sealed class Growth(Options options, Workshop workshop, string? peer)
             using var embree = peer is null ? null : workshop.StartEmbree(peer, scene, Environment.ProcessorCount, withCompact: false);
             var dashed = scene.Mesh is not null;
             var label = dashed ? MeshText : "room";
-            double exact = 0, bytes = 0, best = 0;
-            for (var threads = 1; threads <= Environment.ProcessorCount; threads = threads < 4 ? threads + 1 : threads * 2)
+            Add(1, null);
+            for (var threads = 2; threads <= Environment.ProcessorCount; threads = threads < 4 ? threads + 1 : threads * 2)
             {
-                var c = new RayComparison(scene, size.Width, size.Height, threads).Run(embree, 3 * rounds, withDefinitions: false, workshop);
-                if (threads == 1) (exact, bytes, best) = (c.Exact.Median, c.Bytes.Median, c.BestEmbree(Answer.Hits)?.Median ?? 0);
+                var c = new RayComparison(scene, size.Width, size.Height, threads).Run(embree, rounds, withDefinitions: false, workshop);
+                Add(threads, new ThreadComparison(c).Run(3 * rounds));
+            }
+
+            void Add(int threads, ThreadComparison? c)
+            {
                 if (!dashed) chart.Add("each thread a full one", Ink.Scalar, threads, threads, dashed: true);
-                chart.Add($"{label}: exact t", Ink.Exact, threads, exact / c.Exact.Median, dashed);
-                chart.Add($"{label}: bytes", Ink.Bytes, threads, bytes / c.Bytes.Median, dashed);
-                if (c.BestEmbree(Answer.Hits) is { } way) chart.Add($"{label}: Embree", Ink.Embree, threads, best / way.Median, dashed);
+                chart.Add($"{label}: exact t", Ink.Exact, threads, c?.Gain(Answer.Hits)?.Median ?? 1, dashed);
+                chart.Add($"{label}: bytes", Ink.Bytes, threads, c?.Gain(Answer.Bytes)?.Median ?? 1, dashed);
+                if (embree is not null) chart.Add($"{label}: Embree", Ink.Embree, threads, c?.Gain(Answer.Hits, isEmbree: true)?.Median ?? 1, dashed);
             }
         }
         return chart;

@@ -13,16 +13,31 @@ internal enum Answer
 /// <summary>One way to draw a picture.</summary>
 /// <param name="Name">What tables call it.</param>
 /// <param name="Answer">What it leaves behind.</param>
-/// <param name="Run">Draws once and returns the milliseconds; what is not to be counted is outside of them.</param>
+/// <param name="Draw">Draws once with a number of threads and returns the milliseconds; what is not to be counted is outside of them.</param>
 /// <param name="IsEmbree">Whether it is one of those that ours are compared with.</param>
-internal sealed record Way(string Name, Answer Answer, Func<double> Run, bool IsEmbree = false)
+internal sealed record Way(string Name, Answer Answer, Func<int, double> Draw, bool IsEmbree = false)
 {
+    /// <summary>A way that is asked for no number of threads.</summary>
+    public Way(string name, Answer answer, Func<double> draw) : this(name, answer, _ => draw())
+    {
+    }
+
+    public int Threads { get; private init; } = 1;
+
     /// <summary>The milliseconds of all its runs, in the order of the rounds.</summary>
-    public List<double> Times { get; } = [];
+    public List<double> Times { get; private init; } = [];
 
     public double Median => Statistics.Quantile(Times, 0.5);
 
     public double Least => Times.Min();
+
+    /// <summary>What the console calls it.</summary>
+    public string Label => IsEmbree ? $"Embree, {(Answer == Answer.Hits ? "hits" : "bytes")}: {Name}" : Name;
+
+    /// <summary>The same way, which has not run yet.</summary>
+    public Way With(int threads) => this with { Threads = threads, Times = [] };
+
+    public double Run() => Draw(Threads);
 }
 
 /// <summary>How many times as fast one way is as another.</summary>
@@ -64,15 +79,16 @@ internal static class Interleaving
     }
 
     /// <summary>Runs all ways once in each round; every round begins with another.</summary>
-    public static void Run(IReadOnlyList<Way> ways, int rounds)
+    public static void Run(IReadOnlyList<Way> ways, int rounds) => Run([ways], rounds);
+
+    /// <summary>The same for groups whose ways follow each other directly: each group's turn, too, begins with another of its ways every time.</summary>
+    public static void Run(IReadOnlyList<IReadOnlyList<Way>> groups, int rounds)
     {
         for (var round = 0; round < rounds; round++)
-        {
-            for (var i = 0; i < ways.Count; i++)
-            {
-                var way = ways[(i + round) % ways.Count];
-                way.Times.Add(way.Run());
-            }
-        }
+            foreach (var group in From(groups, round))
+                foreach (var way in From(group, round))
+                    way.Times.Add(way.Run());
     }
+
+    private static IEnumerable<T> From<T>(IReadOnlyList<T> all, int first) => all.Select((_, i) => all[(first + i) % all.Count]);
 }

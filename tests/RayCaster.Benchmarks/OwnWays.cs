@@ -9,10 +9,10 @@ internal static class OwnWays
     private const double Crossings = 2e7;
 
     /// <summary>The engine, exact: all that it prepares for a scene is counted. Its map is kept from run to run, as Embree's is.</summary>
-    public static Way Exact(BenchmarkScene scene, int width, int height, int threads)
+    public static Way Exact(BenchmarkScene scene, int width, int height)
     {
         var hits = new Lazy<HitMap>(() => new(width, height));
-        return new("exact t", Answer.Hits, () =>
+        return new("exact t", Answer.Hits, threads =>
         {
             var (fresh, map) = (Fresh(scene, width, height), hits.Value);
             return Time(() => new Renderer(fresh, threads).CastHits(map));
@@ -20,10 +20,10 @@ internal static class OwnWays
     }
 
     /// <summary>The engine, only the picture's bytes.</summary>
-    public static Way Bytes(BenchmarkScene scene, int width, int height, int threads)
+    public static Way Bytes(BenchmarkScene scene, int width, int height)
     {
         var picture = new Lazy<Picture>(() => new(width, height));
-        return new("bytes", Answer.Bytes, () =>
+        return new("bytes", Answer.Bytes, threads =>
         {
             var (fresh, kept) = (Fresh(scene, width, height), picture.Value);
             return Time(() => new Renderer(fresh, threads).DrawInto(kept));

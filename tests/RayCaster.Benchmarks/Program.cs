@@ -33,9 +33,9 @@ if (options.Does("rays"))
         {
             foreach (var threads in options.Threads)
             {
-                var comparison = new RayComparison(scene, width, height, threads);
-                comparison.Run(embree, options.Repeats, withDefinitions: true, workshop);
+                var comparison = new RayComparison(scene, width, height, threads).Run(embree, options.Repeats, withDefinitions: true, workshop);
                 report.Comparisons.Add(comparison);
+                if (threads > 1 && options.Threads.Contains(1)) report.ThreadComparisons.Add(new ThreadComparison(comparison).Run(options.Repeats));
             }
         }
     }

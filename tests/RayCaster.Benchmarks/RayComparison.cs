@@ -14,9 +14,9 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
 
     public int Threads { get; } = threads;
 
-    public Way Exact { get; } = OwnWays.Exact(scene, width, height, threads);
+    public Way Exact { get; } = OwnWays.Exact(scene, width, height).With(threads);
 
-    public Way Bytes { get; } = OwnWays.Bytes(scene, width, height, threads);
+    public Way Bytes { get; } = OwnWays.Bytes(scene, width, height).With(threads);
 
     /// <summary>The definition and the naive peers, which know one thread; null where they are left out.</summary>
     public Way? Scalar { get; private set; }
@@ -67,7 +67,7 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
         var heats = embree.Ways.Select(way => (Way: way, Time: HeatOf(embree, way))).OrderBy(heat => heat.Time).ToList();
         foreach (var (way, _) in heats.Take(Finalists))
             foreach (var answer in new[] { Answer.Hits, Answer.Bytes })
-                ways.Add(new(embree.NameOf(way), answer, () => embree.Run(way, answer, Threads), IsEmbree: true));
+                ways.Add(new Way(embree.NameOf(way), answer, count => embree.Run(way, answer, count), IsEmbree: true).With(Threads));
         var best = heats[0];
         BuildPerTrace = embree.Build(best.Way[..best.Way.LastIndexOf(' ')]) / best.Time;
 
@@ -90,8 +90,7 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
         foreach (var way in ways.OrderBy(way => way.Median))
         {
             var best = BestEmbree(way.Answer);
-            Console.WriteLine($"  {way.Median,10:0.00} ms (least {way.Least:0.00})  {(best is null ? "" : Text.Ratio(Ratio.Of(way, best).Median)),7}  " +
-                $"{(way.IsEmbree ? $"Embree, {(way.Answer == Answer.Hits ? "hits" : "bytes")}: " : "")}{way.Name}");
+            Console.WriteLine($"  {way.Median,10:0.00} ms (least {way.Least:0.00})  {(best is null ? "" : Text.Ratio(Ratio.Of(way, best).Median)),7}  {way.Label}");
         }
     }
 }

@@ -9,6 +9,8 @@ internal sealed class Report
 
     public List<RayComparison> Comparisons { get; } = [];
 
+    public List<ThreadComparison> ThreadComparisons { get; } = [];
+
     public List<ProgramComparison> Programs { get; } = [];
 
     public List<Chart> Charts { get; } = [];
@@ -48,16 +50,13 @@ internal sealed class Report
                 text.AppendLine($"| {c.Scene.Title} | {c.Size} | {c.Threads} | {c.BestEmbree(Answer.Hits)!.Name} | {c.BestEmbree(Answer.Bytes)!.Name} |");
         }
 
-        var pairs = Comparisons.Where(c => c.Threads == 1)
-            .SelectMany(one => Comparisons.Where(c => c.Threads > 1 && c.Scene.Name == one.Scene.Name && c.Size == one.Size).Select(more => (one, more)))
-            .ToList();
-        if (pairs.Count == 0) return;
-        text.AppendLine("\nTimes as fast as one thread, by medians:\n\n| scene | picture | threads | exact t | bytes | Embree |\n|---|---|---|---|---|---|");
-        foreach (var (one, more) in pairs)
+        if (ThreadComparisons.Count == 0) return;
+        text.AppendLine("\nTimes as fast as one thread:\n\n| scene | picture | threads | exact t | bytes | Embree, t and model | Embree, bytes |\n|---|---|---|---|---|---|---|");
+        foreach (var c in ThreadComparisons)
         {
-            var embreeGain = one.BestEmbree(Answer.Hits)?.Median / more.BestEmbree(Answer.Hits)?.Median;
-            text.AppendLine($"| {one.Scene.Title} | {one.Size} | {more.Threads} | {Text.Ratio(one.Exact.Median / more.Exact.Median)} | " +
-                $"{Text.Ratio(one.Bytes.Median / more.Bytes.Median)} | {Text.Ratio(embreeGain ?? double.NaN)} |");
+            var gains = new[] { c.Gain(Answer.Hits), c.Gain(Answer.Bytes), c.Gain(Answer.Hits, isEmbree: true), c.Gain(Answer.Bytes, isEmbree: true) };
+            var cells = gains.Select(gain => gain is { } ratio ? Text.Spread(ratio) : "–");
+            text.AppendLine($"| {c.Rays.Scene.Title} | {c.Rays.Size} | {c.Rays.Threads} | {string.Join(" | ", cells)} |");
         }
     }
 
