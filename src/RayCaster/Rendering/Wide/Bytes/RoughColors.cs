@@ -16,19 +16,22 @@ internal sealed class RoughColors
     private readonly float[] reds = new float[Few], greens = new float[Few], blues = new float[Few];
     private readonly long[] packed = [];
 
-    /// <param name="scene">The scene, whose background comes first, and then its models.</param>
-    public RoughColors(Scene scene)
+    /// <param name="light">Red, green and blue of the background, then of the models.</param>
+    public RoughColors(double[] light)
     {
-        var most = Most(scene.Background);
-        var models = scene.Models;
-        for (var i = 0; i < models.Count; i++) most = Math.Max(most, Most(models[i].Color));
-        MostSteps = models.Count < Few ? 1 << 24 : ChannelMask; // floats are exact up to 2²⁴
+        var (most, count) = (0.0, light.Length / 3);
+        foreach (var channel in light) most = Math.Max(most, channel);
+        MostSteps = count <= Few ? 1 << 24 : ChannelMask; // floats are exact up to 2²⁴
         Step = Math.Max(most, double.Epsilon * MostSteps) / MostSteps;
-        if (models.Count >= Few) packed = new long[models.Count + 1];
-        Set(0, scene.Background);
-        for (var i = 0; i < models.Count; i++) Set(i + 1, models[i].Color);
+        if (count > Few) packed = new long[count];
+        for (var i = 0; i < count; i++)
+        {
+            var (r, g, b) = (Steps(light[3 * i]), Steps(light[3 * i + 1]), Steps(light[3 * i + 2]));
+            if (packed.Length > 0) packed[i] = r | (g << ChannelBits) | (b << (2 * ChannelBits));
+            else (reds[i], greens[i], blues[i]) = (r, g, b);
+        }
 
-        static double Most(Color color) => Math.Max(color.R, Math.Max(color.G, color.B));
+        long Steps(double channel) => Math.Min((long)(channel / Step + 0.5), MostSteps);
     }
 
     /// <summary>How much light one step is.</summary>
@@ -55,15 +58,6 @@ internal sealed class RoughColors
             Avx512F.ConvertToVector512Single(low & mask),
             Avx512F.ConvertToVector512Single(((low >>> ChannelBits) | (high << (32 - ChannelBits))) & mask),
             Avx512F.ConvertToVector512Single(high >>> (2 * ChannelBits - 32)));
-    }
-
-    private void Set(int place, Color color)
-    {
-        var (r, g, b) = (Steps(color.R), Steps(color.G), Steps(color.B));
-        if (packed.Length > 0) packed[place] = r | (g << ChannelBits) | (b << (2 * ChannelBits));
-        else (reds[place], greens[place], blues[place]) = (r, g, b);
-
-        long Steps(double channel) => Math.Min((long)(channel / Step + 0.5), MostSteps);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -14,10 +14,10 @@ internal sealed class RoughShader
     private readonly RoughColors colors;
     private readonly double error;
 
-    private RoughShader(Scene scene)
+    private RoughShader(Scene scene, double[] light)
     {
         this.scene = scene;
-        colors = new(scene);
+        colors = new(light);
         // Beyond this t there is no light, whatever the rounding.
         var t = Rounded.From(0, 2 * scene.Camera.Reach);
         var steps = new Rounded(0, colors.MostSteps, 0); // floats know whole numbers exactly
@@ -26,8 +26,10 @@ internal sealed class RoughShader
     }
 
     /// <summary>A shader for a scene; null where the machine or the scene does not suit it.</summary>
-    public static RoughShader? For(Scene scene) =>
-        RoughBytes.IsSupported && new RoughShader(scene) is { error: < MostError } shader ? shader : null;
+    /// <param name="scene">The scene.</param>
+    /// <param name="light">Red, green and blue of its background, then of its models.</param>
+    public static RoughShader? For(Scene scene, double[] light) =>
+        RoughBytes.IsSupported && new RoughShader(scene, light) is { error: < MostError } shader ? shader : null;
 
     /// <summary>Whether a span is of a form that it can shade.</summary>
     public static bool Takes(RaySpan span) => span.IsDense && span.Width % RoughPacket.Count == 0;

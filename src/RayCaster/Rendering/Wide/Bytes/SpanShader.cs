@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
 namespace RayCaster;
@@ -7,7 +6,7 @@ namespace RayCaster;
 /// <summary>Turns the hits of spans into bytes: the formulas of <see cref="Scene.Shade"/> and <see cref="Color.ToBytes"/> for four pixels at once.</summary>
 internal sealed class SpanShader
 {
-    private readonly Color[]? colors; // the background, then the models; null where the few pixels in doubt ask the models themselves
+    private readonly double[] colors; // red, green and blue of the background, then of the models
     private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
     private readonly RoughShader? rough;
 
@@ -18,11 +17,8 @@ internal sealed class SpanShader
         Scene = scene;
         var (r, g, b) = scene.Background.ToBytes();
         for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
-        rough = isLong ? RoughShader.For(scene) : null;
-        if (rough is not null) return;
-        colors = new Color[scene.Models.Count + 1];
-        colors[0] = scene.Background;
-        for (var i = 1; i < colors.Length; i++) colors[i] = scene.Models[i - 1].Color;
+        colors = ColorsOf(scene);
+        rough = isLong ? RoughShader.For(scene, colors) : null;
     }
 
     /// <summary>What is drawn.</summary>
@@ -49,38 +45,23 @@ internal sealed class SpanShader
     public void Shade(RaySpan span, int first, Span<byte> rgb)
     {
         var packed = Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
-        Span<byte> rest = stackalloc byte[16];
-        for (var i = first; rgb.Length > 0; i += Packet.Count)
+        for (var j = 0; j < rgb.Length; first += Packet.Count, j += 3 * Packet.Count)
         {
-            var models = span.ModelsAt<Packet>(i);
-            var isMiss = models < 0;
-            var attenuation = Packet.Select(isMiss, 1, Scene.Attenuation(span.NearestAt<Packet>(i))); // 1 leaves the background as it is
-            var a = ColorOf((int)models.Lanes[0]);
-            Packet r = a.R, g = a.G, b = a.B;
-            if (!Packet.All(Packet.Equal(models, models.Lanes[0])))
+            var models = span.ModelsAt<Packet>(first);
+            var attenuation = Packet.Select(models < 0, 1, Scene.Attenuation(span.NearestAt<Packet>(first))); // 1 leaves the background as it is
+            var (a, b, c, d) = (PlaceOf(models.Lanes[0]), PlaceOf(models.Lanes[1]), PlaceOf(models.Lanes[2]), PlaceOf(models.Lanes[3]));
+            var pixels = Vector128<int>.Zero;
+            for (var channel = 2; channel >= 0; channel--)
             {
-                var c = ColorOf((int)models.Lanes[1]);
-                var d = ColorOf((int)models.Lanes[2]);
-                var e = ColorOf((int)models.Lanes[3]);
-                r = new(Vector256.Create(a.R, c.R, d.R, e.R));
-                g = new(Vector256.Create(a.G, c.G, d.G, e.G));
-                b = new(Vector256.Create(a.B, c.B, d.B, e.B));
+                var light = new Packet(Vector256.Create(colors[a + channel], colors[b + channel], colors[c + channel], colors[d + channel]));
+                pixels = (pixels << 8) | Color.Level(attenuation * light).ToInts();
             }
-            var pixels = Bytes(attenuation * r) | (Bytes(attenuation * g) << 8) | (Bytes(attenuation * b) << 16);
             var bytes = Vector128.Shuffle(pixels.AsByte(), packed);
 
             // Twelve bytes; the four zeros after them fall on pixels that come next, but not beyond the span, where another thread may be at work.
-            if (rgb.Length >= 16)
-            {
-                bytes.StoreUnsafe(ref MemoryMarshal.GetReference(rgb));
-                rgb = rgb[12..];
-            }
+            if (j + 16 <= rgb.Length) bytes.StoreUnsafe(ref rgb[j]);
             else
-            {
-                bytes.CopyTo(rest);
-                rest[..Math.Min(12, rgb.Length)].CopyTo(rgb);
-                rgb = rgb[Math.Min(12, rgb.Length)..];
-            }
+                for (var k = j; k < Math.Min(j + 12, rgb.Length); k++) rgb[k] = bytes[k - j];
         }
     }
 
@@ -92,11 +73,19 @@ internal sealed class SpanShader
         missed.AsSpan(0, rgb.Length).CopyTo(rgb);
     }
 
-    /// <summary>A model's colour; that of the background for −1.</summary>
+    /// <summary>Where a model's colour begins; that of the background for −1.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Color ColorOf(int model) => colors is not null ? colors[model + 1] : model < 0 ? Scene.Background : Scene.Models[model].Color;
+    private static int PlaceOf(double model) => 3 * (int)model + 3;
 
-    /// <summary>The bytes of a channel of four pixels, each in an int.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector128<int> Bytes(Packet channel) => Color.Level(channel).ToInts();
+    private static double[] ColorsOf(Scene scene)
+    {
+        var models = scene.Models;
+        var colors = new double[3 * models.Count + 3];
+        for (var i = 0; i < colors.Length; i += 3)
+        {
+            var color = i == 0 ? scene.Background : models[i / 3 - 1].Color;
+            (colors[i], colors[i + 1], colors[i + 2]) = (color.R, color.G, color.B);
+        }
+        return colors;
+    }
 }
