@@ -3,7 +3,7 @@ using System.Runtime.Intrinsics;
 namespace RayCaster;
 
 /// <summary>
-/// One thread's tool for scenes of few models: every ray meets every model. What a <see cref="TileCaster"/> does to spare work would take longer to compile than
+/// One thread's tool for scenes of few models: every ray meets every model that may show near its pixel. What a <see cref="TileCaster"/> does to spare work would take longer to compile than
 /// all of that work takes.
 /// </summary>
 /// <param name="camera">Where the rays start.</param>
@@ -11,6 +11,7 @@ namespace RayCaster;
 internal sealed class PlainCaster(Camera camera, ModelView[] views) : IStripCaster
 {
     private readonly RaySpan span = new(camera);
+    private readonly List<int> near = []; // the models whose extents have pixels of the part
 
     /// <inheritdoc/>
     /// <remarks>Here a strip may have any place and size.</remarks>
@@ -26,11 +27,15 @@ internal sealed class PlainCaster(Camera camera, ModelView[] views) : IStripCast
 
     private void Cast<N>(in Tile part, ISpanSink sink) where N : struct, IPacket<N>
     {
+        near.Clear();
+        for (var i = 0; i < views.Length; i++)
+            if (views[i].Extent.Overlaps(part))
+                near.Add(i);
         span.Enter<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row++)
         {
             span.Aim<N>(row);
-            for (var i = 0; i < views.Length; i++) views[i].Meet(span, i);
+            foreach (var i in near) views[i].Meet(span, i);
             sink.Take(span);
         }
     }
