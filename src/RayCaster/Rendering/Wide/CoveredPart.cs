@@ -43,7 +43,7 @@ internal sealed class CoveredPart(Frame frame)
         var (width, end) = (Part.Width, Part.EndRow);
         for (var row = Part.Row; row < end; row++, first += step)
         {
-            var upwards = camera.Upwards(RaySpan.All<N>(row));
+            var upwards = camera.Upwards(Lanes.Broadcast<N>(row));
             for (var next = 0; next < width; next += N.Count)
             {
                 var i = Math.Min(next, width - N.Count); // the last packet may overlap the one before: a call for what is left would cost the loop its registers

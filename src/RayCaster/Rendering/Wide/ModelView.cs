@@ -18,12 +18,12 @@ internal abstract class ModelView
     /// <summary>Comes to a tile, before <see cref="Meet"/> is called for rows in it: between which t the model's hits lie.</summary>
     /// <param name="tile">The tile.</param>
     /// <param name="known">What is known of that already.</param>
-    public virtual Reach Enter(in Tile tile, Reach known) => known;
+    public virtual HitRange Enter(in Tile tile, HitRange known) => known;
 
     /// <summary>Tells between which t the model's hits in some parts lie; not asked of one whose <see cref="Extent"/> is small.</summary>
     /// <param name="parts">The parts and their rays.</param>
     /// <param name="whole">What is known of all of them.</param>
-    public virtual Reaches Narrow(EightParts parts, Reach whole) => new(whole);
+    public virtual HitRanges Narrow(EightParts parts, HitRange whole) => new(whole);
 
     /// <summary>Keeps the hits of a span of pixels in the tile that are nearer than all before.</summary>
     /// <param name="span">The rays.</param>

@@ -87,7 +87,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void AimRow<N>(int row, int first) where N : struct, IPacket<N>
     {
-        var upwards = camera.Upwards(All<N>(row));
+        var upwards = camera.Upwards(Lanes.Broadcast<N>(row));
         for (var i = 0; i < Width; i += N.Count)
         {
             var direction = camera.Direction(new Vector3<N>(N.Load(acrossX, i), N.Load(acrossY, i), N.Load(acrossZ, i)), upwards);
@@ -95,8 +95,8 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
             direction.Y.Store(y, first + i);
             direction.Z.Store(z, first + i);
             camera.ZPerT(direction).Store(zPerT, first + i);
-            All<N>(double.PositiveInfinity).Store(t, first + i);
-            All<N>(-1).Store(model, first + i);
+            Lanes.Broadcast<N>(double.PositiveInfinity).Store(t, first + i);
+            Lanes.Broadcast<N>(-1).Store(model, first + i);
         }
     }
 
@@ -132,7 +132,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public bool Hides<N>(int first, int end, double nearest) where N : struct, IPacket<N>
     {
-        var nearestOfModel = All<N>(nearest);
+        var nearestOfModel = Lanes.Broadcast<N>(nearest);
         for (var i = first; i < end; i += N.Count)
             if (!N.All(NearestAt<N>(i) < nearestOfModel))
                 return false;
@@ -155,7 +155,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public void KeepNoted<N>(int first, int end, int modelIndex) where N : struct, IPacket<N>
     {
-        for (var i = first; i < end; i += N.Count) Keep(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), All<N>(modelIndex));
+        for (var i = first; i < end; i += N.Count) Keep(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), Lanes.Broadcast<N>(modelIndex));
     }
 
     /// <summary>The first of the crossings that counts, in each lane, or NaN.</summary>
@@ -195,8 +195,4 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
             model[i] = modelIndex;
         }
     }
-
-    /// <summary>A packet of one number in all lanes: the compiler finds the conversion only through this constraint.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static N All<N>(double number) where N : struct, IReal<N> => number;
 }

@@ -24,7 +24,7 @@ internal abstract class ShapeView : ModelView
     public sealed override double Nearest { get; }
 
     /// <inheritdoc/>
-    public sealed override Reaches Narrow(EightParts parts, Reach whole)
+    public sealed override HitRanges Narrow(EightParts parts, HitRange whole)
     {
         Cross(parts, out var crossings);
         var nearCounts = clip.Counts(crossings.Near, parts.ZPerT);

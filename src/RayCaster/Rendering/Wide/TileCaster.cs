@@ -43,7 +43,7 @@ internal sealed class TileCaster : IStripCaster
         covered = new(frame);
         block = new(frame.Scene.Camera, RaySpan.MaxArea);
         isPrimitive = candidate => views[candidate.Index] is ICoveringView;
-        isCovering = candidate => frame.IsLong && candidate.Reach.Cover < double.PositiveInfinity && isPrimitive(candidate);
+        isCovering = candidate => frame.IsLong && candidate.Range.Cover < double.PositiveInfinity && isPrimitive(candidate);
     }
 
     /// <inheritdoc/>
@@ -71,9 +71,9 @@ internal sealed class TileCaster : IStripCaster
         var cover = double.PositiveInfinity;
         for (var i = 0; i < list.Count; i++)
         {
-            var reach = views[list[i].Index].Enter(tile, list[i].Reach);
-            cover = Math.Min(cover, reach.Cover);
-            list[i] = list[i] with { Reach = reach };
+            var range = views[list[i].Index].Enter(tile, list[i].Range);
+            cover = Math.Min(cover, range.Cover);
+            list[i] = list[i] with { Range = range };
         }
         DropHidden(list, cover);
         if (crowd?.IsFor(tile) == true) CastCrowd(crowd, tile, list);
@@ -132,13 +132,13 @@ internal sealed class TileCaster : IStripCaster
         foreach (var candidate in whole)
         {
             ref var extent = ref extents[candidate.Index];
-            var reaches = extent.IsSmall ? new(candidate.Reach) : views[candidate.Index].Narrow(parts, candidate.Reach);
+            var ranges = extent.IsSmall ? new(candidate.Range) : views[candidate.Index].Narrow(parts, candidate.Range);
             for (var i = 0; i < EightParts.Count; i++)
             {
                 if (!extent.Overlaps(parts[i])) continue;
-                var reach = reaches[i];
-                covers[i] = Math.Min(covers[i], reach.Cover);
-                lists[i].Add(candidate with { Reach = reach });
+                var range = ranges[i];
+                covers[i] = Math.Min(covers[i], range.Cover);
+                lists[i].Add(candidate with { Range = range });
             }
         }
         for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], covers[i]);
@@ -163,7 +163,7 @@ internal sealed class TileCaster : IStripCaster
             var list = lists[end];
             if (isMiss ? list.Count > 0 : !IsCovered(list) || list[0].Index != only.Index) break;
             whole = whole with { Width = whole.Width + parts[end].Width };
-            if (!isMiss && !list[0].Reach.IsNear) only = list[0];
+            if (!isMiss && !list[0].Range.IsNear) only = list[0];
         }
         if (isMiss) sink.TakeMiss(whole);
         else if (!TryCover(whole, only)) return 0;
@@ -188,14 +188,14 @@ internal sealed class TileCaster : IStripCaster
     }
 
     private void AddShape(Candidate candidate) =>
-        covered.Shapes.Add(new((ICoveringView)views[candidate.Index], places[candidate.Index], candidate.Reach.IsNear));
+        covered.Shapes.Add(new((ICoveringView)views[candidate.Index], places[candidate.Index], candidate.Range.IsNear));
 
     /// <summary>Drops what does not show, or lies behind what covers all.</summary>
     private static void DropHidden(List<Candidate> list, double cover)
     {
         var kept = 0;
         for (var i = 0; i < list.Count; i++)
-            if (list[i].Reach.Least <= cover && list[i].Reach.Least < double.PositiveInfinity)
+            if (list[i].Range.Least <= cover && list[i].Range.Least < double.PositiveInfinity)
                 list[kept++] = list[i];
         list.RemoveRange(kept, list.Count - kept);
     }
@@ -249,12 +249,12 @@ internal sealed class TileCaster : IStripCaster
         var farthestOfAll = double.PositiveInfinity;
         foreach (var candidate in list)
         {
-            if (candidate.Reach.Least > farthestOfAll) continue;
+            if (candidate.Range.Least > farthestOfAll) continue;
             ref var extent = ref extents[candidate.Index];
             var end = Math.Min(part.Height, extent.EndRow - part.Row);
             for (var i = Math.Max(0, extent.Row - part.Row); i < end; i++)
             {
-                if (candidate.Reach.Least > farthest[i]) continue;
+                if (candidate.Range.Least > farthest[i]) continue;
                 views[candidate.Index].Meet(rows[i], places[candidate.Index]);
                 farthest[i] = rows[i].Farthest<N>();
             }
@@ -267,5 +267,5 @@ internal sealed class TileCaster : IStripCaster
 
 /// <summary>A model that may show in a tile.</summary>
 /// <param name="Index">The place of its view.</param>
-/// <param name="Reach">Where its hits lie.</param>
-internal readonly record struct Candidate(int Index, Reach Reach);
+/// <param name="Range">Where its hits lie.</param>
+internal readonly record struct Candidate(int Index, HitRange Range);

@@ -113,7 +113,7 @@ public class MarginTests
             for (var row = 0; row < camera.Height; row += Tile.MaxSide)
             {
                 var tile = new Tile(column, row, Math.Min(Tile.MaxSide, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row));
-                var reach = view.Enter(tile, Reach.Unknown);
+                var range = view.Enter(tile, HitRange.Unknown);
                 span.Enter<Packet>(column, tile.Width);
                 for (var r = row; r < tile.EndRow; r++)
                 {
@@ -122,7 +122,7 @@ public class MarginTests
                     for (var i = 0; i < tile.Width; i++)
                     {
                         var t = ScalarRenderer.Cast(scene, column + i, r).HitParameter;
-                        if (!span.T[i].Equals(t) || t < reach.Least || t > reach.Cover) wrong++;
+                        if (!span.T[i].Equals(t) || t < range.Least || t > range.Cover) wrong++;
                     }
                 }
             }

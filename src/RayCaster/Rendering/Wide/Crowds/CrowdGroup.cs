@@ -125,7 +125,7 @@ internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void Meet<N>(P shape, int model, CrowdPart part, ReadOnlySpan<int> packets) where N : struct, IPacket<N>
     {
-        var (range, rays, index) = (clip, part.Rays, RaySpan.All<N>(model)); // locals, as the shape is, so that their constants stay in registers
+        var (range, rays, index) = (clip, part.Rays, Lanes.Broadcast<N>(model)); // locals, as the shape is, so that their constants stay in registers
         foreach (var i in packets) rays.Keep(i, range.First(shape.Cross(rays.RaysAt<N>(i)), rays.ZPerTAt<N>(i)), index);
     }
 
@@ -133,7 +133,7 @@ internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static void MeetClear<N>(P shape, int model, CrowdPart part, ReadOnlySpan<int> packets) where N : struct, IPacket<N>
     {
-        var (rays, index) = (part.Rays, RaySpan.All<N>(model));
+        var (rays, index) = (part.Rays, Lanes.Broadcast<N>(model));
         foreach (var i in packets)
         {
             var crossings = shape.Cross(rays.RaysAt<N>(i));

@@ -79,7 +79,7 @@ internal sealed class CrowdPart(Camera camera)
         var inRows = (2u << (top / BlockSide)) - (1u << (bottom / BlockSide));
         var blocks = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible<N>(nearest);
         touched |= blocks;
-        var least = RaySpan.All<N>(nearest);
+        var least = Lanes.Broadcast<N>(nearest);
         var (rays, packets, end) = (Rays, this.packets, first);
         for (; blocks != 0; blocks &= blocks - 1)
         {
@@ -106,7 +106,7 @@ internal sealed class CrowdPart(Camera camera)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private uint Visible<N>(double nearest) where N : struct, IPacket<N>
     {
-        var (least, bits) = (RaySpan.All<N>(nearest), 0u);
+        var (least, bits) = (Lanes.Broadcast<N>(nearest), 0u);
         for (var i = 0; i < Blocks; i += N.Count) bits |= N.Bits(N.Load(farthest, i) >= least) << i;
         return bits;
     }

@@ -59,7 +59,7 @@ internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] in
         var crossings = Cross(new Ray<N>(screen.Camera.Position, direction), ref triangles[0]);
         var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.ZPerT(direction));
         hit.Store(hits, 0);
-        (RaySpan.All<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(nearness, 0);
+        (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(nearness, 0);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a caller grown too large operators, silently, become calls

@@ -55,11 +55,11 @@ internal sealed class MeshView : ModelView, IPaintingView
     public override ModelView ForThread() => new MeshView(this);
 
     /// <inheritdoc/>
-    public override Reach Enter(in Tile tile, Reach known)
+    public override HitRange Enter(in Tile tile, HitRange known)
     {
         if (sets.Length == 0) return known;
-        var reach = filter!.Enter(tile, sets);
-        return hard is null ? reach : reach with { Least = 0 };
+        var range = filter!.Enter(tile, sets);
+        return hard is null ? range : range with { Least = 0 };
     }
 
     /// <inheritdoc/>
@@ -67,7 +67,7 @@ internal sealed class MeshView : ModelView, IPaintingView
     {
         if (sets.Length > 0) filter!.Meet(span, index);
         if (hard is null) return;
-        for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), RaySpan.All<Packet>(index));
+        for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), Lanes.Broadcast<Packet>(index));
     }
 
     /// <inheritdoc/>

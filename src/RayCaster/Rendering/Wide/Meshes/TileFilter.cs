@@ -29,7 +29,7 @@ internal sealed class TileFilter
     }
 
     /// <summary>Finds the pixels' triangles.</summary>
-    public Reach Enter(in Tile tile, ScreenTriangles[] sets)
+    public HitRange Enter(in Tile tile, ScreenTriangles[] sets)
     {
         this.tile = tile;
         isEmpty = true;
@@ -48,7 +48,7 @@ internal sealed class TileFilter
             Add(set, set.GroupsOf(tile, 1 - nearer));
             Add(set, set.Of(tile, 1 - nearer));
         }
-        if (isEmpty) return Reach.None;
+        if (isEmpty) return HitRange.None;
         pixels.Decide();
         coarse.Update(pixels.Covered);
         var least = coarse.Least;

@@ -109,14 +109,14 @@ internal sealed class TilePixels(ScreenSpace screen, Vector3[] vertices, int[] i
         {
             var at = first + i;
             var any = N.Count == 8 ? Vector256.LoadUnsafe(ref Front[at]) : Vector256.Create(Vector128.LoadUnsafe(ref Front[at]), default);
-            var hit = RaySpan.All<N>(double.NaN);
+            var hit = Lanes.Broadcast<N>(double.NaN);
             if (any != Vector256<float>.Zero) hit = exact.Hit<N>(span, i, ref Proposed[at]);
             if (hasDecided)
             {
                 var other = N.Load(decided, at);
                 hit = N.Select(hit <= other, hit, other);
             }
-            span.Keep(i, hit, RaySpan.All<N>(index));
+            span.Keep(i, hit, Lanes.Broadcast<N>(index));
         }
     }
 

@@ -8,6 +8,10 @@ namespace RayCaster;
 /// <summary>Moves numbers between arrays of things and lanes, where lane = thing.</summary>
 internal static class Lanes
 {
+    /// <summary>One number in all lanes: the compiler finds the conversion only through this constraint.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static N Broadcast<N>(double number) where N : struct, IReal<N> => number;
+
     /// <summary>A corner of each of eight triangles of a mesh whose indices are known to be right.</summary>
     /// <param name="vertices">The corners.</param>
     /// <param name="indices">Three for each triangle.</param>
