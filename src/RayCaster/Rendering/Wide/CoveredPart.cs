@@ -9,7 +9,7 @@ namespace RayCaster;
 internal sealed class CoveredPart(Frame frame)
 {
     private readonly Camera camera = frame.Scene.Camera;
-    private readonly double[] acrossX = new double[Tile.MaxStrip], acrossY = new double[Tile.MaxStrip], acrossZ = new double[Tile.MaxStrip];
+    private readonly Columns columns = new(frame.Scene.Camera, Tile.MaxStrip);
 
     /// <summary>The part.</summary>
     public Tile Part { get; private set; }
@@ -37,7 +37,7 @@ internal sealed class CoveredPart(Frame frame)
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
     public void Hit<N, P>(P shape, double[] t, int first, int step) where N : struct, IPacket<N> where P : struct, IPrimitive
     {
-        Look<N>();
+        columns.Enter<N>(Part.Column, Part.Width);
         Vector3<N> origin = camera.Position;
         var isNear = Shapes[0].IsNear;
         var (width, end) = (Part.Width, Part.EndRow);
@@ -47,24 +47,11 @@ internal sealed class CoveredPart(Frame frame)
             for (var next = 0; next < width; next += N.Count)
             {
                 var i = Math.Min(next, width - N.Count); // the last packet may overlap the one before: a call for what is left would cost the loop its registers
-                var across = new Vector3<N>(N.Load(acrossX, i), N.Load(acrossY, i), N.Load(acrossZ, i));
-                var direction = camera.Direction(across, upwards);
+                var direction = camera.Direction(columns.At<N>(i), upwards);
                 var crossings = shape.Cross(new Ray<N>(origin, direction));
                 var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
                 hit.Store(t, first + i);
             }
-        }
-    }
-
-    /// <summary>Finds out what the rows have in common.</summary>
-    private void Look<N>() where N : struct, IPacket<N>
-    {
-        for (var i = 0; i < Part.Width; i += N.Count)
-        {
-            var across = camera.Across(N.Sequence(Part.Column + i));
-            across.X.Store(acrossX, i);
-            across.Y.Store(acrossY, i);
-            across.Z.Store(acrossZ, i);
         }
     }
 }

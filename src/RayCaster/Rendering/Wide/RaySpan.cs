@@ -17,7 +17,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     public const int MaxArea = 256;
 
     private readonly Vector3 origin = camera.Position;
-    private readonly double[] acrossX = new double[MaxLength], acrossY = new double[MaxLength], acrossZ = new double[MaxLength];
+    private readonly Columns columns = new(camera, MaxLength);
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
     private readonly double[] zPerT = new double[capacity];
     private readonly double[] near = new double[capacity], far = new double[capacity]; // the crossings with one model
@@ -61,17 +61,10 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
     /// <param name="pitch">How many numbers to leave for each row; as many as there are columns, if left out.</param>
     /// <typeparam name="N">The kind of packet to compute with.</typeparam>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Enter<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
     {
         (Column, Width, Pitch, Rows) = (column, length, pitch ?? length, 1);
-        for (var i = 0; i < length; i += N.Count)
-        {
-            var across = camera.Across(N.Sequence(column + i));
-            across.X.Store(acrossX, i);
-            across.Y.Store(acrossY, i);
-            across.Z.Store(acrossZ, i);
-        }
+        columns.Enter<N>(column, length);
     }
 
     /// <summary>Aims the rays of a row, or of several one after another, and forgets all hits.</summary>
@@ -90,7 +83,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
         var upwards = camera.Upwards(Lanes.Broadcast<N>(row));
         for (var i = 0; i < Width; i += N.Count)
         {
-            var direction = camera.Direction(new Vector3<N>(N.Load(acrossX, i), N.Load(acrossY, i), N.Load(acrossZ, i)), upwards);
+            var direction = camera.Direction(columns.At<N>(i), upwards);
             direction.X.Store(x, first + i);
             direction.Y.Store(y, first + i);
             direction.Z.Store(z, first + i);
