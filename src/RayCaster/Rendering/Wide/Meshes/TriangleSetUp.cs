@@ -12,20 +12,20 @@ internal static class TriangleSetUp
     /// <summary>The functions: the value at the box's lower left sample, the step to the right, the step upwards.</summary>
     public const int U = 0, V = 3, W = 6, Depth = 9;
 
-    /// <summary>The samples of the box, seen from the tile's corner.</summary>
-    public const int Left = 12, Right = 13, Bottom = 14, Top = 15;
+    /// <summary>Whole numbers: the place of that sample's pixel (<see cref="TilePixels.Stride"/>), and how many more samples there are to the right and upwards.</summary>
+    public const int Pixel = 12, Across = 13, Upwards = 14;
 
     /// <summary>w is known up to ± this, and lies between these; the greatest is 0 where the triangle does not show.</summary>
-    public const int Slack = 16, LeastW = 17, MostW = 18;
+    public const int Slack = 15, LeastW = 16, MostW = 17;
 
     /// <summary>A sample with a side function below the first is surely outside, with all above the second surely covered.</summary>
-    public const int Outside = 19, Inside = 20;
+    public const int Outside = 18, Inside = 19;
 
     /// <summary>What some float operations on numbers of a size of up to 1 are off by at most.</summary>
     public const float Roundings = 1f / (1 << 20);
 
     /// <summary>Numbers in all.</summary>
-    public const int Length = 8 * 21;
+    public const int Length = 8 * 20;
 
     /// <summary>Fills the fields for eight triangles and returns a bit for each that may show in the tile.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
@@ -89,12 +89,12 @@ internal static class TriangleSetUp
         Keep(fields, W, w, wRight, wUp);
         Keep(fields, Depth, Vector256.ConditionalSelect(isSliver, stretchedW, depth),
             Vector256.AndNot(depthRight, isSliver), Vector256.AndNot(depthUp, isSliver));
-        Keep(fields, Left, left, right, bottom);
-        Keep(fields, Top, top, Vector256.AndNot(depthSlack, isSliver), leastW * Vector256.Create(1 - 4e-6f));
-        Keep(fields, MostW, shows & (Vector256.ConditionalSelect(isSliver, stretchedW, mostW) * Vector256.Create(1 + 4e-6f)),
-            // Which way around a sliver is seen is not known; if it is the other way, its functions are below its area's and the others' slack.
-            Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack),
-            Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)));
+        Keep(fields, Pixel, Whole(bottom * Vector256.Create((float)TilePixels.Stride) + left), Whole(across), Whole(upwards));
+        Keep(fields, Slack, Vector256.AndNot(depthSlack, isSliver), leastW * Vector256.Create(1 - 4e-6f),
+            shows & (Vector256.ConditionalSelect(isSliver, stretchedW, mostW) * Vector256.Create(1 + 4e-6f)));
+        // Which way around a sliver is seen is not known; if it is the other way, its functions are below its area's and the others' slack.
+        Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack).StoreUnsafe(ref fields[8 * Outside]);
+        Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)).StoreUnsafe(ref fields[8 * Inside]);
         return shows.ExtractMostSignificantBits();
     }
 
@@ -127,6 +127,9 @@ internal static class TriangleSetUp
         var most = f + Vector256.MaxNative(right, Vector256<float>.Zero) * across + Vector256.MaxNative(up, Vector256<float>.Zero) * upwards;
         return Vector256.GreaterThanOrEqual(most, Vector256.Create(-4f) * slack);
     }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<float> Whole(Vector256<float> numbers) => Vector256.ConvertToInt32Native(numbers).AsSingle();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Keep(float[] fields, int first, Vector256<float> a, Vector256<float> b, Vector256<float> c)
