@@ -8,6 +8,12 @@ namespace RayCaster;
 /// </summary>
 internal sealed class Crowd(Camera camera, int mostMembers)
 {
+    /// <summary>
+    /// How many members are looked at before their formulas are asked. What one of them hides of the others is noticed only after that: 1 asks about 0.38 million packets in a picture
+    /// of 100,000 spheres, 4 about 0.43 and 8 about 0.51; but with 1 each waits for what the one before has hit.
+    /// </summary>
+    public const int Batch = 4;
+
     /// <summary>With fewer models than this for each thread, one thread is ready before the others have begun.</summary>
     private const int LeastShare = 8192;
 
@@ -81,19 +87,27 @@ internal sealed class Crowd(Camera camera, int mostMembers)
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void Meet<N>(CrowdPart part, ReadOnlySpan<(int Member, float NearestOfRest)> order) where N : struct, IPacket<N>
     {
-        var batch = new CrowdBatch();
         var members = this.members.Items;
-        for (; order.Length > 0 && !part.Hides<N>(order[0].NearestOfRest); order = order[Math.Min(order.Length, CrowdBatch.Count)..])
+        var (group, isClear) = (0, false); // those of one kind, nearly always the whole batch, are met in one call
+        for (var next = 0; next < order.Length && !part.Hides<N>(order[next].NearestOfRest); next += Batch)
         {
-            var count = 0;
-            foreach (var (i, _) in order[..Math.Min(order.Length, CrowdBatch.Count)])
+            for (var i = next + Batch; i < Math.Min(next + 2 * Batch, order.Length); i++) // the batch that follows
             {
-                ref readonly var member = ref members[i];
-                var packets = part.List<N>(member.Sides, member.Nearest);
-                batch[count] = (groups[member.Group], member.Place, packets, member.IsClear);
-                count += packets.First < packets.End ? 1 : 0;
+                ref readonly var member = ref members[order[i].Member];
+                groups[member.Group].Fetch(member.Place);
             }
-            foreach (var (group, place, packets, isClear) in batch[..count]) group.Meet(place, part, part.Listed(packets), isClear);
+            var (first, end) = (0, 0);
+            for (var i = next; i < Math.Min(next + Batch, order.Length); i++)
+            {
+                ref readonly var member = ref members[order[i].Member];
+                if (member.Group != group || member.IsClear != isClear)
+                {
+                    groups[group].Meet(part, first, end, isClear);
+                    (first, group, isClear) = (end, member.Group, member.IsClear);
+                }
+                end = part.List<N>(member);
+            }
+            groups[group].Meet(part, first, end, isClear);
             part.Refresh<N>();
         }
     }

@@ -18,15 +18,18 @@ internal abstract class CrowdGroup
     /// <summary>Puts the shapes into the order of the members.</summary>
     public abstract void Arrange(Span<CrowdMember> members, int group);
 
+    /// <summary>Asks the memory for a shape.</summary>
+    public abstract void Fetch(int place);
+
     /// <summary>Gives the memory back.</summary>
     public abstract void Free();
 
-    /// <summary>Lets rays meet a shape.</summary>
-    /// <param name="place">Which shape.</param>
-    /// <param name="part">The part.</param>
-    /// <param name="packets">Which packets of the part.</param>
+    /// <summary>Lets rays meet shapes, as they are listed.</summary>
+    /// <param name="part">The part with the list.</param>
+    /// <param name="first">The first in the list.</param>
+    /// <param name="end">The one after the last.</param>
     /// <param name="isClear">Whether all hits count, so that nobody needs to ask.</param>
-    public abstract void Meet(int place, CrowdPart part, ReadOnlySpan<int> packets, bool isClear);
+    public abstract void Meet(CrowdPart part, int first, int end, bool isClear);
 }
 
 /// <inheritdoc/>
@@ -110,34 +113,33 @@ internal sealed class CrowdGroup<P> : CrowdGroup where P : struct, IPrimitive
     }
 
     /// <inheritdoc/>
+    public override void Fetch(int place) => Lanes.Fetch(ref arranged.Items[place]);
+
+    /// <inheritdoc/>
     public override void Free() => arranged.Free();
 
     /// <inheritdoc/>
-    public override void Meet(int place, CrowdPart part, ReadOnlySpan<int> packets, bool isClear)
+    public override void Meet(CrowdPart part, int first, int end, bool isClear)
     {
-        ref readonly var it = ref arranged.Items[place];
-        if (Vector512.IsHardwareAccelerated && isClear) MeetClear<WidePacket>(it.Shape, it.Model, part, packets);
-        else if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(it.Shape, it.Model, part, packets);
-        else if (isClear) MeetClear<Packet>(it.Shape, it.Model, part, packets);
-        else Meet<Packet>(it.Shape, it.Model, part, packets);
+        if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(part, first, end, isClear);
+        else Meet<Packet>(part, first, end, isClear);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void Meet<N>(P shape, int model, CrowdPart part, ReadOnlySpan<int> packets) where N : struct, IPacket<N>
+    private void Meet<N>(CrowdPart part, int first, int end, bool isClear) where N : struct, IPacket<N>
     {
-        var (range, rays, index) = (clip, part.Rays, Lanes.Broadcast<N>(model)); // locals, as the shape is, so that their constants stay in registers
-        foreach (var i in packets) rays.Keep(i, range.First(shape.Cross(rays.RaysAt<N>(i)), rays.ZPerTAt<N>(i)), index);
-    }
-
-    /// <summary>The same without the question which crossings count, which costs about as much as the formula of a sphere.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private static void MeetClear<N>(P shape, int model, CrowdPart part, ReadOnlySpan<int> packets) where N : struct, IPacket<N>
-    {
-        var (rays, index) = (part.Rays, Lanes.Broadcast<N>(model));
-        foreach (var i in packets)
+        var (range, rays) = (clip, part.Rays);
+        var shapes = arranged.Items;
+        var packets = part.Packets;
+        var places = part.Places;
+        for (var i = first; i < end; i++)
         {
-            var crossings = shape.Cross(rays.RaysAt<N>(i));
-            rays.Keep(i, N.Or(crossings.Near, crossings.Far), index);
+            ref readonly var it = ref shapes[places[i]];
+            var at = packets[i];
+            var crossings = it.Shape.Cross(rays.RaysAt<N>(at));
+            // The question which crossings count costs about as much as the formula of a sphere.
+            var hit = isClear ? N.Or(crossings.Near, crossings.Far) : range.First(crossings, rays.ZPerTAt<N>(at));
+            rays.Keep(at, hit, Lanes.Broadcast<N>(it.Model));
         }
     }
 }

@@ -15,7 +15,9 @@ internal sealed class CrowdPart(Camera camera)
 
     private const int BlockSide = 8, BlocksAcross = Side / BlockSide, Blocks = BlocksAcross * BlocksAcross;
 
-    private readonly int[] packets = new int[Blocks * BlockSide * BlockSide / 4 * CrowdBatch.Count];
+    private const int MostListed = Blocks * BlockSide * BlockSide / 4 * Crowd.Batch;
+
+    private readonly int[] packets = new int[MostListed], places = new int[MostListed];
     private readonly double[] farthest = new double[Blocks]; // the greatest t of the nearest hits in each block
     private Tile tile;
     private Sides sides;
@@ -66,12 +68,12 @@ internal sealed class CrowdPart(Camera camera)
     }
 
     /// <summary>Lists the packets in a member's rectangle where not all hits so far are nearer than it.</summary>
-    /// <returns>Where in the list they are.</returns>
+    /// <returns>Where in the list they end.</returns>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public (int First, int End) List<N>(Sides member, float nearest) where N : struct, IPacket<N>
+    public int List<N>(in CrowdMember member) where N : struct, IPacket<N>
     {
-        var first = count;
-        var shared = sides.And(member);
+        var (nearest, place) = (member.Nearest, member.Place);
+        var shared = sides.And(member.Sides);
         var (left, right) = (shared.Left - tile.Column, shared.Right - 1 - tile.Column);
         var (bottom, top) = (shared.Bottom - tile.Row, shared.Top - 1 - tile.Row);
         var columns = (2u << (right / BlockSide)) - (1u << (left / BlockSide)); // a bit for each block
@@ -80,7 +82,7 @@ internal sealed class CrowdPart(Camera camera)
         var blocks = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible<N>(nearest);
         touched |= blocks;
         var least = Lanes.Broadcast<N>(nearest);
-        var (rays, packets, end) = (Rays, this.packets, first);
+        var (rays, packets, places, end) = (Rays, this.packets, this.places, count);
         for (; blocks != 0; blocks &= blocks - 1)
         {
             var block = BitOperations.TrailingZeroCount(blocks);
@@ -91,16 +93,19 @@ internal sealed class CrowdPart(Camera camera)
                 for (var x = 0; x < BlockSide; x += N.Count)
                 {
                     packets[end] = i + x;
+                    places[end] = place;
                     end += (N.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
                 }
             }
         }
-        count = end;
-        return (first, end);
+        return count = end;
     }
 
-    /// <summary>Packets that have been listed.</summary>
-    public ReadOnlySpan<int> Listed((int First, int End) range) => packets.AsSpan(range.First, range.End - range.First);
+    /// <summary>Of each packet that is listed the pixel where it begins.</summary>
+    public ReadOnlySpan<int> Packets => packets;
+
+    /// <summary>And the place in its group of the member that it may hit.</summary>
+    public ReadOnlySpan<int> Places => places;
 
     /// <summary>A bit for each block: whether it has pixels whose nearest hit is not nearer than this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
