@@ -12,15 +12,17 @@ public class OutlineTests
     private static readonly Triangle triangle = new(new(1, 0, 0), new(0, 1, 0.5), new(-1, -1, 0));
     private static readonly Mesh cube = Solids.Cube(), ball = Solids.Icosphere(2);
 
-    /// <summary>Shapes of about length 1 around the origin, and points of their outlines for rays of a direction.</summary>
-    private static readonly Dictionary<string, (Model Model, Func<Random, Vector3, Vector3> Outline)> shapes = new()
+    /// <summary>Shapes of about length 1 around the origin, and points of their outlines for a camera's rays of a direction.</summary>
+    private static readonly Dictionary<string, (Model Model, Func<Random, Camera, Vector3, Vector3> Outline)> shapes = new()
     {
-        ["sphere"] = (Model.Of(new Sphere(Vector3.Zero, 1)), (random, d) => (Some.Direction(random) % d).Normalized),
-        ["aabb"] = (Model.Of(new Aabb(new(-1, -1, -1), new(1, 1, 1))), (random, _) => OnOutline(random, cube)),
-        ["circle"] = (Model.Of(new Circle(Vector3.Zero, up, 1)), (random, _) => (Some.Direction(random) % up).Normalized),
-        ["triangle"] = (Model.Of(triangle), (random, _) => OnOutline(random, triangle)),
-        ["cube of triangles"] = (cube, (random, _) => OnOutline(random, cube)),
-        ["ball of triangles"] = (ball, (random, _) => OnOutline(random, ball)),
+        ["sphere"] = (Model.Of(new Sphere(Vector3.Zero, 1)), (random, _, d) => (Some.Direction(random) % d).Normalized),
+        ["sphere at its sides"] = (Model.Of(new Sphere(Vector3.Zero, 1)), (random, camera, d) =>
+            (random.Next(2) * 2 - 1) * (d % (random.Next(2) == 0 ? camera.U : camera.V)).Normalized),
+        ["aabb"] = (Model.Of(new Aabb(new(-1, -1, -1), new(1, 1, 1))), (random, _, _) => OnOutline(random, cube)),
+        ["circle"] = (Model.Of(new Circle(Vector3.Zero, up, 1)), (random, _, _) => (Some.Direction(random) % up).Normalized),
+        ["triangle"] = (Model.Of(triangle), (random, _, _) => OnOutline(random, triangle)),
+        ["cube of triangles"] = (cube, (random, _, _) => OnOutline(random, cube)),
+        ["ball of triangles"] = (ball, (random, _, _) => OnOutline(random, ball)),
     };
 
     public static TheoryData<string> Shapes => [.. shapes.Keys];
@@ -32,6 +34,7 @@ public class OutlineTests
     /// <summary>With so many models behind the camera that they are found as a crowd.</summary>
     [Theory]
     [InlineData("sphere")]
+    [InlineData("sphere at its sides")] // where the rectangle in which it is looked for ends
     [InlineData("aabb")]
     [InlineData("circle")]
     [InlineData("triangle")]
@@ -51,8 +54,9 @@ public class OutlineTests
             var (look, tilt) = (Some.Direction(random), Some.Direction(random));
 
             // The camera is put where the ray of this pixel passes through a point of the outline.
-            var d = new Camera(Vector3.Zero, look, tilt, fovY, width, height).CastRay(column, row).Direction;
-            var position = outline(random, d) - distance * d;
+            var turned = new Camera(Vector3.Zero, look, tilt, fovY, width, height);
+            var d = turned.CastRay(column, row).Direction;
+            var position = outline(random, turned, d) - distance * d;
             var camera = new Camera(position, position + distance * look, tilt, fovY, width, height, zFar: 2 * distance);
             var behind = Model.Of(new Sphere(position - distance * look, 1));
             var scene = new Scene(camera, [.. Enumerable.Repeat(behind, companions), model]);

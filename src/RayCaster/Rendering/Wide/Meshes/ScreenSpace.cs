@@ -68,6 +68,9 @@ internal sealed class ScreenSpace
     /// <summary>Pixels by which floats may.</summary>
     public float Margin { get; init; }
 
+    /// <summary>What some float operations on numbers of a size of up to 1 are off by at most.</summary>
+    public float Roundings { get; init; } = 1f / (1 << 20);
+
     /// <summary>Twice the area of a triangle by its width and height, in pixels, from which its t lies safely on its plane.</summary>
     public float LeastWidth { get; init; }
 

@@ -21,9 +21,6 @@ internal static class TriangleSetUp
     /// <summary>A sample with a side function below the first is surely outside, with all above the second surely covered.</summary>
     public const int Outside = 18, Inside = 19;
 
-    /// <summary>What some float operations on numbers of a size of up to 1 are off by at most.</summary>
-    public const float Roundings = 1f / (1 << 20);
-
     /// <summary>Numbers in all.</summary>
     public const int Length = 8 * 20;
 
@@ -34,7 +31,7 @@ internal static class TriangleSetUp
         var t = triangles.See(first);
         Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;
         var margin = Vector256.Create(screen.Margin);
-        var rounding = Vector256.Create(Roundings);
+        var rounding = Vector256.Create(screen.Roundings);
         var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
         var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
         var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
@@ -47,8 +44,9 @@ internal static class TriangleSetUp
         top = Vector256.MinNative(Vector256.Floor(top + margin), Vector256.Create(tile.Height - 1f));
         var shows = Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top);
 
-        // Twice the areas of the triangles that the first sample makes with the sides. With corners off by δ each is off by at most 6 δ · size, since
-        // a sample within the box is no farther than the size from any corner; rounding adds some 2⁻²⁴ of the size's square for each operation.
+        // Twice the areas of the triangles that a sample makes with the sides: (b − s) × (c − s). With corners off by δ such a product is off by 2 δ · size,
+        // since a sample in the box is not farther from a corner than the box is wide and high. It, and its steps to the right and upwards, round
+        // seven times by 2⁻²⁴ · size times how far a sample may be from a corner, and of that δ holds 2 · 2⁻²⁴ (ScreenSpace.Margin): less than 4 δ · size.
         var area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
         var sign = Vector256.ConditionalSelect(Vector256.LessThan(area, zero), -one, one);
         area *= sign;
@@ -58,7 +56,7 @@ internal static class TriangleSetUp
         var u = (left - bx) * uRight + (bottom - by) * uUp;
         var v = (left - cx) * vRight + (bottom - cy) * vUp;
         var w = (left - ax) * wRight + (bottom - ay) * wUp;
-        var slack = size * (Vector256.Create(6f) * margin + size * rounding);
+        var slack = Vector256.Create(6f) * margin * size;
 
         // Beside one of its sides lies the whole box, or what the tile leaves of it.
         var (across, upwards) = (right - left, top - bottom);
@@ -115,7 +113,7 @@ internal static class TriangleSetUp
         var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
         var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
         var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
-        var slack = size * (Vector256.Create(6f) * margin + size * Vector256.Create(Roundings));
+        var slack = Vector256.Create(6f) * margin * size;
         area = u + v + w;
         return Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
     }
