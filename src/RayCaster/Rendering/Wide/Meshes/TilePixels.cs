@@ -13,8 +13,8 @@ internal sealed class TilePixels(ScreenSpace screen, Vector3[] vertices, int[] i
     /// <summary>From a pixel to the one above it. What a packet at the end of a row holds of the next one stays as it is.</summary>
     public const int Stride = Tile.MaxSide;
 
-    /// <summary>How many pixels there are, with room for a packet that begins at the last.</summary>
-    public const int Size = Stride * Tile.MaxSide + 8;
+    /// <summary>How many pixels there are, with room for a packet that begins at the last, and for a row above, since rows are looked at by twos.</summary>
+    public const int Size = Stride * (Tile.MaxSide + 1) + 8;
 
     private const int QueueLength = 1 << 14;
 

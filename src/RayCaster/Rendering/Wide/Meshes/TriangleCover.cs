@@ -122,7 +122,7 @@ internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
     private static Vector256<float> At(ref float setup, int field, Vector256<float> right, Vector256<float> up) => Vector256.MultiplyAddEstimate(
         up, Field(ref setup, field + 2), Vector256.MultiplyAddEstimate(right, Field(ref setup, field + 1), Field(ref setup, field)));
 
-    /// <summary>Takes the triangles that are set up, eight pixels of a row at a time.</summary>
+    /// <summary>Takes the triangles that are set up, eight pixels of two rows at a time.</summary>
     /// <param name="triangle">The first of the mesh's triangles, which the others follow.</param>
     /// <param name="shows">Which of them to look at.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -139,13 +139,13 @@ internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
         {
             var lane = BitOperations.TrailingZeroCount(shows);
             ref var s = ref Unsafe.Add(ref fields, lane);
-            var name = Vector256.Create(Unsafe.Add(ref triangle, lane));
+            var name = Vector512.Create(Unsafe.Add(ref triangle, lane));
             var (first, width, height) = (Whole(ref s, TriangleSetUp.Pixel), Whole(ref s, TriangleSetUp.Across), Whole(ref s, TriangleSetUp.Upwards));
             var count = 0;
             for (var x = 0; x <= width; x += 8)
             {
-                var across = Vector256.Create(0f, 1, 2, 3, 4, 5, 6, 7) + Vector256.Create((float)x);
-                var inBox = Vector256.LessThanOrEqual(across, Vector256.Create((float)width));
+                var across = Vector512.Create(0f, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7) + Vector512.Create((float)x);
+                var inBox = Vector512.LessThanOrEqual(across, Vector512.Create((float)width));
                 var u = All(ref s, TriangleSetUp.U) + across * All(ref s, TriangleSetUp.U + 1);
                 var v = All(ref s, TriangleSetUp.V) + across * All(ref s, TriangleSetUp.V + 1);
                 var w = All(ref s, TriangleSetUp.W) + across * All(ref s, TriangleSetUp.W + 1);
@@ -154,30 +154,33 @@ internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
                 var (upDepth, slack) = (All(ref s, TriangleSetUp.Depth + 2), All(ref s, TriangleSetUp.Slack));
                 var (most, least) = (All(ref s, TriangleSetUp.MostW), All(ref s, TriangleSetUp.LeastW));
                 var (outside, inside) = (All(ref s, TriangleSetUp.Outside), All(ref s, TriangleSetUp.Inside));
-                var up = Vector256<float>.Zero;
+                var up = Vector512.Create(0f, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
+                var last = Vector512.Create((float)height); // the second of two rows may be beyond it
                 var pixel = first + x;
-                for (var y = 0; y <= height; y++, pixel += TilePixels.Stride, up += Vector256<float>.One)
+                for (var y = 0; y <= height; y += 2, pixel += 2 * TilePixels.Stride, up += Vector512.Create(2f))
                 {
-                    var inner = Vector256.MinNative(Vector256.MultiplyAddEstimate(up, upU, u),
-                        Vector256.MinNative(Vector256.MultiplyAddEstimate(up, upV, v), Vector256.MultiplyAddEstimate(up, upW, w)));
-                    var nearness = Vector256.MultiplyAddEstimate(up, upDepth, depth);
-                    var upper = Vector256.MinNative(nearness + slack, most);
-                    var lower = Vector256.MaxNative(nearness - slack, least);
+                    var inner = Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upU, u),
+                        Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upV, v), Vector512.MultiplyAddEstimate(up, upW, w)));
+                    var nearness = Vector512.MultiplyAddEstimate(up, upDepth, depth);
+                    var upper = Vector512.MinNative(nearness + slack, most);
+                    var lower = Vector512.MaxNative(nearness - slack, least);
                     ref var coveredHere = ref Unsafe.Add(ref coveredAt, pixel);
                     ref var frontHere = ref Unsafe.Add(ref frontAt, pixel);
                     ref var proposedHere = ref Unsafe.Add(ref proposedAt, pixel);
-                    var (sure, before) = (Vector256.LoadUnsafe(ref coveredHere), Vector256.LoadUnsafe(ref frontHere));
-                    var possible = inBox & Vector256.GreaterThanOrEqual(inner, outside) & Vector256.GreaterThanOrEqual(upper, sure);
-                    var covers = possible & Vector256.GreaterThan(inner, inside);
-                    var wins = covers & Vector256.GreaterThan(lower, before);
-                    Vector256.ConditionalSelect(covers, Vector256.MaxNative(sure, lower), sure).StoreUnsafe(ref coveredHere);
-                    Vector256.ConditionalSelect(wins, upper, before).StoreUnsafe(ref frontHere);
-                    Vector256.ConditionalSelect(wins.AsInt32(), name, Vector256.LoadUnsafe(ref proposedHere)).StoreUnsafe(ref proposedHere);
+                    var (sure, before) = (Two(ref coveredHere), Two(ref frontHere));
+                    var possible = inBox & Vector512.LessThanOrEqual(up, last) & Vector512.GreaterThanOrEqual(inner, outside) & Vector512.GreaterThanOrEqual(upper, sure);
+                    var covers = possible & Vector512.GreaterThan(inner, inside);
+                    var wins = covers & Vector512.GreaterThan(lower, before);
+                    Store(Vector512.ConditionalSelect(covers, Vector512.MaxNative(sure, lower), sure), ref coveredHere);
+                    Store(Vector512.ConditionalSelect(wins, upper, before), ref frontHere);
+                    Store(Vector512.ConditionalSelect(wins.AsInt32(), name, Two(ref proposedHere)), ref proposedHere);
 
-                    var unsure = Vector256.AndNot(possible, wins).ExtractMostSignificantBits();
+                    var unsure = (uint)Vector512.AndNot(possible, wins).ExtractMostSignificantBits();
                     if (unsure == 0) continue;
                     upper.StoreUnsafe(ref Unsafe.Add(ref uppers, 8 * count)); // a call here would put all that is in registers on the stack
-                    (Unsafe.Add(ref unsureAt, count), Unsafe.Add(ref pixelAt, count)) = (unsure, pixel);
+                    (Unsafe.Add(ref unsureAt, count), Unsafe.Add(ref pixelAt, count)) = (unsure & 0xFF, pixel);
+                    count++;
+                    (Unsafe.Add(ref unsureAt, count), Unsafe.Add(ref pixelAt, count)) = (unsure >> 8, pixel + TilePixels.Stride);
                     count++;
                 }
             }
@@ -187,10 +190,20 @@ internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
 
     /// <summary>One triangle's number in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> All(ref float triangle, int field) => Vector256.Create(Unsafe.Add(ref triangle, 8 * field));
+    private static Vector512<float> All(ref float triangle, int field) => Vector512.Create(Unsafe.Add(ref triangle, 8 * field));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Whole(ref float triangle, int field) => BitConverter.SingleToInt32Bits(Unsafe.Add(ref triangle, 8 * field));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<T> Two<T>(ref T at) => Vector512.Create(Vector256.LoadUnsafe(ref at), Vector256.LoadUnsafe(ref Unsafe.Add(ref at, TilePixels.Stride)));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static void Store<T>(Vector512<T> two, ref T at)
+    {
+        two.GetLower().StoreUnsafe(ref at);
+        two.GetUpper().StoreUnsafe(ref Unsafe.Add(ref at, TilePixels.Stride));
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Field(ref float setup, int field) => Vector256.LoadUnsafe(ref Unsafe.Add(ref setup, 8 * field));
