@@ -45,7 +45,8 @@ public sealed class HitMap(int width, int height) : ISpanSink
     }
 
     /// <inheritdoc/>
-    bool ISpanSink.TryTake(in Tile tile, ModelView view, int index) => false;
+    bool ISpanSink.TryTake(in Tile tile, ModelView view, int index) =>
+        view is ITileView alone && alone.Hit(tile, index, T, Model, PlaceOf(tile.Column, tile.Row), -Width);
 
     private void FillModels(in Tile part, int index)
     {

@@ -13,7 +13,7 @@ internal interface ISpanSink
     /// <param name="covered">The part; a small one if there are several shapes.</param>
     bool TryTake(CoveredPart covered);
 
-    /// <summary>Is offered a tile in which one model alone may show; whether it takes it without the hits.</summary>
+    /// <summary>Is offered a tile in which one model alone may show; whether it lets the model's view finish it.</summary>
     /// <param name="tile">The tile.</param>
     /// <param name="view">The model's view, which has come to the tile.</param>
     /// <param name="index">The model's place in the scene.</param>

@@ -46,10 +46,19 @@ internal interface ICoveringView
     bool Paint(RoughPainter painter, int index, bool isNear);
 }
 
-/// <summary>A view that can paint a tile in which nothing but its model may show, mostly without asking where exactly the rays hit it.</summary>
-internal interface IPaintingView
+/// <summary>A view that can finish a tile by itself, where nothing but its model may show.</summary>
+internal interface ITileView
 {
-    /// <summary>Writes the bytes of the tile that was entered last; false if it does not suit.</summary>
+    /// <summary>Writes down the hits of the tile that was entered last; false if it does not suit.</summary>
+    /// <param name="tile">The tile.</param>
+    /// <param name="index">The model's place in the scene.</param>
+    /// <param name="t">Room for the ray parameters; +∞ for no hit.</param>
+    /// <param name="models">Room for the models; −1 for no hit.</param>
+    /// <param name="first">The place of the lowest row's first pixel.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    bool Hit(in Tile tile, int index, double[] t, int[] models, int first, int step);
+
+    /// <summary>Writes its bytes, mostly without asking where exactly the rays hit the model; false if it does not suit.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="index">The model's place in it.</param>
     /// <param name="rgb">Room for the bytes.</param>

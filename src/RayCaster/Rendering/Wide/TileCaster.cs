@@ -77,7 +77,7 @@ internal sealed class TileCaster : IStripCaster
         }
         DropHidden(list, cover);
         if (crowd?.IsFor(tile) == true) CastCrowd(crowd, tile, list);
-        else if (list.Count == 1 && views[list[0].Index] is IPaintingView) CastAlone(tile, list);
+        else if (list.Count == 1 && views[list[0].Index] is ITileView) CastAlone(tile, list);
         else Cut(tile, list);
     }
 

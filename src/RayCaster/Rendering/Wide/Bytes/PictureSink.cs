@@ -22,7 +22,7 @@ internal sealed class PictureSink(SpanShader shader, byte[] rgb, int width, int 
 
     /// <inheritdoc/>
     public bool TryTake(in Tile tile, ModelView view, int index) =>
-        view is IPaintingView painting && painting.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
+        view is ITileView alone && alone.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
 
     private int PlaceOf(int column, int row) => 3 * ((topRow - row) * width + column);
 }

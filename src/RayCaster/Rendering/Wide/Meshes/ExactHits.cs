@@ -13,14 +13,14 @@ internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] in
     /// <summary>How many questions are asked at once.</summary>
     private static int Length => Vector512.IsHardwareAccelerated ? WidePacket.Count : Packet.Count;
 
-    /// <summary>The t of each lane's hit that counts, or NaN.</summary>
-    /// <param name="span">The rays.</param>
-    /// <param name="pixel">The first ray of the packet.</param>
+    /// <summary>Where rays cross triangles, a lane for each pair.</summary>
+    /// <param name="rays">The rays.</param>
     /// <param name="triangle">The triangle of the first lane, which those of the others follow.</param>
     /// <typeparam name="N">The kind of packet.</typeparam>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public N Hit<N>(RaySpan span, int pixel, ref int triangle) where N : struct, IPacket<N> =>
-        span.First(pixel, Cross(span.RaysAt<N>(pixel), ref triangle));
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a caller grown too large operators, silently, become calls
+    public Crossings<N> Cross<N>(in Ray<N> rays, ref int triangle) where N : struct, IPacket<N> => Triangle.Cross(
+        new AlongRay<N>(rays),
+        N.Gather(vertices, indices, ref triangle, 0), N.Gather(vertices, indices, ref triangle, 1), N.Gather(vertices, indices, ref triangle, 2));
 
     /// <summary>Asks about a pixel and a triangle, sooner or later, and keeps the t if it is less than what stands at the place.</summary>
     /// <param name="column">The pixel's column.</param>
@@ -61,9 +61,4 @@ internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] in
         hit.Store(hits, 0);
         (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(nearness, 0);
     }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a caller grown too large operators, silently, become calls
-    private Crossings<N> Cross<N>(in Ray<N> rays, ref int triangle) where N : struct, IPacket<N> => Triangle.Cross(
-        new AlongRay<N>(rays),
-        N.Gather(vertices, indices, ref triangle, 0), N.Gather(vertices, indices, ref triangle, 1), N.Gather(vertices, indices, ref triangle, 2));
 }

@@ -5,7 +5,7 @@ namespace RayCaster;
 /// each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and where, the
 /// triangle's formula decides.
 /// </summary>
-internal sealed class MeshView : ModelView, IPaintingView
+internal sealed class MeshView : ModelView, ITileView
 {
     private readonly ScreenSpace screen;
     private readonly Vector3[] vertices;
@@ -74,6 +74,14 @@ internal sealed class MeshView : ModelView, IPaintingView
     public override void Free()
     {
         foreach (var set in sets) set.Free();
+    }
+
+    /// <inheritdoc/>
+    public bool Hit(in Tile tile, int index, double[] t, int[] models, int first, int step)
+    {
+        if (hard is not null || tile.Width < WidePacket.Count) return false;
+        filter!.Hit(index, t, models, first, step);
+        return true;
     }
 
     /// <inheritdoc/>

@@ -61,6 +61,9 @@ internal sealed class TileFilter
         if (!isEmpty) pixels.Meet(span, index);
     }
 
+    /// <inheritdoc cref="TilePixels.Hit(int, double[], int[], int, int)"/>
+    public void Hit(int index, double[] t, int[] models, int first, int step) => pixels.Hit(index, t, models, first, step);
+
     /// <inheritdoc cref="TilePixels.Paint"/>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => pixels.Paint(painter, rgb, first, step);
 

@@ -19,6 +19,7 @@ internal sealed class TilePixels(ScreenSpace screen, Vector3[] vertices, int[] i
     private const int QueueLength = 1 << 14;
 
     private readonly ExactHits exact = new(screen, vertices, indices);
+    private readonly Columns columns = new(screen.Camera, Tile.MaxSide);
     private readonly double[] decided = new double[Size]; // the least t of the hits that had to be decided by the formula
     private readonly GrowingArray<(int Pixel, int Triangle, float MostW)> queue = new();
     private readonly Twins twins = new(vertices, indices);
@@ -108,9 +109,8 @@ internal sealed class TilePixels(ScreenSpace screen, Vector3[] vertices, int[] i
         for (var i = 0; i < span.Length; i += N.Count)
         {
             var at = first + i;
-            var any = N.Count == 8 ? Vector256.LoadUnsafe(ref Front[at]) : Vector256.Create(Vector128.LoadUnsafe(ref Front[at]), default);
             var hit = Lanes.Broadcast<N>(double.NaN);
-            if (any != Vector256<float>.Zero) hit = exact.Hit<N>(span, i, ref Proposed[at]);
+            if (HasAny<N>(at)) hit = span.First(i, exact.Cross(span.RaysAt<N>(i), ref Proposed[at]));
             if (hasDecided)
             {
                 var other = N.Load(decided, at);
@@ -119,6 +119,55 @@ internal sealed class TilePixels(ScreenSpace screen, Vector3[] vertices, int[] i
             span.Keep(i, hit, Lanes.Broadcast<N>(index));
         }
     }
+
+    /// <summary>Writes down the hits of the tile, which has the width of a packet at least, and in which nothing but the mesh may show.</summary>
+    /// <param name="index">The place of the mesh in the scene.</param>
+    /// <param name="t">Room for the ray parameters; +∞ for no hit.</param>
+    /// <param name="models">Room for the models; −1 for no hit.</param>
+    /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    public void Hit(int index, double[] t, int[] models, int first, int step)
+    {
+        if (Vector512.IsHardwareAccelerated) Hit<WidePacket>(index, t, models, first, step);
+        else Hit<Packet>(index, t, models, first, step);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Hit<N>(int index, double[] t, int[] models, int first, int step) where N : struct, IPacket<N>
+    {
+        var (camera, miss) = (screen.Camera, Lanes.Broadcast<N>(double.PositiveInfinity));
+        var (some, none) = (Lanes.Broadcast<N>(index), Lanes.Broadcast<N>(-1));
+        columns.Enter<N>(tile.Column, tile.Width);
+        for (var row = 0; row < tile.Height; row++, first += step)
+        {
+            var upwards = camera.Upwards(Lanes.Broadcast<N>(tile.Row + row));
+            for (var next = 0; next < tile.Width; next += N.Count)
+            {
+                var i = Math.Min(next, tile.Width - N.Count); // the last packet may overlap the one before
+                var at = row * Stride + i;
+                var hit = miss;
+                if (HasAny<N>(at))
+                {
+                    var direction = camera.Direction(columns.At<N>(i), upwards);
+                    var crossings = exact.Cross(new Ray<N>(camera.Position, direction), ref Proposed[at]);
+                    hit = N.Or(camera.ClipRange.First(crossings, camera.ZPerT(direction)), miss);
+                }
+                if (hasDecided)
+                {
+                    var other = N.Load(decided, at);
+                    hit = N.Select(hit <= other, hit, other);
+                }
+                hit.Store(t, first + i);
+                N.Select(hit < miss, some, none).StoreWhole(models, first + i);
+            }
+        }
+    }
+
+    /// <summary>Whether any pixel of a packet has a proposed triangle.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool HasAny<N>(int pixel) where N : struct, IPacket<N> => N.Count == 8
+        ? Vector256.LoadUnsafe(ref Front[pixel]) != Vector256<float>.Zero
+        : Vector128.LoadUnsafe(ref Front[pixel]) != Vector128<float>.Zero;
 
     /// <summary>Writes the bytes of the tile, in which nothing but the mesh may show.</summary>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step)

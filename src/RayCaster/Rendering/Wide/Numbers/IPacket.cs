@@ -38,4 +38,7 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
 
     /// <summary>Puts the packet at a place in an array.</summary>
     void Store(double[] numbers, int first);
+
+    /// <summary>Puts numbers that are whole and within ±2³¹ there.</summary>
+    void StoreWhole(int[] numbers, int first);
 }

@@ -106,6 +106,9 @@ internal struct Packet : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void StoreWhole(int[] numbers, int first) => ToInts().StoreUnsafe(ref numbers[first]);
+
     /// <summary>The whole parts of numbers from 0 to 2³¹.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector128<int> ToInts() => Avx.IsSupported

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster;
 
@@ -107,4 +108,12 @@ internal struct WidePacket : IPacket<WidePacket>
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public readonly void StoreWhole(int[] numbers, int first) => ToInts().StoreUnsafe(ref numbers[first]);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private readonly Vector256<int> ToInts() => Avx512F.IsSupported
+        ? Avx512F.ConvertToVector256Int32WithTruncation(Lanes)
+        : Vector256.Create(new Packet(Lanes.GetLower()).ToInts(), new Packet(Lanes.GetUpper()).ToInts());
 }
