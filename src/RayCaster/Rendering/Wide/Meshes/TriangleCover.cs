@@ -7,13 +7,16 @@ namespace RayCaster;
 
 /// <summary>One thread's tool: covers the pixels of a tile with triangles.</summary>
 /// <remarks>
-/// Every second sample of a box is outside or hidden, and no processor foresees which. So pixels are written whether or not anything changes; only what is
-/// not sure, which is rare, has a branch.
+/// Every second sample of a small box is outside or hidden, and no processor foresees which. So pixels are written whether or not anything changes; only what is
+/// not sure, which is rare, has a branch. In a large box what is outside lies together.
 /// </remarks>
 internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
 {
     /// <summary>Triangles whose boxes have at most as many samples a side are small.</summary>
     public const int SmallSide = 2;
+
+    /// <summary>Those with at least as many on one side are large: most of the box of a long one is outside.</summary>
+    private const int LargeSide = 24;
 
     private readonly float[] upperOfLane = new float[8], lowerOfLane = new float[8];
     private readonly float[] unsureUppers = new float[TilePixels.Size]; // of the triangle at work: packets with pixels that are not sure
@@ -141,6 +144,7 @@ internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
             ref var s = ref Unsafe.Add(ref fields, lane);
             var name = Vector512.Create(Unsafe.Add(ref triangle, lane));
             var (first, width, height) = (Whole(ref s, TriangleSetUp.Pixel), Whole(ref s, TriangleSetUp.Across), Whole(ref s, TriangleSetUp.Upwards));
+            var isLarge = Math.Max(width, height) >= LargeSide;
             var count = 0;
             for (var x = 0; x <= width; x += 8)
             {
@@ -169,6 +173,7 @@ internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
                     ref var proposedHere = ref Unsafe.Add(ref proposedAt, pixel);
                     var (sure, before) = (Two(ref coveredHere), Two(ref frontHere));
                     var possible = inBox & Vector512.LessThanOrEqual(up, last) & Vector512.GreaterThanOrEqual(inner, outside) & Vector512.GreaterThanOrEqual(upper, sure);
+                    if (isLarge && possible == Vector512<float>.Zero) continue;
                     var covers = possible & Vector512.GreaterThan(inner, inside);
                     var wins = covers & Vector512.GreaterThan(lower, before);
                     Store(Vector512.ConditionalSelect(covers, Vector512.MaxNative(sure, lower), sure), ref coveredHere);
