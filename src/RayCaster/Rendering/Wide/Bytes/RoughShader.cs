@@ -1,6 +1,5 @@
 using System.Runtime.CompilerServices;
 using System.Runtime.Intrinsics;
-using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster;
 
@@ -73,8 +72,7 @@ internal sealed class RoughShader
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<int> PlacesAt(RaySpan span, int pixel)
     {
-        var (first, second) = (span.ModelsAt<WidePacket>(pixel).Lanes, span.ModelsAt<WidePacket>(pixel + WidePacket.Count).Lanes);
-        var models = Vector512.Create(Avx512F.ConvertToVector256Int32WithTruncation(first), Avx512F.ConvertToVector256Int32WithTruncation(second));
+        var models = Vector512.Create(span.ModelsAt<WidePacket>(pixel).ToInts(), span.ModelsAt<WidePacket>(pixel + WidePacket.Count).ToInts());
         return models + Vector512<int>.One;
     }
 

@@ -112,8 +112,9 @@ internal struct WidePacket : IPacket<WidePacket>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void StoreWhole(int[] numbers, int first) => ToInts().StoreUnsafe(ref numbers[first]);
 
+    /// <summary>The whole parts of numbers within ±2³¹.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private readonly Vector256<int> ToInts() => Avx512F.IsSupported
+    public readonly Vector256<int> ToInts() => Avx512F.IsSupported
         ? Avx512F.ConvertToVector256Int32WithTruncation(Lanes)
         : Vector256.Create(new Packet(Lanes.GetLower()).ToInts(), new Packet(Lanes.GetUpper()).ToInts());
 }
