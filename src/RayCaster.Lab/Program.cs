@@ -1,5 +1,5 @@
 using Lab;
-using RayCaster;
+using RayCaster.Files;
 
 if (args is not [var sceneFile, var pictureFile])
 {

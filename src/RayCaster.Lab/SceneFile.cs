@@ -27,7 +27,8 @@ public static class SceneFile
         return scene;
     }
 
-    private static IEnumerable<Model> PartsOf(RayCaster.Model model) => model switch
+    /// <summary>A model of the library as one of the lab; a mesh as many.</summary>
+    public static IEnumerable<Model> PartsOf(RayCaster.Model model) => model switch
     {
         Model<RayCaster.Plane> { Primitive: var p } => [new Plane(Of(p.Point), Of(p.Normal))],
         Model<RayCaster.Sphere> { Primitive: var s } => [new Sphere(Of(s.Center), s.Radius)],

@@ -8,24 +8,22 @@ public static class Todo
         (1, "IDE & Vectors", "vectors"),
         (2, "Ray", "ray"),
         (3, "Ray – Plane Intersection", "plane"),
-        (4, "Camera", "camera"),
-        (4, "Camera Pixel Translation", "ray through a pixel"),
-        (4, "Ray Casting", "ray casting"),
+        (4, "Camera", "camera"), (4, "Camera Pixel Translation", "ray through a pixel"), (4, "Ray Casting", "ray casting"),
         (5, "Primitive Shading", "attenuation"),
-        (6, "zNear & zFar", "zNear and zFar"),
-        (6, "Bias", "bias"),
-        (7, "AABB – intersection parameters", "slab"),
-        (7, "AABB checking for intersection", "box"),
-        (8, "Sphere – Geometric Solution", "sphere"),
-        (8, "Sphere – Analytical Solution", "analytical sphere"),
+        (6, "zNear & zFar", "zNear and zFar"), (6, "Bias", "bias"),
+        (7, "AABB – intersection parameters", "slab"), (7, "AABB checking for intersection", "box"),
+        (8, "Sphere – Geometric Solution", "sphere"), (8, "Sphere – Analytical Solution", "analytical sphere"),
         (9, "Circle", "circle"),
         (10, "Triangle", "triangle"),
     ];
 
-    private static HashSet<string> notes; // only while Report listens
+    private static HashSet<string> notes; // only while Missing listens
 
     /// <summary>Notes that the body where this stands is not written.</summary>
-    public static void Note(string slide) => notes?.Add(slide);
+    public static void Note(string slide)
+    {
+        if (notes is { } set) lock (set) set.Add(slide);
+    }
 
     /// <summary>The same where a value is needed for the time being.</summary>
     public static T Note<T>(string slide, T value)
@@ -34,26 +32,29 @@ public static class Todo
         return value;
     }
 
-    /// <summary>One line that says what is not written yet; empty if all is. Calls everything once to find out.</summary>
-    public static string Report()
+    /// <summary>What is not written yet. Calls everything once to find out.</summary>
+    public static (int Step, string Slide, string What)[] Missing()
     {
-        notes = [];
+        var set = notes = [];
         var (v, ray) = (new Vector3(1, 2, 3), new Ray(Vector3.Zero, new(1, 0, 0)) { HitModel = new Plane(Vector3.Zero, new(1, 0, 0)) });
-        var camera = new Camera(v, Vector3.Zero, new(0, 0, 1), 45, 1, 1);
+        Camera camera = null;
         Action[] calls =
         [
-            () => _ = ((v + v - 2 * v) % v).Length * (v * v),
+            () => camera = new(v, Vector3.Zero, new(0, 0, 1), 45, 1, 1), () => camera.Direction(0, 0), () => camera.Shade(ray),
+            () => new Scene(camera, new(0, 0, 0)).CastRay(0, 0),
+            () => _ = v + v, () => _ = v - v, () => _ = 2 * v, () => _ = v * v, () => _ = v % v, () => _ = v.Length,
             () => ray.Hit(1, null), () => ray.At(1), () => ray.Counts(1), () => ray.HitModel.Intersect(ray),
-            () => camera.Direction(0, 0), () => camera.Shade(ray), () => new Scene(camera, new(0, 0, 0)).CastRay(0, 0),
             () => new Aabb(v, v).Intersect(ray), () => Aabb.Slab(0, 1, 0, 1),
             () => new Sphere(v, 1).GeometricSolution(ray), () => new Sphere(v, 1).AnalyticalSolution(ray),
             () => new Circle(v, v, 1).Intersect(ray), () => new Triangle(v, v, v).Intersect(ray),
         ];
         foreach (var call in calls)
             try { call(); } catch (Exception) { } // the tests tell about that
-        var missing = bodies.Where(body => notes.Contains(body.Slide)).ToArray();
         notes = null;
-        return missing is not [var next, ..] ? ""
-            : $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"";
+        return [.. bodies.Where(body => set.Contains(body.Slide))];
     }
+
+    /// <summary>The same in one line; empty if all is written.</summary>
+    public static string Report() => Missing() is not [var next, ..] missing ? ""
+        : $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"";
 }

@@ -1,4 +1,6 @@
 using RayCaster;
+using RayCaster.Files;
+using RayCaster.Teaching;
 
 namespace Lab.Tests;
 
