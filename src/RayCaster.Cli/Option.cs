@@ -27,6 +27,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Preview = new("--preview", takesValue: false);
     public static readonly Option Measures = new("--measures", takesValue: false);
     public static readonly Option Json = new("--json", takesValue: false);
+    public static readonly Option Open = new("--open");
+    public static readonly Option Solution = new("--solution", takesValue: false);
     public static readonly Option Quiet = new("--quiet", "-q", takesValue: false);
     public static readonly Option NoProgress = new("--no-progress", takesValue: false);
     public static readonly Option Version = new("--version", takesValue: false);
@@ -36,7 +38,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option[] All =
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
-        Threads, Map, Color, Scene, Reference, Hint,
+        Threads, Map, Color, Scene, Reference, Hint, Open, Solution,
         Ledger, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
     ];
 

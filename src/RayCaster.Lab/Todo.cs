@@ -3,7 +3,8 @@ namespace Lab;
 /// <summary>Knows what is not written yet: each body that is to be written begins with a note, which goes when the body is written.</summary>
 public static class Todo
 {
-    private static readonly (int Step, string Slide, string What)[] bodies =
+    /// <summary>All bodies, in the order in which they are to be written.</summary>
+    public static readonly (int Step, string Slide, string What)[] Bodies =
     [
         (1, "IDE & Vectors", "vectors"),
         (2, "Ray", "ray"),
@@ -25,8 +26,7 @@ public static class Todo
         if (notes is { } set) lock (set) set.Add(slide);
     }
 
-    /// <summary>The same where a value is needed for the time being.</summary>
-    public static T Note<T>(string slide, T value)
+    public static T Note<T>(string slide, T value) // where a value is needed for the time being
     {
         Note(slide);
         return value;
@@ -51,7 +51,7 @@ public static class Todo
         foreach (var call in calls)
             try { call(); } catch (Exception) { } // the tests tell about that
         notes = null;
-        return [.. bodies.Where(body => set.Contains(body.Slide))];
+        return [.. Bodies.Where(body => set.Contains(body.Slide))];
     }
 
     /// <summary>The same in one line; empty if all is written.</summary>

@@ -1,9 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What the lab draws after each of its ten steps: the references of the hand-out.</summary>
-/// <remarks>
-/// 1 vectors, 2 ray, 3 plane, 4 camera and ray through a pixel, 5 shading, 6 zNear, zFar and bias, 7 box, 8 sphere, 9 circle, 10 triangle.
-/// </remarks>
+/// <summary>The ten steps in which students write the lab, and what it draws after each: the references of the hand-out.</summary>
 public static class LabSteps
 {
     /// <summary>How many steps there are.</summary>
@@ -13,6 +10,22 @@ public static class LabSteps
     public const int FirstPicture = 4;
 
     private const int Shading = 5, Clipping = 6;
+
+    /// <summary>The step in which the bodies of a slide are written, from 1; 0 for a title that no body has.</summary>
+    public static int StepOf(string slide) => slide switch
+    {
+        "IDE & Vectors" => 1,
+        "Ray" => 2,
+        "Ray – Plane Intersection" => 3,
+        "Camera" or "Camera Pixel Translation" or "Ray Casting" => 4,
+        "Primitive Shading" => Shading,
+        "zNear & zFar" or "Bias" => Clipping,
+        "AABB – intersection parameters" or "AABB checking for intersection" => 7,
+        "Sphere – Geometric Solution" or "Sphere – Analytical Solution" => 8,
+        "Circle" => 9,
+        "Triangle" => 10,
+        _ => 0,
+    };
 
     /// <summary>
     /// The part of a scene that the lab can show after a step: the models whose formula is written, and before the step of zNear, zFar and
