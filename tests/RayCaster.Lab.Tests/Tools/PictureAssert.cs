@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using RayCaster;
 using RayCaster.Files;
 using RayCaster.Teaching;
@@ -5,6 +6,7 @@ using RayCaster.Teaching;
 namespace Lab.Tests;
 
 /// <summary>Compares the lab's pictures with references, whichever program has drawn these.</summary>
+[StackTraceHidden] // the trace of a failure begins in the test
 public static class PictureAssert
 {
     /// <summary>The lab's picture of a scene is the reference, but for pixels on outlines, where the last bits decide.</summary>

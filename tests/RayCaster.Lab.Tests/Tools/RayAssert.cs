@@ -1,9 +1,11 @@
+using System.Diagnostics;
 using System.Globalization;
 using RayCaster;
 
 namespace Lab.Tests;
 
 /// <summary>Compares what the lab finds along a ray with what the library finds.</summary>
+[StackTraceHidden] // the trace of a failure begins in the test
 public static class RayAssert
 {
     /// <summary>Casts a ray at a model of the lab and of the library. Rays on an outline, where the last bits decide, are left out.</summary>
