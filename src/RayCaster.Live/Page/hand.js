@@ -1,6 +1,6 @@
 // Drag, wheel, keys and touch. Only by how much the hand has moved is said; where the camera then is, the server computes.
 import { $ } from "./dom.js";
-import { frames, pixelAt, size } from "./picture.js";
+import { pixelAt, size } from "./picture.js";
 import { ask } from "./server.js";
 
 const restAfter = 100;        // milliseconds without a move
@@ -12,7 +12,11 @@ const pointers = new Map();   // those that are down: where they were last
 let travelled = 0, wasMany = false;
 let pending = null;           // moves that wait for the next frame of the screen
 let timer = 0;
-let divisor = 1, judged = 0;
+let asked = 0;                // when the frame was asked for that has not come yet; 0 for none
+let divisor = 1, took = 16, taken = 0;
+const glide = 0.5;            // the part of a move that goes out with the next frame
+const longest = 250;          // milliseconds after which a frame is not waited for
+const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 /** Calls back where somebody clicks, points, or presses a key that steps. */
 export const hand = { onPoint: () => {}, onClick: () => {}, onStep: () => false, onLeave: () => {} };
@@ -78,45 +82,55 @@ stage.addEventListener("keydown", event => {
   event.preventDefault();
 });
 
-/** Adds a move to those that go out with the next frame of the screen. */
+/** Adds a move to those that wait. */
 function move(wish) {
   if (!pending) {
-    pending = { turn: [0, 0], shift: [0, 0], approach: 1 };
+    pending = { turn: [0, 0], shift: [0, 0], approach: 0 };
     requestAnimationFrame(send);
   }
   for (const name of ["turn", "shift"])
     if (wish[name]) pending[name] = pending[name].map((value, i) => value + wish[name][i]);
-  pending.approach *= wish.approach ?? 1;
+  if (wish.approach) pending.approach += Math.log(wish.approach);
   clearTimeout(timer);
   timer = setTimeout(rest, restAfter);
 }
 
-function send() {
+/**
+ * Sends a part of what waits, with each frame of the screen, once the frame before has come: so the camera glides from one event of the mouse to the
+ * next. All at once where nothing is to glide.
+ */
+function send(isLast = false) {
   if (!pending) return;
-  const { turn, shift, approach } = pending;
-  pending = null;
-  judge();
+  const now = performance.now();
+  if (isLast !== true && asked > 0 && now - asked < longest) return void requestAnimationFrame(send);
+  const left = Math.max(...pending.turn.map(Math.abs), ...pending.shift.map(Math.abs), Math.abs(pending.approach));
+  const part = isLast === true || left < 0.004 || still.matches ? 1 : glide;
+  const [turn, shift, approach] = [pending.turn.map(value => value * part), pending.shift.map(value => value * part), pending.approach * part];
   const wishes = { divisor };
   if (turn.some(Boolean)) wishes.turn = turn;
   if (shift.some(Boolean)) wishes.shift = shift;
-  if (approach !== 1) wishes.approach = approach;
+  if (approach !== 0) wishes.approach = Math.exp(approach);
+  asked = now;
   ask(wishes);
+  if (part === 1) pending = null;
+  else {
+    pending = { turn: pending.turn.map(value => value * (1 - part)), shift: pending.shift.map(value => value * (1 - part)), approach: pending.approach * (1 - part) };
+    requestAnimationFrame(send);
+  }
 }
 
 function rest() {
   clearTimeout(timer);
-  send();
+  send(true);
   ask({ rest: true });
 }
 
-/** Chooses how small the frames are: so that thirty come in a second, and sharp where the machine is fast enough. */
-function judge() {
-  const now = performance.now();
-  if (now - judged < 250) return;
-  const recent = frames.times.filter(time => time > now - 500);
-  judged = now;
-  if (recent.length < 3) return void (divisor = Math.max(divisor, size.width * size.height > 1e6 ? 2 : divisor));
-  const rate = (recent.length - 1) / (recent.at(-1) - recent[0]) * 1000;
-  if (rate < 32) divisor = Math.min(4, divisor + 1);
-  else if (rate > 55 && divisor > 1) divisor--;
-}
+/** Chooses how small the frames are while the camera moves: as large as lets thirty come in a second. */
+stage.addEventListener("frame", event => {
+  if (event.detail.isFinal || asked === 0) return;
+  took += (performance.now() - asked - took) / 4; // of the last frames, the newest most
+  asked = 0;
+  if (++taken < 4) return;
+  if (took > 26 && divisor < 4) [divisor, taken] = [divisor + 1, 0];
+  else if (took < 9 && divisor > 1) [divisor, taken] = [divisor - 1, -12];
+});

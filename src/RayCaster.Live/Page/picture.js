@@ -10,20 +10,16 @@ const contexts = Object.fromEntries(Object.entries(canvases).map(([name, canvas]
 /** The size at which the scene is shown, in pixels of the picture. */
 export const size = { width: 1, height: 1 };
 
-/** When frames came, for who wants to count them. */
-export const frames = { count: 0, times: [] };
+let count = 0; // of the frames so far
 
 on("frame", frame => {
   const name = layers[frame.layer];
   if (name === "picture") {
     paint("picture", frame);
-    frames.count++;
-    frames.times.push(performance.now());
-    if (frames.times.length > 600) frames.times.splice(0, 300);
     ask({ shown: frame.number });
     const canvas = canvases.picture;
     canvas.dataset.version = frame.version;
-    canvas.dataset.frames = frames.count;
+    canvas.dataset.frames = ++count;
     canvas.dataset.final = frame.isFinal;
     if (!frame.isFinal) show(canvases.map, false); // it is of another camera
     $("stage").dispatchEvent(new CustomEvent("frame", { detail: frame }));
