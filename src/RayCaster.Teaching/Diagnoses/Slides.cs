@@ -1,0 +1,30 @@
+namespace RayCaster.Teaching;
+
+/// <summary>The titles of the slides, as docs/slides-to-code.md has them.</summary>
+internal static class Slides
+{
+    public const string Vectors = "Vectors";
+    public const string CrossProduct = "Cross product";
+    public const string Camera = "Camera";
+    public const string RayThroughPixel = "Ray through a pixel";
+    public const string ClipPlanes = "Near and far plane";
+    public const string NearestHit = "Nearest hit";
+    public const string Plane = "Plane";
+    public const string Circle = "Circle";
+    public const string Sphere = "Sphere – Geometric Solution";
+    public const string Box = "Axis-aligned bounding box";
+    public const string Triangle = "Triangle – Barycentric Coordinates";
+    public const string Attenuation = "Attenuation";
+    public const string Picture = "Picture";
+
+    /// <summary>The slide of a shape's formula, by what a scene file calls the shape; null for a shape of one's own.</summary>
+    public static string? OfShape(string type) => type switch
+    {
+        "plane" => Plane,
+        "circle" => Circle,
+        "sphere" => Sphere,
+        "aabb" => Box,
+        "triangle" or "mesh" => Triangle,
+        _ => null,
+    };
+}
