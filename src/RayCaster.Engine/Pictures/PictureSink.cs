@@ -1,12 +1,21 @@
 namespace RayCaster.Engine;
 
-/// <summary>Writes the pixels of some lines of a picture.</summary>
+/// <summary>One thread's consumer of hits that writes the pixels of some lines of a picture.</summary>
 /// <param name="shader">Turns hits into bytes.</param>
-/// <param name="rgb">Room for the lines, three bytes a pixel.</param>
 /// <param name="width">Pixels in a line.</param>
-/// <param name="topRow">The row, from the bottom, that is the first of the lines.</param>
-internal sealed class PictureSink(SpanShader shader, byte[] rgb, int width, int topRow) : ISpanSink
+internal sealed class PictureSink(SpanShader shader, int width) : ISpanSink
 {
+    private byte[] rgb = [];
+    private int topRow;
+
+    /// <summary>Paints covered parts without exact hits; made when it is first needed.</summary>
+    private RoughPainter Painter => field ??= new(shader.Scene);
+
+    /// <summary>Goes to other lines.</summary>
+    /// <param name="rgb">Room for the lines, three bytes a pixel.</param>
+    /// <param name="topRow">The row, from the bottom, that is the first of the lines.</param>
+    public void Enter(byte[] rgb, int topRow) => (this.rgb, this.topRow) = (rgb, topRow);
+
     /// <inheritdoc/>
     public void Take(RaySpan span) => shader.Shade(span, rgb, PlaceOf(span.Column, span.Row), -3 * width);
 
@@ -18,11 +27,10 @@ internal sealed class PictureSink(SpanShader shader, byte[] rgb, int width, int 
 
     /// <inheritdoc/>
     public bool TryTake(CoveredPart covered) =>
-        RoughBytes.IsSupported && covered.Painter.Paint(covered, rgb, PlaceOf(covered.Part.Column, covered.Part.Row), -3 * width);
+        RoughBytes.IsSupported && Painter.Paint(covered, rgb, PlaceOf(covered.Part.Column, covered.Part.Row), -3 * width);
 
     /// <inheritdoc/>
-    public bool TryTake(in Tile tile, ModelView view, int index) =>
-        view is ITileView alone && alone.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
+    public bool TryTake(in Tile tile, ITileView view, int index) => view.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
 
     private int PlaceOf(int column, int row) => 3 * ((topRow - row) * width + column);
 }
