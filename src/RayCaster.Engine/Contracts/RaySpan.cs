@@ -170,7 +170,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     public void Keep<N>(int pixel, N hit, N modelIndex) where N : struct, IPacket<N>
     {
         var (nearest, models) = (NearestAt<N>(pixel), ModelsAt<N>(pixel));
-        var better = (hit < nearest) | (N.Equal(hit, nearest) & (modelIndex < models));
+        var better = Ray.IsNearer(hit, nearest) | (N.Equal(hit, nearest) & (modelIndex < models));
         Set(pixel, N.Select(better, hit, nearest), N.Select(better, modelIndex, models));
     }
 
@@ -180,7 +180,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
         for (var i = 0; i < Length; i++)
         {
             var ray = new Ray(origin, DirectionAt(i)) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
-            if (only.Intersect(ray) is not { } hit || !(hit < t[i] || (hit == t[i] && modelIndex < model[i]))) continue;
+            if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i]))) continue;
             t[i] = hit;
             model[i] = modelIndex;
         }
