@@ -1,16 +1,15 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>
 /// One thread's tool for scenes of few models: every ray meets every model that may show near its pixel. What a <see cref="TileCaster"/> does to spare work would take longer to compile than
 /// all of that work takes.
 /// </summary>
-/// <param name="camera">Where the rays start.</param>
-/// <param name="views">All models as the camera sees them, in the scene's order.</param>
-internal sealed class PlainCaster(Camera camera, ModelView[] views) : IStripCaster
+/// <param name="frame">All models as the camera sees them, in the scene's order.</param>
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal sealed class PlainCaster<N>(Frame<N> frame) : IStripCaster where N : struct, IPacket<N>
 {
-    private readonly RaySpan span = new(camera);
+    private readonly ModelView<N>[] views = Array.ConvertAll(frame.Views, view => view.ForThread());
+    private readonly RaySpan span = new(frame.Scene.Camera);
     private readonly List<int> near = []; // the models whose extents have pixels of the part
 
     /// <inheritdoc/>
@@ -18,14 +17,10 @@ internal sealed class PlainCaster(Camera camera, ModelView[] views) : IStripCast
     public void Cast(in Tile strip, ISpanSink sink)
     {
         for (var column = strip.Column; column < strip.EndColumn; column += RaySpan.MaxLength)
-        {
-            var part = strip with { Column = column, Width = Math.Min(RaySpan.MaxLength, strip.EndColumn - column) };
-            if (Vector512.IsHardwareAccelerated) Cast<WidePacket>(part, sink);
-            else Cast<Packet>(part, sink);
-        }
+            CastPart(strip with { Column = column, Width = Math.Min(RaySpan.MaxLength, strip.EndColumn - column) }, sink);
     }
 
-    private void Cast<N>(in Tile part, ISpanSink sink) where N : struct, IPacket<N>
+    private void CastPart(in Tile part, ISpanSink sink)
     {
         near.Clear();
         for (var i = 0; i < views.Length; i++)

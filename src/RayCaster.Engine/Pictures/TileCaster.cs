@@ -1,12 +1,11 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>
 /// One thread's tool: finds for the pixels of a tile the nearest hits. A strip is cut into tiles, and a tile in which several models may show into
 /// small parts; each drops the models that cannot show in it, and what is left meets the rays.
 /// </summary>
-internal sealed class TileCaster : IStripCaster
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 {
     /// <summary>The side of the small parts: a row of one is a few packets, for which a call is still cheap.</summary>
     private const int PartSide = 16;
@@ -16,15 +15,13 @@ internal sealed class TileCaster : IStripCaster
     /// <summary>With more models than this a look at what is hidden pays.</summary>
     private const int Few = 4;
 
-    private readonly Frame frame;
-    private readonly ModelView[] views;
+    private readonly Frame<N> frame;
+    private readonly ModelView<N>[] views;
     private readonly Tile[] extents;
     private readonly int[] places; // of the views' models in the scene
-    private readonly CrowdCaster? crowd;
-    private readonly RaySpan[] rows = new RaySpan[PartSide];
-    private readonly double[] farthest = new double[PartSide]; // of each row, the greatest t of the nearest hits so far
-    private readonly CoveredPart covered;
-    private readonly RaySpan block;
+    private readonly CrowdCaster<N>? crowd;
+    private readonly RaySpan span;
+    private readonly CoveredPart covered = new();
     private readonly Predicate<Candidate> isPrimitive, isCovering;
     private ISpanSink sink = null!;
     private readonly List<Candidate> candidates = []; // of the strip
@@ -32,16 +29,14 @@ internal sealed class TileCaster : IStripCaster
     private readonly List<Candidate>[] ofTiles = [[], [], [], [], [], [], [], []], ofParts = [[], [], [], [], [], [], [], []];
 
     /// <param name="frame">What all threads share.</param>
-    public TileCaster(Frame frame)
+    public TileCaster(Frame<N> frame)
     {
         this.frame = frame;
         views = Array.ConvertAll(frame.Views, view => view.ForThread());
         (extents, places) = (frame.Extents, frame.Places);
         if (frame.Crowd is not null) crowd = new(frame.Crowd, frame.Scene.Camera);
-        for (var i = 0; i < rows.Length; i++) rows[i] = new(frame.Scene.Camera);
+        span = new(frame.Scene.Camera, RaySpan.MaxArea);
         (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
-        covered = new(frame);
-        block = new(frame.Scene.Camera, RaySpan.MaxArea);
         isPrimitive = candidate => views[candidate.Index] is ICoveringView;
         isCovering = candidate => frame.IsLong && candidate.Range.Cover < double.PositiveInfinity && isPrimitive(candidate);
     }
@@ -77,11 +72,11 @@ internal sealed class TileCaster : IStripCaster
         }
         DropHidden(list, cover);
         if (crowd?.IsFor(tile) == true) CastCrowd(crowd, tile, list);
-        else if (list.Count == 1 && views[list[0].Index] is ITileView) CastAlone(tile, list);
+        else if (list.Count == 1 && views[list[0].Index] is ITileView alone) CastAlone(tile, list, alone);
         else Cut(tile, list);
     }
 
-    private void CastCrowd(CrowdCaster crowd, in Tile tile, List<Candidate> list)
+    private void CastCrowd(CrowdCaster<N> crowd, in Tile tile, List<Candidate> list)
     {
         crowd.Cast(tile, list.Count > 0 ? Meet : null, sink);
 
@@ -92,10 +87,9 @@ internal sealed class TileCaster : IStripCaster
     }
 
     /// <summary>Casts a tile in which one model alone may show, of which cutting the tile would tell no more.</summary>
-    private void CastAlone(in Tile tile, List<Candidate> list)
+    private void CastAlone(in Tile tile, List<Candidate> list, ITileView alone)
     {
-        var only = list[0].Index;
-        if (!(frame.IsLong && sink.TryTake(tile, views[only], places[only]))) CastRows(tile, list);
+        if (!(frame.IsLong && sink.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);
     }
 
     /// <summary>Casts a tile part by part.</summary>
@@ -200,68 +194,18 @@ internal sealed class TileCaster : IStripCaster
         list.RemoveRange(kept, list.Count - kept);
     }
 
+    /// <summary>Casts the rays of a part: row by row, or all rows at once where few models, all of them single shapes, may show in a small part.</summary>
     private void CastRows(in Tile part, List<Candidate> list)
     {
-        if (list.Count <= Few && part.Area <= RaySpan.MaxArea && part.Width % WidePacket.Count == 0 && list.TrueForAll(isPrimitive))
-        {
-            if (Vector512.IsHardwareAccelerated) CastAtOnce<WidePacket>(part, list);
-            else CastAtOnce<Packet>(part, list);
-            return;
-        }
-        var areMany = list.Count > Few && part.Height <= rows.Length;
-        if (Vector512.IsHardwareAccelerated && areMany) CastMany<WidePacket>(part, list);
-        else if (Vector512.IsHardwareAccelerated) CastRows<WidePacket>(part, list);
-        else if (areMany) CastMany<Packet>(part, list);
-        else CastRows<Packet>(part, list);
-    }
-
-    /// <summary>All rows at once: for few models in a small part.</summary>
-    private void CastAtOnce<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
-    {
-        block.Enter<N>(part.Column, part.Width);
-        block.Aim<N>(part.Row, part.Height);
-        foreach (var candidate in list) views[candidate.Index].Meet(block, places[candidate.Index]);
-        sink.Take(block);
-    }
-
-    /// <summary>Row by row: for few models.</summary>
-    private void CastRows<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
-    {
-        var span = rows[0];
+        var isSmall = list.Count <= Few && part.Area <= RaySpan.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
+        var rows = isSmall ? part.Height : 1;
         span.Enter<N>(part.Column, part.Width);
-        for (var row = part.Row; row < part.EndRow; row++)
+        for (var row = part.Row; row < part.EndRow; row += rows)
         {
-            span.Aim<N>(row);
+            span.Aim<N>(row, rows);
             foreach (var candidate in list) views[candidate.Index].Meet(span, places[candidate.Index]);
             sink.Take(span);
         }
-    }
-
-    /// <summary>Model by model, where there are many and the first hide most of the others.</summary>
-    private void CastMany<N>(in Tile part, List<Candidate> list) where N : struct, IPacket<N>
-    {
-        for (var i = 0; i < part.Height; i++)
-        {
-            rows[i].Enter<N>(part.Column, part.Width);
-            rows[i].Aim<N>(part.Row + i);
-            farthest[i] = double.PositiveInfinity;
-        }
-        var farthestOfAll = double.PositiveInfinity;
-        foreach (var candidate in list)
-        {
-            if (candidate.Range.Least > farthestOfAll) continue;
-            ref var extent = ref extents[candidate.Index];
-            var end = Math.Min(part.Height, extent.EndRow - part.Row);
-            for (var i = Math.Max(0, extent.Row - part.Row); i < end; i++)
-            {
-                if (candidate.Range.Least > farthest[i]) continue;
-                views[candidate.Index].Meet(rows[i], places[candidate.Index]);
-                farthest[i] = rows[i].Farthest<N>();
-            }
-            farthestOfAll = farthest[0];
-            for (var i = 1; i < part.Height; i++) farthestOfAll = Math.Max(farthestOfAll, farthest[i]);
-        }
-        for (var i = 0; i < part.Height; i++) sink.Take(rows[i]);
     }
 }
 

@@ -96,6 +96,12 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     /// <summary>Takes some numbers out of all questions: nothing is nearer than the hits there, which no sink sees, since they are not in the span's columns and rows.</summary>
     public void Hide(int first, int count) => Array.Fill(t, double.NegativeInfinity, first, count);
 
+    /// <summary>Where the rays start.</summary>
+    public Vector3 Origin => origin;
+
+    /// <summary>The direction of a pixel's ray.</summary>
+    public Vector3 DirectionAt(int pixel) => new(x[pixel], y[pixel], z[pixel]);
+
     /// <summary>The rays of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Ray<N> RaysAt<N>(int pixel) where N : struct, IPacket<N> =>
@@ -168,21 +174,12 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
         Set(pixel, N.Select(better, hit, nearest), N.Select(better, modelIndex, models));
     }
 
-    /// <summary>The greatest t of the nearest hits so far: what is not nearer than this anywhere does not show in the span.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public double Farthest<N>() where N : struct, IPacket<N>
-    {
-        var farthest = NearestAt<N>(0);
-        for (var i = N.Count; i < Length; i += N.Count) farthest = N.Max(farthest, NearestAt<N>(i));
-        return N.Greatest(farthest);
-    }
-
     /// <summary>Meets a model that knows only single rays.</summary>
     public void MeetOneByOne(Model only, int modelIndex)
     {
         for (var i = 0; i < Length; i++)
         {
-            var ray = new Ray(origin, new(x[i], y[i], z[i])) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
+            var ray = new Ray(origin, DirectionAt(i)) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
             if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i]))) continue;
             t[i] = hit;
             model[i] = modelIndex;

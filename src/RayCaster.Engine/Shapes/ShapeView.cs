@@ -1,9 +1,8 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>What the views of all kinds of shape have in common, so that only a shape's formula is compiled for each kind.</summary>
-internal abstract class ShapeView : ModelView
+/// <typeparam name="N">The kind of packet.</typeparam>
+internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
 {
     private readonly ClipRange clip;
 
@@ -44,8 +43,10 @@ internal abstract class ShapeView : ModelView
             first = Math.Max(0, Extent.Column - span.Column);
             end = Math.Min(end, Extent.EndColumn - span.Column);
         }
-        if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(span, first / WidePacket.Count * WidePacket.Count, end, index);
-        else Meet<Packet>(span, first / Packet.Count * Packet.Count, end, index);
+        first = first / N.Count * N.Count;
+        if (Nearest > 0 && span.Hides<N>(first, end, Nearest)) return;
+        Cross(span, first, end);
+        span.KeepNoted<N>(first, end, index);
     }
 
     /// <summary>Finds out where all the rays of some parts may cross the shape.</summary>
@@ -56,11 +57,4 @@ internal abstract class ShapeView : ModelView
     /// <param name="first">The first pixel, where a packet begins.</param>
     /// <param name="end">The pixel after the last.</param>
     protected abstract void Cross(RaySpan span, int first, int end);
-
-    private void Meet<N>(RaySpan span, int first, int end, int index) where N : struct, IPacket<N>
-    {
-        if (Nearest > 0 && span.Hides<N>(first, end, Nearest)) return;
-        Cross(span, first, end);
-        span.KeepNoted<N>(first, end, index);
-    }
 }
