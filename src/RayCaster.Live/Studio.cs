@@ -61,13 +61,16 @@ internal sealed class Studio
     {
         if (view.Look != Look.Plain) return Frame.Of(ModelPicture.Draw(scene, view.Look, view.Model, cancellation));
         var frame = new Frame(scene.Camera.Width, scene.Camera.Height);
+        var check = ScalarRenderer.IsChanged || CodeWatch.HasChanged ? new DefinitionCheck(scene, 0..scene.Camera.Height) : null;
         var pixel = 0;
-        new Renderer(scene).Draw(lines =>
+        new Renderer(scene) { ManyFrames = true }.Draw(lines =>
         {
+            check?.Take(lines);
             frame.Fill(lines, pixel);
             pixel += lines.Length / 3;
         }, cancellation: cancellation);
-        return frame;
+        // What is read is what draws: where the fast way no longer agrees with a change, the definition draws.
+        return check?.FirstDifference() is null ? frame : Frame.Of(ScalarRenderer.Render(scene));
     }
 }
 
@@ -83,7 +86,7 @@ internal sealed class MovingBuffer
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);
         if ((picture?.Width, picture?.Height) != (width, height))
             (picture, shown, next) = (new(width, height), new(width, height), new(width, height));
-        new Renderer(scene).DrawInto(picture!);
+        new Renderer(scene) { ManyFrames = true }.DrawInto(picture!);
         (shown, next) = (next, shown);
         return shown!.Fill(picture!.Rgb);
     }

@@ -14,7 +14,7 @@ internal sealed partial class Tab
         lock (gate)
         {
             if (!wantsMap || isMoving || map is not { } wanted) return;
-            (wantsMap, kind, seen) = (false, wanted, view with { Look = RayCaster.Look.Plain, Model = -1 });
+            (wantsMap, kind, seen) = (false, wanted, view with { Look = Teaching.Look.Plain, Model = -1 });
         }
         var scene = seen.Of(state.Scene!);
         var drawn = await server.Studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());

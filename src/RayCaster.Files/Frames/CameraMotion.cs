@@ -1,4 +1,4 @@
-namespace RayCaster;
+namespace RayCaster.Files;
 
 /// <summary>A camera moved by hand: turned about its target, brought nearer, shifted with its target.</summary>
 public static class CameraMotion

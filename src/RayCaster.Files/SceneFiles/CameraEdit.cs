@@ -1,7 +1,7 @@
 using System.Globalization;
 using System.Text;
 
-namespace RayCaster;
+namespace RayCaster.Files;
 
 /// <summary>Writes a camera's place into the text of a scene. Only the numbers that differ change: comments and layout stay as they are.</summary>
 public static class CameraEdit

@@ -1,4 +1,4 @@
-namespace RayCaster;
+namespace RayCaster.Teaching;
 
 /// <summary>Where two pictures differ, put together from single pixels.</summary>
 public static class WrongArea

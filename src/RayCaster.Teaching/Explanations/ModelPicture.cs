@@ -1,4 +1,4 @@
-namespace RayCaster;
+namespace RayCaster.Teaching;
 
 /// <summary>How one model is looked at.</summary>
 public enum Look

@@ -1,4 +1,4 @@
-namespace RayCaster;
+namespace RayCaster.Teaching;
 
 /// <summary>
 /// The plane through a pixel's ray and the camera's up, V, as a drawing from the side: the sections of the shapes, the clip planes and the crossings. Coordinates
@@ -61,26 +61,21 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
 
         private List<double[][]> Cut(Model model)
         {
-            var lines = new List<double[][]>();
-            for (var part = 0; part < model.PartCount; part++)
+            var (lines, near, far) = (new List<double[][]>(), new List<double[]>(), new List<double[]>());
+            foreach (var angle in angles)
             {
-                var (near, far) = (new List<double[]>(), new List<double[]>());
-                foreach (var angle in angles)
-                {
-                    var (sin, cos) = Math.SinCos(angle);
-                    var d = cos * u + sin * v;
-                    var crossings = model.Cross(new Ray<Scalar>(origin, d), part)!.Value;
-                    var (a, b) = ((double)crossings.Near, (double)crossings.Far);
-                    if (!IsDrawn(a) && !IsDrawn(b)) End(near, far);
-                    if (IsDrawn(a)) near.Add([a * cos, a * sin]);
-                    if (IsDrawn(b)) far.Add([b * cos, b * sin]);
-                }
-                End(near, far);
+                var (sin, cos) = Math.SinCos(angle);
+                if (model.Cross(new Ray<Scalar>(origin, cos * u + sin * v)) is not { } crossings) break; // plain doubles and ifs: only the crossing is known
+                double a = crossings.Near, b = crossings.Far;
+                if (!IsDrawn(a) && !IsDrawn(b)) End();
+                if (IsDrawn(a)) near.Add([a * cos, a * sin]);
+                if (IsDrawn(b)) far.Add([b * cos, b * sin]);
             }
+            End();
             return lines;
 
             // Seen from outside the far side goes back to where the near side began.
-            void End(List<double[]> near, List<double[]> far)
+            void End()
             {
                 if (near.Count > 0 && near.Count == far.Count) lines.Add([.. near, .. Enumerable.Reverse(far), near[0]]);
                 else
