@@ -93,21 +93,26 @@ internal struct Packet : IPacket<Packet>
     public static Packet Sequence(int first) => new() { Lanes = Vector256.Create((double)first) + Vector256.Create(0.0, 1, 2, 3) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Load(double[] numbers, int first) => new() { Lanes = Vector256.LoadUnsafe(ref numbers[first]) };
+    public static Packet Load(double[] numbers, int first) => new() { Lanes = numbers.Load256(first) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner) =>
-        RayCaster.Engine.Lanes.GatherFour(vertices, indices, ref triangle, corner);
+    public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner)
+    {
+        var points = new RawSpan<Vector3>(vertices);
+        var places = new RawSpan<int>(indices);
+        ref readonly var a = ref points[places[3 * triangles[first] + corner]];
+        ref readonly var b = ref points[places[3 * triangles[first + 1] + corner]];
+        ref readonly var c = ref points[places[3 * triangles[first + 2] + corner]];
+        ref readonly var d = ref points[places[3 * triangles[first + 3] + corner]];
+        return new(
+            new(Vector256.Create(a.X, b.X, c.X, d.X)), new(Vector256.Create(a.Y, b.Y, c.Y, d.Y)), new(Vector256.Create(a.Z, b.Z, c.Z, d.Z)));
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<Packet> Transpose(ref Vector256<double> first) => RayCaster.Engine.Lanes.Transpose(
-        first, Unsafe.Add(ref first, 1), Unsafe.Add(ref first, 2), Unsafe.Add(ref first, 3));
+    public static Vector256<float> Narrow(Packet lower, Packet upper) => Vector256.Narrow(lower.Lanes, upper.Lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void StoreWhole(int[] numbers, int first) => ToInts().StoreUnsafe(ref numbers[first]);
+    public readonly void Store(double[] numbers, int first) => Lanes.StoreTo(numbers, first);
 
     /// <summary>The whole parts of numbers from 0 to 2³¹.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
