@@ -16,7 +16,7 @@ internal static class SceneInput
     public static Scene? Read(string path, (int Width, int Height)? size, int? threads, bool quiet, CancellationToken cancellation)
     {
         var (wide, high) = size ?? (0, 0); // the scene's own is not known before it is read
-        var reading = Abandonable.Run(() => Read(path, threads, text => Rehearsal.Begin(text, (long)wide * high)), cancellation);
+        var reading = Abandonable.Run(() => Read(path, threads, text => WarmUp.Begin(text, (long)wide * high)), cancellation);
         if (reading.Scene is null || !quiet) StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
         return scene with { Camera = scene.Camera.WithSize(width, height) };
