@@ -1,8 +1,10 @@
+extern alias ClassLab;
+extern alias StructLab;
 using System.Diagnostics;
 
 namespace RayCaster.Benchmarks;
 
-/// <summary>The ways that need nothing but .NET: the engine, its definition, and naive ports of the lab.</summary>
+/// <summary>The ways that need nothing but .NET: the engine, its definition, and the lab.</summary>
 internal static class OwnWays
 {
     /// <summary>How many crossings a way without a hierarchy may compute in one run; of a larger picture it casts evenly spread pixels.</summary>
@@ -46,25 +48,37 @@ internal static class OwnWays
         }));
     }
 
-    /// <summary>The peer with a class Vector3.</summary>
-    public static Way NaiveClass(BenchmarkScene scene, int width, int height)
+    /// <summary>The lab of the course, src/RayCaster.Lab.</summary>
+    public static Way NaiveClass(BenchmarkScene scene, int width, int height) =>
+        Naive("naive, class Vector3", scene, width, height, WithClasses(scene.Create(width, height)));
+
+    /// <summary>The same with a struct Vector3.</summary>
+    public static Way NaiveStruct(BenchmarkScene scene, int width, int height) =>
+        Naive("naive, struct Vector3", scene, width, height, WithStructs(scene.Create(width, height)));
+
+    /// <summary>How the lab draws a pixel of a scene: column from the left, row from the bottom.</summary>
+    public static Func<int, int, (byte R, byte G, byte B)> WithClasses(Scene scene)
     {
-        var camera = Benchmarks.NaiveClass.Camera.Of(scene.Create(width, height));
-        return Naive("naive, class Vector3", scene, width, height, camera.Render);
+        var lab = ClassLab::Lab.SceneFile.Of(scene);
+        return (column, row) => lab.CastRay(column, row).ToBytes();
     }
 
-    /// <summary>The peer with a struct Vector3.</summary>
-    public static Way NaiveStruct(BenchmarkScene scene, int width, int height)
+    /// <inheritdoc cref="WithClasses"/>
+    public static Func<int, int, (byte R, byte G, byte B)> WithStructs(Scene scene)
     {
-        var camera = Benchmarks.NaiveStruct.Camera.Of(scene.Create(width, height));
-        return Naive("naive, struct Vector3", scene, width, height, camera.Render);
+        var lab = StructLab::Lab.SceneFile.Of(scene);
+        return (column, row) => lab.CastRay(column, row).ToBytes();
     }
 
-    private static Way Naive(string name, BenchmarkScene scene, int width, int height, Action<byte[], int, int> render)
+    private static Way Naive(string name, BenchmarkScene scene, int width, int height, Func<int, int, (byte R, byte G, byte B)> cast)
     {
         var rgb = new byte[width * height * 3];
         var step = Step(scene, width, height);
-        return new(name, Answer.Bytes, () => Scaled(step, width * height, () => render(rgb, 0, step)));
+        return new(name, Answer.Bytes, () => Scaled(step, width * height, () =>
+        {
+            for (var i = 0; i < width * height; i += step)
+                (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]) = cast(i % width, height - 1 - i / width);
+        }));
     }
 
     /// <summary>Every how many pixels a way without a hierarchy casts; 1 for the whole picture.</summary>

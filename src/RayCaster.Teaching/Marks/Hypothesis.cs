@@ -9,7 +9,7 @@ internal sealed record Hypothesis(Undone Undone, IReadOnlyList<Mistake> Wordings
     public static readonly Hypothesis Right = new(Undone.Nothing, []);
 
     /// <summary>The same for all wordings of the same mistakes.</summary>
-    public string Id { get; } = $"{(int)Undone} {string.Join(' ', Wordings.Select(wording => wording.Id).Order(StringComparer.Ordinal))}";
+    public string Id => $"{(int)Undone} {string.Join(' ', Wordings.Select(wording => wording.Id).Order(StringComparer.Ordinal))}";
 
     /// <summary>The same with one more mistake.</summary>
     public Hypothesis With(Mistake wording) => this with { Wordings = [.. Wordings, wording] };

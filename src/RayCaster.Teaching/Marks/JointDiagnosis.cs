@@ -16,31 +16,28 @@ internal sealed class JointDiagnosis
     /// <summary>How many hypotheses get a second look, how many are looked at with all pixels, and how many are the base of further ones.</summary>
     private const int Second = 40, Last = 12, Bases = 8;
 
-    /// <summary>The loss in one picture up to which it counts as explained.</summary>
-    private const double Explained = 0.12;
-
     /// <summary>With one thing more to be wrong the loss must fall below this share: more always explain a picture a little better.</summary>
     private const double Gain = 0.6;
-
-    /// <summary>By so much the loss must rise without a mistake, or the mistake is not named.</summary>
-    private const double LeastEffect = 0.1;
 
     /// <summary>Losses that differ by less cannot be told apart.</summary>
     private const double Alike = 0.01;
 
     private readonly IReadOnlyList<ScenePicture> pictures;
     private readonly IReadOnlyList<Mistake> known;
+    private double verdictLoss = double.PositiveInfinity;
 
     private JointDiagnosis(IReadOnlyList<ScenePicture> pictures, IReadOnlyList<Mistake> known)
     {
         // The most wrong picture first: it soonest tells what is far off.
         (this.pictures, this.known) = ([.. pictures.OrderByDescending(picture => picture.WrongShare)], known);
         if (pictures.All(picture => picture.IsRight)) return;
-        Search();
-        Unexplained = [.. pictures.Where(picture => !picture.IsRight && picture.Loss(Verdict) > Explained)];
+        TellsNothing = pictures.All(picture => picture.Picture.IsOneColor);
+        if (!TellsNothing) Search();
+        Unexplained = [.. pictures.Where(picture => !picture.IsRight && !picture.IsExplainedBy(Verdict))];
         var wrong = pictures.Count(picture => !picture.IsRight);
         if (2 * Unexplained.Count <= wrong) return;
-        (Nearest, Verdict, Alternatives) = (Verdict, Hypothesis.Right, []);
+        if (!TellsNothing) Nearest = Verdict;
+        (Verdict, Alternatives) = (Hypothesis.Right, []);
         Unexplained = [.. pictures.Where(picture => !picture.IsRight)];
     }
 
@@ -56,6 +53,9 @@ internal sealed class JointDiagnosis
     /// <summary>What comes nearest where nothing explains the pictures; null where something does.</summary>
     public Hypothesis? Nearest { get; }
 
+    /// <summary>Whether all pictures are of one colour: many things make them so.</summary>
+    public bool TellsNothing { get; }
+
     /// <summary>Diagnoses a program.</summary>
     /// <param name="pictures">Its pictures, at least one.</param>
     /// <param name="known">The mistakes to try.</param>
@@ -70,23 +70,22 @@ internal sealed class JointDiagnosis
 
     private void Search()
     {
-        var unfinished = Best(UndoneParts.SubsetsFor(pictures.Select(picture => picture.Of.Scene)).Select(undone => new Hypothesis(undone, [])), Look);
+        var unfinished = Best(UndoneParts.SubsetsFor(pictures.Select(picture => picture.Of.Scene)).Select(undone => new Hypothesis(undone, [])));
         Take(unfinished);
-        if (IsEnough(unfinished[0])) return;
+        if (IsEnough(Verdict)) return;
 
-        List<Hypothesis> bases = [.. unfinished.Take(Bases).Select(scored => scored.Hypothesis)];
-        if (!bases.Contains(Hypothesis.Right)) bases.Add(Hypothesis.Right);
-        var singles = Best(bases.SelectMany(Extended), Look);
+        // Behind a wrong camera all subsets look alike, so those that the order of the lab brings are tried in any case.
+        var bases = unfinished.Take(Bases).Select(scored => scored.Hypothesis).Concat(UndoneParts.InOrder.Select(undone => new Hypothesis(undone, [])));
+        var singles = Best(bases.DistinctBy(hypothesis => hypothesis.Id).SelectMany(Extended));
         Take(singles);
-        if (IsEnough(singles[0])) return;
+        if (IsEnough(Verdict)) return;
 
         var second = singles.DistinctBy(scored => scored.Hypothesis.Id).Take(Bases).SelectMany(single =>
         {
             ScenePicture.Residue[] residues = [.. pictures.Select(picture => picture.Leave(single.Hypothesis))];
             return Extended(single.Hypothesis).Select(pair => new Scored(pair, Glance(pair, residues)));
         });
-        var pairs = Closer([.. second.OrderBy(scored => scored.Loss).DistinctBy(scored => scored.Hypothesis.Id)]);
-        Take(pairs);
+        Take(Closer([.. second.OrderBy(scored => scored.Loss).DistinctBy(scored => scored.Hypothesis.Id)]));
     }
 
     /// <summary>A hypothesis with one mistake more, in each wording that can still be seen.</summary>
@@ -100,28 +99,36 @@ internal sealed class JointDiagnosis
     private void Take(List<Scored> ranked)
     {
         var best = ranked[0];
-        if (best.Loss >= Gain * verdictLoss || !best.Hypothesis.Wordings.All(wording => Matters(best, wording))) return;
-        (Verdict, verdictLoss) = (best.Hypothesis, best.Loss);
-        Alternatives = [.. ranked.Skip(1).Where(other => other.Loss <= best.Loss + Alike && other.Hypothesis.Id != Verdict.Id)
-            .Select(other => other.Hypothesis).DistinctBy(other => other.Id)];
+        if (best.Loss >= Gain * verdictLoss || !best.Hypothesis.Wordings.All(wording => Matters(best.Hypothesis, best.Hypothesis.Without(wording)))) return;
+        (Verdict, verdictLoss) = (WithoutNeedless(best.Hypothesis), best.Loss);
+        Alternatives = [.. ranked.Where(other => other.Loss <= best.Loss + Alike && other.Hypothesis.Id != best.Hypothesis.Id)
+            .Select(other => WithoutNeedless(other.Hypothesis)).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id)];
     }
 
-    private double verdictLoss = double.PositiveInfinity;
+    /// <summary>Without the missing parts that no picture speaks for.</summary>
+    private Hypothesis WithoutNeedless(Hypothesis hypothesis)
+    {
+        foreach (var part in Enum.GetValues<Undone>())
+            if ((hypothesis.Undone & part) != 0 && hypothesis with { Undone = hypothesis.Undone & ~part } is var less && !Matters(hypothesis, less))
+                hypothesis = less;
+        return hypothesis;
+    }
 
-    /// <summary>Whether the pictures speak for a mistake; beside another it may change nothing.</summary>
-    private bool Matters(Scored scored, Mistake wording) =>
-        Loss(scored.Hypothesis.Without(wording), 1) >= scored.Loss + LeastEffect;
+    /// <summary>Whether a picture shows the difference between a hypothesis and one that holds less to be wrong; beside another a mistake may change nothing.</summary>
+    private bool Matters(Hypothesis more, Hypothesis less) =>
+        pictures.Any(picture => picture.Unexplained(less) - picture.Unexplained(more) >= picture.Visible);
 
-    private bool IsEnough(Scored best) => pictures.All(picture => picture.Loss(best.Hypothesis) <= Explained / 2);
+    private bool IsEnough(Hypothesis hypothesis) => pictures.All(picture => picture.Unexplained(hypothesis) <= picture.Visible);
 
-    private List<Scored> Best(IEnumerable<Hypothesis> hypotheses, Func<Hypothesis, double, double> look)
+    /// <summary>The best of many, sorted.</summary>
+    private List<Scored> Best(IEnumerable<Hypothesis> hypotheses)
     {
         var list = new List<Scored>();
         var bound = double.PositiveInfinity; // what the worst of those that get a second look has lost
         var kept = new PriorityQueue<int, double>();
         foreach (var hypothesis in hypotheses)
         {
-            var loss = look(hypothesis, bound);
+            var loss = Loss(hypothesis, FirstLook, bound);
             list.Add(new(hypothesis, loss));
             kept.Enqueue(0, -loss);
             if (kept.Count <= Second) continue;
@@ -140,14 +147,12 @@ internal sealed class JointDiagnosis
         return sorted;
     }
 
-    private double Look(Hypothesis hypothesis, double bound) => Loss(hypothesis, FirstLook, bound);
-
     private double Loss(Hypothesis hypothesis, double share, double bound = double.PositiveInfinity)
     {
         var loss = 0.0;
         foreach (var picture in pictures)
         {
-            loss += picture.Loss(hypothesis, share);
+            loss += picture.Loss(picture.Unexplained(hypothesis, share));
             if (loss > bound) break;
         }
         return loss;
@@ -156,7 +161,7 @@ internal sealed class JointDiagnosis
     private double Glance(Hypothesis hypothesis, ScenePicture.Residue[] residues)
     {
         var loss = 0.0;
-        for (var i = 0; i < pictures.Count; i++) loss += pictures[i].Loss(hypothesis, residues[i]);
+        for (var i = 0; i < pictures.Count; i++) loss += pictures[i].Loss(pictures[i].Unexplained(hypothesis, residues[i]));
         return loss;
     }
 

@@ -16,7 +16,7 @@ internal sealed class Marker(Rubric rubric)
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
         var verdict = diagnosis.Verdict;
         return new(student, digest, Items(diagnosis, Told(pictures, diagnosis), pictures.Count), scenes, [.. verdict.Undone.InWords()],
-            [.. verdict.Wordings.Select(wording => wording.Id)], [.. notes, .. LookYourself(submitted, pictures, diagnosis)]);
+            [.. verdict.Wordings.Select(wording => wording.Id)], [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
 
     /// <summary>The scenes whose pictures are explained: what shows in them and was not named is not wrong.</summary>
@@ -26,6 +26,7 @@ internal sealed class Marker(Rubric rubric)
     private List<ItemMarks> Items(JointDiagnosis diagnosis, List<MarkedScene> told, int judged)
     {
         var items = new List<ItemMarks>();
+        var isAllTold = judged == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
         foreach (var item in rubric.Items)
         {
             var (lost, because) = Cost(item, diagnosis.Verdict);
@@ -36,16 +37,15 @@ internal sealed class Marker(Rubric rubric)
                 (least, most) = (Math.Min(least, other), Math.Max(most, other));
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
-            var isTold = judged == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
-            if (!isTold && !Shows(told, item)) most = item.Points;
+            if (!isAllTold && !Tells(told, item)) most = item.Points;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
         }
         return items;
     }
 
-    /// <summary>Whether one of the scenes would show a mistake of an item.</summary>
-    private static bool Shows(List<MarkedScene> scenes, RubricItem item) =>
-        item.Mistakes.Count == 0 ? scenes.Count > 0 : scenes.Exists(scene => item.Mistakes.Any(scene.Shows));
+    /// <summary>Whether some scenes tell as much of an item as all together: each of its mistakes that shows in any of the scenes shows in one of these.</summary>
+    private bool Tells(List<MarkedScene> told, RubricItem item) =>
+        told.Count > 0 && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
 
     /// <summary>What an item loses by a hypothesis, and by which of its mistakes.</summary>
     private static (double Lost, string[] Because) Cost(RubricItem item, Hypothesis hypothesis)
@@ -68,17 +68,16 @@ internal sealed class Marker(Rubric rubric)
             isShown ? Thumbnail.Of(submitted.Picture!, Thumbnail.Tiny).Rgb : []);
     }
 
-    private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, List<ScenePicture> pictures, JointDiagnosis diagnosis)
+    private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
     {
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
             yield return $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
-        foreach (var picture in diagnosis.Unexplained)
+        if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many things make them so";
+        foreach (var picture in diagnosis.TellsNothing ? [] : diagnosis.Unexplained)
             yield return $"{picture.Of.Name}: nothing explains this picture" + (diagnosis.Nearest is { } near && Names(near) != "" ? $" (nearest: {Names(near)})" : "");
         foreach (var other in diagnosis.Alternatives)
             if (rubric.Items.Any(item => Cost(item, other).Lost != Cost(item, diagnosis.Verdict).Lost))
                 yield return $"these scenes cannot tell {Names(diagnosis.Verdict)} from {Names(other)}";
-        if (pictures.Count > 0 && pictures.TrueForAll(picture => picture.Picture.IsOneColor))
-            yield return "all pictures are of one colour";
     }
 
     private static string Names(Hypothesis hypothesis) => string.Join(" + ",

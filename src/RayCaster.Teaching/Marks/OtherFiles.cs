@@ -42,7 +42,7 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
     {
         private readonly OtherFiles all;
         private readonly Dictionary<string, string> before;
-        private readonly HashSet<string> excused = [];
+        private readonly HashSet<Submission> excused = [];
 
         public Watch(OtherFiles all, Submission submission)
         {
@@ -54,25 +54,27 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
         public Submission Own { get; }
 
         /// <summary>Another runs at the same time, and may change its own files.</summary>
-        public void Excuse(Submission other) => excused.Add(other.Folder + Path.DirectorySeparatorChar);
+        public void Excuse(Submission other) => excused.Add(other);
 
         /// <summary>What has changed, in words; empty if nothing has.</summary>
         public IEnumerable<string> Changed()
         {
             var now = all.Now();
-            string[] changed;
+            string[] changed, beside;
             lock (all.running)
             {
+                beside = [.. excused.Where(other => other != Own).Select(other => other.Student)];
                 changed =
                 [
                     .. before.Keys.Union(now.Keys)
-                        .Where(path => !excused.Any(own => path.StartsWith(own, StringComparison.Ordinal)) && before.GetValueOrDefault(path) != now.GetValueOrDefault(path))
+                        .Where(path => !excused.Any(own => path.StartsWith(own.Folder + Path.DirectorySeparatorChar, StringComparison.Ordinal)) && before.GetValueOrDefault(path) != now.GetValueOrDefault(path))
                         .Order(StringComparer.Ordinal),
                 ];
             }
             if (changed.Length == 0) yield break;
             var named = string.Join(", ", changed.Take(MostNamed).Select(path => Path.GetRelativePath(all.folder, path)));
-            yield return $"files outside its folder changed while it ran: {named}{(changed.Length > MostNamed ? $" and {changed.Length - MostNamed} more" : "")}";
+            var ran = beside.Length == 0 ? "it ran" : $"it and {string.Join(", ", beside)} ran";
+            yield return $"files outside its folder changed while {ran}: {named}{(changed.Length > MostNamed ? $" and {changed.Length - MostNamed} more" : "")}";
         }
 
         /// <summary>Ends the watch.</summary>

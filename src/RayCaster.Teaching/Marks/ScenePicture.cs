@@ -12,14 +12,16 @@ internal sealed class ScenePicture
     /// <summary>As many pixels as are looked at for a second mistake: those that the first leaves unexplained, and those that it explains.</summary>
     private const int MostUnexplained = 24, MostExplained = 12;
 
-    /// <summary>The share of a picture that counts as all of its wrong pixels where fewer are wrong.</summary>
+    /// <summary>
+    /// Unexplained shares of a picture are told apart by their logarithms: whether a hundredth or a tenth of it is left says as much as whether a
+    /// thousandth or a hundredth is. Below this share they are all alike.
+    /// </summary>
     private const double LeastShare = 0.002;
 
     /// <summary>How far from white to black a pixel must be off to weigh like one that is unexplained: 50 times. Decides between equals.</summary>
     private const double ErrorWeight = 0.02;
 
     private readonly Evidence evidence;
-    private readonly double scale; // so many unexplained pixels are a loss of 1
 
     /// <param name="of">The scene.</param>
     /// <param name="picture">The picture, as large as the scene's, or that turned by a quarter.</param>
@@ -28,7 +30,7 @@ internal sealed class ScenePicture
         (Of, Picture) = (of, picture);
         var most = (int)Math.Clamp(Pixels * 500L / Math.Max(1, of.Scene.Models.Count), 300, Pixels);
         evidence = new(of.Scene, of.Right, picture, most, of.Scene.Models.Count <= Lab.MostModels);
-        scale = Math.Max(evidence.WrongCount, LeastShare * evidence.PixelCount);
+        Visible = Math.Max(SceneFitness.LeastPixels, 2.0 * evidence.WrongCount / most) / evidence.PixelCount;
     }
 
     /// <summary>The scene.</summary>
@@ -43,14 +45,25 @@ internal sealed class ScenePicture
     /// <summary>The share of its pixels that are wrong.</summary>
     public double WrongShare => (double)evidence.WrongCount / evidence.PixelCount;
 
-    /// <summary>What a hypothesis leaves unexplained: 0 for nothing, 1 for as many pixels as are wrong, or more.</summary>
+    /// <summary>The least share of the picture that tells something: as many pixels as a mistake must change to be seen, or one of those that are looked at.</summary>
+    public double Visible { get; }
+
+    /// <summary>The share of the picture that a hypothesis leaves unexplained.</summary>
     /// <param name="hypothesis">The hypothesis.</param>
     /// <param name="share">What share of the chosen pixels is looked at.</param>
-    public double Loss(Hypothesis hypothesis, double share = 1)
+    public double Unexplained(Hypothesis hypothesis, double share = 1)
     {
         var misfit = evidence.Misfit(hypothesis.Draw(Of.Scene), share);
-        return Math.Min(1, (misfit.Unexplained + ErrorWeight * misfit.Error) / scale);
+        return (misfit.Unexplained + ErrorWeight * misfit.Error) / evidence.PixelCount;
     }
+
+    /// <summary>Whether a hypothesis explains the picture, but for what other mistakes' last bits may do.</summary>
+    public bool IsExplainedBy(Hypothesis hypothesis) =>
+        Unexplained(hypothesis) <= Math.Max(Visible, Math.Clamp(0.12 * WrongShare, LeastShare, 3 * LeastShare));
+
+    /// <summary>What a hypothesis costs that leaves so much unexplained: 0 for nothing, 1 for as much as is wrong, or more.</summary>
+    public double Loss(double unexplained) =>
+        Math.Min(1, Math.Log(1 + unexplained / LeastShare) / Math.Log(1 + Math.Max(WrongShare, LeastShare) / LeastShare));
 
     /// <summary>A few pixels that tell what else is wrong, should a hypothesis be true: most of them are such as it leaves unexplained.</summary>
     public Residue Leave(Hypothesis hypothesis)
@@ -60,19 +73,19 @@ internal sealed class ScenePicture
         if (HasSizeOf(lab))
             for (var k = 0; k < Math.Min(Choice, evidence.PixelCount) && unexplained.Count < MostUnexplained; k++)
                 (IsLike(lab, Of.Places[k]) ? explained : unexplained).Add(Of.Places[k]);
-        return new(unexplained, [.. explained.Take(MostExplained)], Loss(hypothesis, 0.2));
+        return new(unexplained, [.. explained.Take(MostExplained)], Unexplained(hypothesis, 0.2));
     }
 
-    /// <summary>About what a hypothesis would leave unexplained, told from a few pixels.</summary>
+    /// <summary>About what share of the picture a hypothesis would leave unexplained, told from a few pixels.</summary>
     /// <param name="hypothesis">The hypothesis.</param>
     /// <param name="residue">What another left, which lacks a mistake.</param>
-    public double Loss(Hypothesis hypothesis, Residue residue)
+    public double Unexplained(Hypothesis hypothesis, Residue residue)
     {
         var lab = hypothesis.Draw(Of.Scene);
         if (!HasSizeOf(lab)) return 1;
         var stillUnexplained = ShareUnlike(lab, residue.Unexplained);
         var spoilt = ShareUnlike(lab, residue.Explained);
-        return Math.Min(1, stillUnexplained * residue.Loss + spoilt * evidence.PixelCount / scale);
+        return stillUnexplained * residue.Share + spoilt * (1 - residue.Share);
     }
 
     private bool HasSizeOf(Lab lab) => (lab.Width, lab.Height) == (Picture.Width, Picture.Height);
@@ -94,6 +107,6 @@ internal sealed class ScenePicture
     /// <summary>What a hypothesis leaves of a picture.</summary>
     /// <param name="Unexplained">Some pixels that look otherwise.</param>
     /// <param name="Explained">Some that do not.</param>
-    /// <param name="Loss">Its loss.</param>
-    internal sealed record Residue(IReadOnlyList<int> Unexplained, IReadOnlyList<int> Explained, double Loss);
+    /// <param name="Share">What share of the picture the first are taken from.</param>
+    internal sealed record Residue(IReadOnlyList<int> Unexplained, IReadOnlyList<int> Explained, double Share);
 }

@@ -35,6 +35,9 @@ internal static class UndoneParts
     private static readonly Mistake[] withoutAttenuation = [MistakeCatalog.Named("att-none")!];
     private static readonly Mistake[] withoutClipping = [MistakeCatalog.Named("no-znear")!, MistakeCatalog.Named("no-zfar")!];
 
+    /// <summary>What is not drawn after each step of the lab, the last step first.</summary>
+    public static readonly Undone[] InOrder = [.. Steps()];
+
     /// <summary>The words that a rubric has for them, in the order of the flags.</summary>
     public static readonly string[] Words = ["plane", "sphere", "aabb", "circle", "triangle", "attenuation", "clipping"];
 
@@ -64,6 +67,14 @@ internal static class UndoneParts
             foreach (var model in scene.Models) all |= KindOf(model);
         for (var subset = Undone.Nothing; subset <= all; subset++)
             if ((subset & ~all) == 0) yield return subset;
+    }
+
+    private static IEnumerable<Undone> Steps()
+    {
+        var undone = Undone.Nothing;
+        yield return undone;
+        foreach (var part in (Undone[])[Undone.Triangle, Undone.Circle, Undone.Sphere, Undone.Aabb, Undone.Clipping, Undone.Attenuation, Undone.Plane])
+            yield return undone |= part;
     }
 
     private static Undone KindOf(Model model) => model switch
