@@ -23,6 +23,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Scene = new("--scene");
     public static readonly Option Reference = new("--reference");
     public static readonly Option Hint = new("--hint");
+    public static readonly Option JUnit = new("--junit");
+    public static readonly Option Seed = new("--seed");
     public static readonly Option Ledger = new("--ledger", takesValue: false);
     public static readonly Option Plain = new("--plain", takesValue: false);
     public static readonly Option Preview = new("--preview", takesValue: false);
@@ -39,7 +41,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option[] All =
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
-        Threads, Map, Color, Scene, Reference, Hint, Open, Solution,
+        Threads, Map, Color, Scene, Reference, Hint, Open, Solution, JUnit, Seed,
         Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
     ];
 
