@@ -29,6 +29,7 @@ internal static class HelpText
           orbit <scene>                    Draws the frames of a camera that moves.
           animate <frame>...               Joins frames into an animated PNG.
           sheet <picture>...               Shows many pictures, made small, on one.
+          live <scene>                     Opens a page that follows the scene file.
           help [command]                   Shows this help, or a command's.
 
         Arguments:

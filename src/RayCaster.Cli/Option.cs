@@ -23,6 +23,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Scene = new("--scene");
     public static readonly Option Reference = new("--reference");
     public static readonly Option Hint = new("--hint");
+    public static readonly Option Mine = new("--mine");
+    public static readonly Option Port = new("--port");
     public static readonly Option Ledger = new("--ledger", takesValue: false);
     public static readonly Option Plain = new("--plain", takesValue: false);
     public static readonly Option Preview = new("--preview", takesValue: false);
@@ -30,6 +32,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Json = new("--json", takesValue: false);
     public static readonly Option Quiet = new("--quiet", "-q", takesValue: false);
     public static readonly Option NoProgress = new("--no-progress", takesValue: false);
+    public static readonly Option NoBrowser = new("--no-browser", takesValue: false);
     public static readonly Option Version = new("--version", takesValue: false);
     public static readonly Option Help = new("--help", "-h", takesValue: false);
 
@@ -37,8 +40,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option[] All =
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
-        Threads, Map, Color, Scene, Reference, Hint,
-        Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
+        Threads, Map, Color, Scene, Reference, Hint, Mine, Port,
+        Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, NoBrowser, Version, Help,
     ];
 
     /// <summary>What it is called, with two dashes.</summary>
