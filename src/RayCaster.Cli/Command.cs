@@ -4,7 +4,7 @@ namespace RayCaster.Cli;
 internal abstract class Command
 {
     /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
-    public static readonly string[] Names = ["check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "help"];
+    public static readonly string[] Names = ["check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "handout", "help"];
 
     /// <summary>The command of a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
@@ -17,6 +17,7 @@ internal abstract class Command
         "orbit" => new OrbitCommand(),
         "animate" => new AnimateCommand(),
         "sheet" => new SheetCommand(),
+        "handout" => new HandOutCommand(),
         "help" => new HelpCommand(),
         _ => null,
     };

@@ -29,6 +29,7 @@ internal static class HelpText
           orbit <scene>                    Draws the frames of a camera that moves.
           animate <frame>...               Joins frames into an animated PNG.
           sheet <picture>...               Shows many pictures, made small, on one.
+          handout <folder>                 Writes the lab for students: ten steps, with tests.
           help [command]                   Shows this help, or a command's.
 
         Arguments:
@@ -51,6 +52,8 @@ internal static class HelpText
                                  or uv, as <scene>.<kind>.pfm, and to look at as .png.
               --ledger           Prints which models show, and why the others do not. Printed
                                  by itself when the picture is empty or of one colour.
+              --plain            Draws by the definition, ScalarRenderer, ray by ray: for the
+                                 debugger and for Console.WriteLine in a formula.
               --preview          Shows the picture in the terminal, too (standard output).
               --color <when>     Colours of the preview: auto, always or never. [default: auto,
                                  which heeds NO_COLOR, FORCE_COLOR, COLORTERM and TERM]

@@ -22,6 +22,12 @@ internal static class SceneInput
         return scene with { Camera = scene.Camera.WithSize(width, height) };
     }
 
+    /// <summary>Says so where this build draws the scene otherwise than its stored reference shows it: then its judgement is worth nothing.</summary>
+    public static void WarnOfEditedJudge(string path, Scene scene)
+    {
+        if (path != Standard && StoredReference.Contradiction(path, scene) is { } message) StandardFile.WriteError(message + Environment.NewLine);
+    }
+
     /// <summary>Reads a scene and all that is to be said of it.</summary>
     /// <param name="path">The file, or "-".</param>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>

@@ -11,7 +11,7 @@ namespace RayCaster.Engine;
 /// <param name="screen">The camera.</param>
 /// <param name="vertices">The corners.</param>
 /// <param name="indices">Three for each triangle, all of them places of vertices.</param>
-internal sealed class MeshCorners(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners
+internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
 {
     /// <inheritdoc/>
     public override int Count => indices.Length / 3;

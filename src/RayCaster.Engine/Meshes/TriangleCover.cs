@@ -10,7 +10,10 @@ namespace RayCaster.Engine;
 /// Every second sample of a small box is outside or hidden, and no processor foresees which. So pixels are written whether or not anything changes; only what is
 /// not sure, which is rare, has a branch. In a large box what is outside lies together.
 /// </remarks>
-internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
+/// <param name="screen">The camera.</param>
+/// <param name="pixels">What is known of the pixels.</param>
+/// <param name="decide">Empties the queue of pixels that wait for the formula.</param>
+internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels, Action decide)
 {
     /// <summary>Triangles whose boxes have at most as many samples a side are small.</summary>
     public const int SmallSide = 2;
@@ -46,7 +49,7 @@ internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
         for (var first = 0; first < triangles.Count; first += 8)
         {
             CoverSmall(ref Unsafe.Add(ref triangles.Triangle, first), SetUp(triangles, first));
-            pixels.DecideIfMany();
+            if (pixels.IsFull) decide();
         }
         triangles.Clear();
     }
@@ -57,7 +60,7 @@ internal sealed class TriangleCover(ScreenSpace screen, TilePixels pixels)
         for (var first = 0; first < triangles.Count; first += 8)
         {
             Cover(ref Unsafe.Add(ref triangles.Triangle, first), SetUp(triangles, first));
-            pixels.DecideIfMany();
+            if (pixels.IsFull) decide();
         }
         triangles.Clear();
     }

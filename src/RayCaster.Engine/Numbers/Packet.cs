@@ -114,4 +114,7 @@ internal struct Packet : IPacket<Packet>
     public readonly Vector128<int> ToInts() => Avx.IsSupported
         ? Avx.ConvertToVector128Int32WithTruncation(Lanes)
         : Vector128.Create((int)Lanes[0], (int)Lanes[1], (int)Lanes[2], (int)Lanes[3]);
+
+    /// <summary>The numbers of all lanes, for printing a step of a formula.</summary>
+    public readonly override string ToString() => FormattableString.Invariant($"{Lanes}");
 }

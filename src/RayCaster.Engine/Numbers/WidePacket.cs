@@ -117,4 +117,7 @@ internal struct WidePacket : IPacket<WidePacket>
     public readonly Vector256<int> ToInts() => Avx512F.IsSupported
         ? Avx512F.ConvertToVector256Int32WithTruncation(Lanes)
         : Vector256.Create(new Packet(Lanes.GetLower()).ToInts(), new Packet(Lanes.GetUpper()).ToInts());
+
+    /// <summary>The numbers of all lanes, for printing a step of a formula.</summary>
+    public readonly override string ToString() => FormattableString.Invariant($"{Lanes}");
 }

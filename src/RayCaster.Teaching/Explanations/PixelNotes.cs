@@ -8,7 +8,15 @@ internal static class PixelNotes
 
     /// <summary>One sentence for each.</summary>
     public static IReadOnlyList<string> Of(PixelExplanation pixel) =>
-        [.. Background(pixel), .. Outline(pixel), .. Ties(pixel), .. Faces(pixel), .. Light(pixel)];
+        [.. Definition(pixel), .. Background(pixel), .. Outline(pixel), .. Ties(pixel), .. Faces(pixel), .. Light(pixel)];
+
+    /// <summary>The explanation takes the steps of a picture by itself; a changed ScalarRenderer, Ray.Meet or Color may take others.</summary>
+    private static IEnumerable<string> Definition(PixelExplanation pixel)
+    {
+        var drawn = new Picture(1, 1);
+        ScalarRenderer.Render(pixel.Scene, drawn, pixel.Column, pixel.Line);
+        if (drawn[0, 0] != pixel.Bytes) yield return $"ScalarRenderer draws {drawn[0, 0]} here: this build's course library was changed, and this does not explain how";
+    }
 
     private static IEnumerable<string> Background(PixelExplanation pixel)
     {

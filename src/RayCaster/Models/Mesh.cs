@@ -31,6 +31,17 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
         return nearest;
     }
 
+    /// <summary>A box around all corners, computed anew at each call.</summary>
+    public override Bounds? Bounds
+    {
+        get
+        {
+            var bounds = RayCaster.Bounds.Empty;
+            foreach (var vertex in vertices) bounds = bounds.With(vertex);
+            return bounds;
+        }
+    }
+
     /// <inheritdoc/>
     public override void Accept(IModelVisitor visitor) => visitor.Visit(this);
 }

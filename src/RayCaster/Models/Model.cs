@@ -27,6 +27,9 @@ public abstract class Model
     /// <summary>What is known of its surface; null for a model that does not say, and for a mesh, whose triangles do.</summary>
     public virtual ISurface? Surface => this as ISurface;
 
+    /// <summary>A box around it; null for a shape that is endless or does not say.</summary>
+    public virtual Bounds? Bounds => (this as IBounded)?.Bounds;
+
     /// <summary>Where any kind of ray crosses the shape, by its own formula; null where there is none to run: for a mesh, and for plain doubles and ifs.</summary>
     /// <param name="ray">The ray; its direction has length 1.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
@@ -60,6 +63,9 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 
     /// <inheritdoc/>
     public override ISurface? Surface => Primitive as ISurface;
+
+    /// <inheritdoc/>
+    public override Bounds? Bounds => (Primitive as IBounded)?.Bounds;
 
     /// <inheritdoc/>
     public override Crossings<N>? Cross<N>(in Ray<N> ray) => Primitive.Cross(ray);

@@ -13,9 +13,9 @@ public class GroupTests
     {
         var (vertices, indices) = Specks(Group.Length, turn);
         var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
-        var corners = new MeshCorners(screen, vertices, indices);
-        var inGroups = new ScreenTriangles(screen, corners, null, each => new GroupSorter(screen, vertices, indices, each), null, 1);
-        var oneByOne = new ScreenTriangles(screen, corners, null, null, null, 1);
+        var corners = new MeshCorners<Packet>(screen, vertices, indices);
+        var inGroups = new ScreenTriangles<Packet>(screen, corners, null, each => new GroupSorter<Packet>(screen, vertices, indices, each), null, 1);
+        var oneByOne = new ScreenTriangles<Packet>(screen, corners, null, null, null, 1);
         int[] sides = [0, 1];
         Assert.Equal(Group.Length, sides.Max(side => oneByOne.Of(tile, side).Length));
         Assert.Equal(1, sides.Sum(side => inGroups.GroupsOf(tile, side).Length));
@@ -31,7 +31,7 @@ public class GroupTests
     public void ARunOfTrianglesIsSeenWhereEachOfThemIs(int count)
     {
         var (vertices, indices) = Specks(count, 0);
-        var corners = new MeshCorners(new(camera), vertices, indices);
+        var corners = new MeshCorners<Packet>(new(camera), vertices, indices);
         for (var first = 0; first < count; first += 8)
         {
             int[] ids = [.. Enumerable.Range(first, 8).Select(i => Math.Min(i, count - 1))];
