@@ -22,15 +22,22 @@ public static class PictureFile
     /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string)"/> does; the messages name no file.</summary>
     /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static Picture Read(Stream stream)
+    public static Picture Read(Stream stream) => Read(stream, MostBytes);
+
+    /// <summary>The same with a limit of one's own.</summary>
+    /// <param name="stream">The file's bytes.</param>
+    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel, whatever the file's header promises.</param>
+    /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
+    public static Picture Read(Stream stream, long mostBytes)
     {
         try
         {
             var bytes = ReadToEnd(stream);
             ReadOnlySpan<byte> file = bytes;
             if (file.IsEmpty) throw new PictureFileException("the file is empty");
-            if (IsPng(file)) return PngReader.Read(new MemoryStream(bytes.Array!, bytes.Offset, bytes.Count));
-            if (IsPnm(file)) return PnmReader.Read(file);
+            if (IsPng(file)) return PngReader.Read(new MemoryStream(bytes.Array!, bytes.Offset, bytes.Count), mostBytes);
+            if (IsPnm(file)) return PnmReader.Read(file, mostBytes);
             throw new PictureFileException($"{Guess(file)}; PNG, PBM, PGM and PPM can be read");
         }
         catch (OutOfMemoryException e)

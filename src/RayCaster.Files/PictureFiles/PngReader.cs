@@ -82,9 +82,9 @@ internal sealed class PngReader : IDisposable
 
     /// <summary>Reads a whole picture.</summary>
     /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
-    public static Picture Read(Stream file)
+    public static Picture Read(Stream file, long mostBytes)
     {
-        using var reader = new PngReader(file, PictureFile.MostBytes);
+        using var reader = new PngReader(file, mostBytes);
         return reader.ReadPicture();
     }
 

@@ -10,14 +10,14 @@ internal ref struct PnmReader
     private int at = 2; // after the P and its digit
 
     /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
-    public static Picture Read(ReadOnlySpan<byte> file)
+    public static Picture Read(ReadOnlySpan<byte> file, long mostBytes)
     {
-        var reader = new PnmReader(file);
+        var reader = new PnmReader(file, mostBytes);
         reader.CheckLength();
         return reader.ReadPixels();
     }
 
-    private PnmReader(ReadOnlySpan<byte> file)
+    private PnmReader(ReadOnlySpan<byte> file, long mostBytes)
     {
         this.file = file;
         kind = file.Length < 2 ? 0 : file[1] - '0';
@@ -30,7 +30,7 @@ internal ref struct PnmReader
         height = ReadNumber("the height");
         maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval");
         if (maxval is < 1 or > 65535) throw new PictureFileException($"maxval is {maxval}, but must be from 1 to 65535");
-        PictureFile.CheckSize(width, height);
+        PictureFile.CheckSize(width, height, mostBytes);
         if (kind >= 4) SkipSeparator();
     }
 

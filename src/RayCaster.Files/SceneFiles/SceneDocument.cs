@@ -25,6 +25,9 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     /// <summary>How many threads read and place a large mesh; one per core if null.</summary>
     public int? Threads => threads;
 
+    /// <summary>The full paths of the mesh files that were asked for.</summary>
+    public string[] MeshFiles => meshes is null ? [] : Array.ConvertAll([.. meshes.Keys], Path.GetFullPath);
+
     /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
     public void Add(bool isError, int start, int end, string path, string message)
     {

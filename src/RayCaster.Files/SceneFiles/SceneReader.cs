@@ -57,8 +57,16 @@ public static class SceneReader
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, int? threads = null)
     {
-        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var problems, threads);
-        return new(scene, problems);
+        var files = Array.Empty<string>();
+        var scene = Parse(utf8, displayName, folder, "the scene", Read, out var problems, threads);
+        return new(scene, problems) { Files = files };
+
+        Scene? Read(SceneObject o)
+        {
+            var scene = ReadScene(o);
+            files = o.Document!.MeshFiles;
+            return scene;
+        }
     }
 
     /// <summary>Reads a text that is something else than a scene, in the same form.</summary>

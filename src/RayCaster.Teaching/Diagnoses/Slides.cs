@@ -16,4 +16,15 @@ internal static class Slides
     public const string Triangle = "Triangle – Barycentric Coordinates";
     public const string Attenuation = "Attenuation";
     public const string Picture = "Picture";
+
+    /// <summary>The slide of a shape's formula, by what a scene file calls the shape; null for a shape of one's own.</summary>
+    public static string? OfShape(string type) => type switch
+    {
+        "plane" => Plane,
+        "circle" => Circle,
+        "sphere" => Sphere,
+        "aabb" => Box,
+        "triangle" or "mesh" => Triangle,
+        _ => null,
+    };
 }

@@ -61,6 +61,7 @@ internal sealed class ExplanationJson
         json.WriteString("clip", camera.Clip == Clip.Depth ? "depth" : "distance");
         json.WriteString("sample", camera.Sample == Sample.Corner ? "corner" : "center");
         Number("reach", camera.Reach);
+        json.WriteString("slide", Slides.Camera);
         List("steps", pixel.CameraSteps, Step);
     }
 
@@ -69,6 +70,7 @@ internal sealed class ExplanationJson
         Vector("origin", pixel.Ray.Origin);
         Vector("direction", pixel.Ray.Direction);
         Number("zPerT", pixel.Ray.ZPerT);
+        json.WriteString("slide", Slides.RayThroughPixel);
         List("steps", pixel.RaySteps, Step);
     }
 
@@ -79,6 +81,7 @@ internal sealed class ExplanationJson
         json.WriteString("type", model.Type);
         json.WriteString("verdict", Word(model.Verdict));
         json.WriteString("reason", model.Reason);
+        if (Slides.OfShape(model.Type) is { } slide) json.WriteString("slide", slide);
         if (model.Beside is { } beside) json.WriteString("beside", beside);
         if (model.Mesh is { } mesh) Object("mesh", () => Mesh(mesh));
         List("steps", model.Steps, Step);
@@ -169,6 +172,7 @@ internal sealed class ExplanationJson
         Numbers("full", [full.R, full.G, full.B]);
         Numbers("value", [pixel.Color.R, pixel.Color.G, pixel.Color.B]);
         Bytes("bytes", pixel.Bytes);
+        json.WriteString("slide", Slides.Attenuation);
         List("steps", [.. pixel.AttenuationSteps, .. pixel.ColorSteps], Step);
     }
 

@@ -48,7 +48,7 @@ public class PromisesTests
 
     [Fact]
     public void OnlyTheReplacedFileWrites() =>
-        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs"],
+        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "HandOutFolder.cs"],
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 
     [Fact]

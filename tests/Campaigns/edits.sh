@@ -2,8 +2,9 @@
 # What is read is what draws: edits lines that README shows, one at a time, in a copy of the project, builds, draws scenes/room.json, and wants the picture
 # or a message to change.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1
+unset Strict # an edit may leave a variable unused
 copy=$(mktemp -d)
 trap 'rm -rf "$copy"' EXIT
 git ls-files -z src scenes tests/References Directory.Build.props global.json .editorconfig | tar --null -T - -cf - | tar -xf - -C "$copy"
