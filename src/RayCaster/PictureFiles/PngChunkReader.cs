@@ -11,10 +11,11 @@ internal sealed class PngChunkReader
     private uint crc;
 
     /// <summary>Begins with the first chunk.</summary>
-    /// <param name="file">The file, which can seek.</param>
-    /// <exception cref="PictureFileException">It does not begin like a PNG.</exception>
+    /// <param name="file">The file.</param>
+    /// <exception cref="PictureFileException">It cannot seek, or does not begin like a PNG.</exception>
     public PngChunkReader(Stream file)
     {
+        if (!file.CanSeek) throw new PictureFileException("it is a pipe or a device; name a file");
         this.file = file;
         file.Position = 0;
         if (Fill(frame) < frame.Length || !frame.AsSpan().SequenceEqual(PngChunk.Signature))
@@ -37,6 +38,8 @@ internal sealed class PngChunkReader
             throw new PictureFileException($"the file is cut short: it ends at byte {file.Length:N0}, before its chunk IEND");
         Left = BinaryPrimitives.ReadUInt32BigEndian(frame);
         Type = PictureFile.Printable(frame.AsSpan(4));
+        foreach (var letter in frame.AsSpan(4))
+            if (!char.IsAsciiLetter((char)letter)) throw new PictureFileException($"its chunk at byte {start:N0} is of the type {Type}, which is not four letters");
         if (Left > follow)
             throw new PictureFileException(
                 $"the file is cut short: its chunk {Type} at byte {start:N0} needs {Left:N0} bytes, but {follow:N0} follow");

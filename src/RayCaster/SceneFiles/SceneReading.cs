@@ -10,6 +10,9 @@ public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
     /// <summary>How many problems <see cref="Report"/> writes out.</summary>
     public const int Printed = 20;
 
+    /// <summary>The mesh files that the scene names, as far as they were looked for.</summary>
+    public IReadOnlyCollection<string> MeshFiles { get; init; } = [];
+
     /// <summary>The problems as text for people, the errors first; empty if there are none. Of many only the first are written out.</summary>
     public string Report()
     {
