@@ -13,7 +13,8 @@ internal abstract class ModelView
     public virtual double Nearest => 0;
 
     /// <summary>A view for the use of one thread at a time; the same one where a view keeps nothing between calls.</summary>
-    public virtual ModelView ForThread() => this;
+    /// <param name="filters">What the thread's views of meshes share.</param>
+    public virtual ModelView ForThread(TileFilters? filters = null) => this;
 
     /// <summary>Comes to a tile, before <see cref="Meet"/> is called for rows in it: between which t the model's hits lie.</summary>
     /// <param name="tile">The tile.</param>

@@ -35,7 +35,8 @@ internal sealed class TileCaster : IStripCaster
     public TileCaster(Frame frame)
     {
         this.frame = frame;
-        views = Array.ConvertAll(frame.Views, view => view.ForThread());
+        var filters = new TileFilters();
+        views = Array.ConvertAll(frame.Views, view => view.ForThread(filters));
         (extents, places) = (frame.Extents, frame.Places);
         if (frame.Crowd is not null) crowd = new(frame.Crowd, frame.Scene.Camera);
         for (var i = 0; i < rows.Length; i++) rows[i] = new(frame.Scene.Camera);

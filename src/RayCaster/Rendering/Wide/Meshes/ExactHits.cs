@@ -4,14 +4,19 @@ using System.Runtime.Intrinsics;
 namespace RayCaster;
 
 /// <summary>Asks the triangles' formula where each ray of a packet hits its own triangle.</summary>
-internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] indices)
+internal sealed class ExactHits(ScreenSpace screen)
 {
+    private Vector3[] vertices = [];
+    private int[] indices = [];
     private readonly double[] columns = new double[Length], rows = new double[Length], hits = new double[Length], nearness = new double[Length];
     private readonly int[] triangles = new int[Length], places = new int[Length];
     private int count;
 
     /// <summary>How many questions are asked at once.</summary>
     private static int Length => Vector512.IsHardwareAccelerated ? WidePacket.Count : Packet.Count;
+
+    /// <summary>Comes to another mesh.</summary>
+    public void Show(Vector3[] vertices, int[] indices) => (this.vertices, this.indices) = (vertices, indices);
 
     /// <summary>Where rays cross triangles, a lane for each pair.</summary>
     /// <param name="rays">The rays.</param>

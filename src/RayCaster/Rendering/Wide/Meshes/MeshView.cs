@@ -12,8 +12,10 @@ internal sealed class MeshView : ModelView, ITileView
     private readonly int[] indices;
     private readonly ScreenTriangles[] sets = []; // the triangles, and the pieces of those that had to be clipped
     private readonly Hierarchy? hard;             // over those for which the filter knows nothing
-    private readonly TileFilter? filter;          // one thread's
-    private MeshPainter? painter;
+    private readonly TileFilters? filters;        // one thread's, for all meshes
+    private TileFilter? filter;                   // the one that knows this mesh's pixels, until another mesh takes it
+    private Tile entered;
+    private bool shows;                           // a triangle may show in that tile
 
     /// <param name="vertices">The corners.</param>
     /// <param name="indices">Three for each triangle.</param>
@@ -42,30 +44,31 @@ internal sealed class MeshView : ModelView, ITileView
         Extent = hard is null ? ExtentOf(whole.Extent, clipped.Extent) : Tile.Everywhere;
     }
 
-    private MeshView(MeshView shared)
+    private MeshView(MeshView shared, TileFilters filters)
     {
         (screen, vertices, indices, sets, hard, Extent) = (shared.screen, shared.vertices, shared.indices, shared.sets, shared.hard, shared.Extent);
-        filter = new TileFilter(screen, vertices, indices);
+        this.filters = filters;
     }
 
     /// <inheritdoc/>
     public override Tile Extent { get; }
 
     /// <inheritdoc/>
-    public override ModelView ForThread() => new MeshView(this);
+    public override ModelView ForThread(TileFilters? filters = null) => new MeshView(this, filters ?? new());
 
     /// <inheritdoc/>
     public override HitRange Enter(in Tile tile, HitRange known)
     {
         if (sets.Length == 0) return known;
-        var range = filter!.Enter(tile, sets);
+        entered = tile;
+        var range = Enter();
         return hard is null ? range : range with { Least = 0 };
     }
 
     /// <inheritdoc/>
     public override void Meet(RaySpan span, int index)
     {
-        if (sets.Length > 0) filter!.Meet(span, index);
+        if (shows) OwnFilter().Meet(span, index);
         if (hard is null) return;
         for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), Lanes.Broadcast<Packet>(index));
     }
@@ -80,7 +83,7 @@ internal sealed class MeshView : ModelView, ITileView
     public bool Hit(in Tile tile, int index, double[] t, int[] models, int first, int step)
     {
         if (hard is not null || tile.Width < WidePacket.Count) return false;
-        filter!.Hit(index, t, models, first, step);
+        OwnFilter().Hit(index, t, models, first, step);
         return true;
     }
 
@@ -88,9 +91,24 @@ internal sealed class MeshView : ModelView, ITileView
     public bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
     {
         if (hard is not null) return false;
-        painter ??= new(screen, scene, index);
-        if (painter.IsSupported) filter!.Paint(painter, rgb, first, step);
+        var painter = filters!.PainterOf(screen, scene, index);
+        if (painter.IsSupported) OwnFilter().Paint(painter, rgb, first, step);
         return painter.IsSupported;
+    }
+
+    private HitRange Enter()
+    {
+        filter = filters!.Take(screen, entered);
+        filter.Show(this, vertices, indices);
+        var range = filter.Enter(entered, sets);
+        shows = filter.Owner == this;
+        return range;
+    }
+
+    private TileFilter OwnFilter()
+    {
+        if (filter!.Owner != this || filter.Tile != entered) Enter();
+        return filter;
     }
 
     private static Tile ExtentOf((int Left, int Right, int Bottom, int Top) a, (int Left, int Right, int Bottom, int Top) b)

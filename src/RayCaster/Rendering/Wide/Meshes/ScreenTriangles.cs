@@ -30,9 +30,8 @@ internal sealed class ScreenTriangles
             else groupers[i].Add(First(i), First(i + 1));
         });
 
-        var places = 2 * tilesAcross * Tile.TilesOf(screen.Camera.Height);
-        triangles = new(places, Array.ConvertAll(sorters, sorter => sorter.Triangles));
-        groups = new(places, Array.ConvertAll(groupers, grouper => grouper.Groups));
+        triangles = new(Array.ConvertAll(sorters, sorter => sorter.Triangles));
+        groups = new(Array.ConvertAll(groupers, grouper => grouper.Groups));
         foreach (var sorter in sorters)
         {
             Large.AddRange(sorter.Large);

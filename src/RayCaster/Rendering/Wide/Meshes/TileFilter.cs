@@ -22,10 +22,23 @@ internal sealed class TileFilter
     private Tile tile;
     private bool isEmpty;
 
-    public TileFilter(ScreenSpace screen, Vector3[] vertices, int[] indices)
+    public TileFilter(ScreenSpace screen)
     {
-        (this.screen, pixels) = (screen, new(screen, vertices, indices));
+        (this.screen, pixels) = (screen, new(screen));
         cover = new(screen, pixels);
+    }
+
+    /// <summary>Whose pixels it knows; null where it knows none.</summary>
+    public MeshView? Owner { get; private set; }
+
+    /// <summary>The tile that was entered last.</summary>
+    public Tile Tile => tile;
+
+    /// <summary>Comes to another mesh.</summary>
+    public void Show(MeshView owner, Vector3[] vertices, int[] indices)
+    {
+        Owner = owner;
+        pixels.Show(vertices, indices);
     }
 
     /// <summary>Finds the pixels' triangles.</summary>
@@ -48,7 +61,11 @@ internal sealed class TileFilter
             Add(set, set.GroupsOf(tile, 1 - nearer));
             Add(set, set.Of(tile, 1 - nearer));
         }
-        if (isEmpty) return HitRange.None;
+        if (isEmpty)
+        {
+            Owner = null; // there is nothing to ask it for
+            return HitRange.None;
+        }
         pixels.Decide();
         coarse.Update(pixels.Covered);
         var least = coarse.Least;
@@ -56,10 +73,7 @@ internal sealed class TileFilter
     }
 
     /// <summary>Keeps the hits of a part of a row of the tile.</summary>
-    public void Meet(RaySpan span, int index)
-    {
-        if (!isEmpty) pixels.Meet(span, index);
-    }
+    public void Meet(RaySpan span, int index) => pixels.Meet(span, index);
 
     /// <inheritdoc cref="TilePixels.Hit(int, double[], int[], int, int)"/>
     public void Hit(int index, double[] t, int[] models, int first, int step) => pixels.Hit(index, t, models, first, step);

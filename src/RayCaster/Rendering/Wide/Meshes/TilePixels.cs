@@ -8,7 +8,7 @@ namespace RayCaster;
 /// What one thread knows of each pixel of a tile: the triangle that may be in front there. A triangle that surely covers a pixel hides all that is surely
 /// behind it; where two are too close to each other or a sample too close to a side, the second one waits in a queue for its formula.
 /// </summary>
-internal sealed class TilePixels(ScreenSpace screen, Vector3[] vertices, int[] indices)
+internal sealed class TilePixels(ScreenSpace screen)
 {
     /// <summary>From a pixel to the one above it. What a packet at the end of a row holds of the next one stays as it is.</summary>
     public const int Stride = Tile.MaxSide;
@@ -18,11 +18,11 @@ internal sealed class TilePixels(ScreenSpace screen, Vector3[] vertices, int[] i
 
     private const int QueueLength = 1 << 14;
 
-    private readonly ExactHits exact = new(screen, vertices, indices);
+    private readonly ExactHits exact = new(screen);
     private readonly Columns columns = new(screen.Camera, Tile.MaxSide);
     private readonly double[] decided = new double[Size]; // the least t of the hits that had to be decided by the formula
     private readonly GrowingArray<(int Pixel, int Triangle, float MostW)> queue = new();
-    private readonly Twins twins = new(vertices, indices);
+    private readonly Twins twins = new([], []);
     private Tile tile;
     private bool hasDecided;
 
@@ -34,6 +34,13 @@ internal sealed class TilePixels(ScreenSpace screen, Vector3[] vertices, int[] i
 
     /// <summary>The triangle; any where there is none.</summary>
     public int[] Proposed { get; } = new int[Size];
+
+    /// <summary>Comes to another mesh.</summary>
+    public void Show(Vector3[] vertices, int[] indices)
+    {
+        exact.Show(vertices, indices);
+        twins.Show(vertices, indices);
+    }
 
     /// <summary>Forgets all; beyond the tile's pixels everything is covered, so that they do not count where the least is looked for.</summary>
     public void Enter(in Tile tile)
