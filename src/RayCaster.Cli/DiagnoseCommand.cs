@@ -40,6 +40,7 @@ internal sealed class DiagnoseCommand : Command
         var level = Level(line[Option.Hint]);
         var threads = line.ThreadCount();
         if (SceneInput.Read(scenePath, null, threads, quiet: true, cancellation) is not { } scene) return ExitCode.CouldNot;
+        SceneInput.WarnOfEditedJudge(scenePath, scene);
 
         var picture = PictureFile.Read(picturePath);
         var size = (scene.Camera.Width, scene.Camera.Height);

@@ -51,6 +51,8 @@ internal static class HelpText
                                  or uv, as <scene>.<kind>.pfm, and to look at as .png.
               --ledger           Prints which models show, and why the others do not. Printed
                                  by itself when the picture is empty or of one colour.
+              --plain            Draws by the definition, ScalarRenderer, ray by ray: for the
+                                 debugger and for Console.WriteLine in a formula.
               --preview          Shows the picture in the terminal, too (standard output).
               --color <when>     Colours of the preview: auto, always or never. [default: auto,
                                  which heeds NO_COLOR, FORCE_COLOR, COLORTERM and TERM]

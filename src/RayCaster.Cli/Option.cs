@@ -24,6 +24,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Reference = new("--reference");
     public static readonly Option Hint = new("--hint");
     public static readonly Option Ledger = new("--ledger", takesValue: false);
+    public static readonly Option Plain = new("--plain", takesValue: false);
     public static readonly Option Preview = new("--preview", takesValue: false);
     public static readonly Option Measures = new("--measures", takesValue: false);
     public static readonly Option Json = new("--json", takesValue: false);
@@ -37,7 +38,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
         Threads, Map, Color, Scene, Reference, Hint,
-        Ledger, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
+        Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
     ];
 
     /// <summary>What it is called, with two dashes.</summary>

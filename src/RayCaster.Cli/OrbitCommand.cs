@@ -77,7 +77,7 @@ internal sealed class OrbitCommand : Command
             var output = Path.Combine(folder, $"{name}-{frame.ToString(digits, CultureInfo.InvariantCulture)}.png");
             var part = PictureOutput.Facts(view, whole); // says what it is, so that it can be left out later
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue; // one reason stands for all
-            PictureOutput.Draw(output, PictureFormat.Png, view, whole, part, threads, showProgress, cancellation);
+            PictureOutput.Draw(output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, showProgress, cancellation);
             drawn++;
         }
         if (!quiet)

@@ -1,0 +1,28 @@
+namespace RayCaster.Engine;
+
+/// <summary>Writes the pixels of some lines of a picture.</summary>
+/// <param name="shader">Turns hits into bytes.</param>
+/// <param name="rgb">Room for the lines, three bytes a pixel.</param>
+/// <param name="width">Pixels in a line.</param>
+/// <param name="topRow">The row, from the bottom, that is the first of the lines.</param>
+internal sealed class PictureSink(SpanShader shader, byte[] rgb, int width, int topRow) : ISpanSink
+{
+    /// <inheritdoc/>
+    public void Take(RaySpan span) => shader.Shade(span, rgb, PlaceOf(span.Column, span.Row), -3 * width);
+
+    /// <inheritdoc/>
+    public void TakeMiss(in Tile part)
+    {
+        for (var row = part.Row; row < part.EndRow; row++) shader.ShadeMiss(rgb.AsSpan(PlaceOf(part.Column, row), 3 * part.Width));
+    }
+
+    /// <inheritdoc/>
+    public bool TryTake(CoveredPart covered) =>
+        RoughBytes.IsSupported && covered.Painter.Paint(covered, rgb, PlaceOf(covered.Part.Column, covered.Part.Row), -3 * width);
+
+    /// <inheritdoc/>
+    public bool TryTake(in Tile tile, ModelView view, int index) =>
+        view is ITileView alone && alone.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
+
+    private int PlaceOf(int column, int row) => 3 * ((topRow - row) * width + column);
+}

@@ -1,0 +1,50 @@
+using System.Runtime.InteropServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// Tells that a triangle has the corners of an earlier one, to the bit and in the same order: its t is the same everywhere, so that only one of them need be
+/// asked. Without this a million copies of one triangle would all be asked about each pixel, since none is surely before another.
+/// </summary>
+/// <remarks>
+/// It forgets some, since a slot of the table remembers one triangle only. And it tells only of twins that are earlier in the mesh: so of all that
+/// have the same corners the first one is never left out, in whatever order they come.
+/// </remarks>
+internal sealed class Twins(Vector3[] vertices, int[] indices)
+{
+    private Vector3[] vertices = vertices;
+    private int[] indices = indices;
+    private readonly (int Round, int Triangle)[] table = new (int, int)[1 << 10];
+    private int round = 1;
+
+    /// <summary>Comes to another mesh, and forgets all.</summary>
+    public void Show(Vector3[] vertices, int[] indices)
+    {
+        (this.vertices, this.indices) = (vertices, indices);
+        Clear();
+    }
+
+    /// <summary>Forgets all.</summary>
+    public void Clear() => round++;
+
+    /// <summary>Whether an earlier triangle of the mesh that came before has the same corners.</summary>
+    public bool HasEarlier(int triangle)
+    {
+        var (a, b, c) = (vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);
+        var hash = HashOf(a) + 3 * HashOf(b) + 5 * HashOf(c);
+        ref var slot = ref table[(int)((ulong)(hash * -7046029254386353131) >> 54)];
+        if (slot.Round == round && slot.Triangle < triangle && IsCorner(slot.Triangle, 0, a) && IsCorner(slot.Triangle, 1, b) && IsCorner(slot.Triangle, 2, c))
+            return true;
+        slot = (round, triangle);
+        return false;
+    }
+
+    private bool IsCorner(int triangle, int corner, in Vector3 point)
+    {
+        ref var other = ref vertices[indices[3 * triangle + corner]];
+        return MemoryMarshal.AsBytes(new ReadOnlySpan<Vector3>(in other)).SequenceEqual(MemoryMarshal.AsBytes(new ReadOnlySpan<Vector3>(in point)));
+    }
+
+    private static long HashOf(in Vector3 p) =>
+        BitConverter.DoubleToInt64Bits(p.X) + 7 * BitConverter.DoubleToInt64Bits(p.Y) + 31 * BitConverter.DoubleToInt64Bits(p.Z);
+}

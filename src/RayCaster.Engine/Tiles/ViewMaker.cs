@@ -1,0 +1,28 @@
+namespace RayCaster.Engine;
+
+/// <summary>Makes of each kind of model the view that suits it.</summary>
+internal sealed class ViewMaker : IModelVisitor
+{
+    private readonly Camera camera;
+    private readonly int threads;
+    private ModelView view = null!; // set by Accept, which calls one of the three methods
+
+    private ViewMaker(Camera camera, int threads) => (this.camera, this.threads) = (camera, threads);
+
+    /// <summary>The model as a camera sees it; ray by ray where a model knows only single rays.</summary>
+    /// <param name="model">The model.</param>
+    /// <param name="camera">The camera.</param>
+    /// <param name="threads">How many threads may prepare it.</param>
+    public static ModelView See(Model model, Camera camera, int threads)
+    {
+        var maker = new ViewMaker(camera, threads);
+        model.Accept(maker);
+        return maker.view;
+    }
+
+    void IModelVisitor.Visit<P>(Model<P> model) => view = new PrimitiveView<P>(model.Primitive, camera);
+
+    void IModelVisitor.Visit(Mesh mesh) => view = new MeshView(mesh.Vertices, mesh.Indices, new(camera), threads);
+
+    void IModelVisitor.VisitOther(Model model) => view = new SingleRayView(model);
+}

@@ -1,0 +1,155 @@
+namespace RayCaster.Files;
+
+/// <summary>
+/// PBM, PGM and PPM, in text (P1, P2, P3) and in bytes (P4, P5, P6), with any maxval. No more of the file is read than the header asks for:
+/// of several pictures in a file the first is read, and what follows may have no end.
+/// </summary>
+internal sealed class PnmReader
+{
+    /// <summary>What is allocated for a picture from a pipe, of which nobody knows whether it holds what it promises; more when that has come.</summary>
+    private const int FirstBytes = 1 << 16;
+
+    private readonly PnmBytes file;
+    private readonly int kind, width, height, maxval;
+
+    /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
+    public static Picture Read(PnmBytes file) => new PnmReader(file).ReadPixels();
+
+    private PnmReader(PnmBytes file)
+    {
+        this.file = file;
+        var start = file.Take(2);
+        kind = start.Length < 2 ? 0 : start[1] - '0';
+        if (kind is < 1 or > 6) throw new PictureFileException($"it begins with '{PictureFile.Printable(start)}'; P1 to P6 can be read, and PNG");
+        width = ReadNumber("the width");
+        height = ReadNumber("the height");
+        maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval");
+        if (maxval is < 1 or > 65535) throw new PictureFileException($"maxval is {maxval}, but must be from 1 to 65535");
+        PictureFile.CheckSize(width, height);
+        if (kind >= 4) SkipSeparator();
+    }
+
+    private int Channels => kind is 3 or 6 ? 3 : 1;
+
+    private long Samples => (long)width * height * Channels;
+
+    /// <summary>The bytes behind the header: of a text the least there can be.</summary>
+    private long DataBytes => kind switch
+    {
+        1 => Samples, // digits may stand close together
+        2 or 3 => 2 * Samples - 1, // a digit each, and blanks between them
+        4 => (width + 7L) / 8 * height,
+        _ => maxval > 255 ? 2 * Samples : Samples,
+    };
+
+    private Picture ReadPixels()
+    {
+        var dataAt = file.Place;
+        if (file.Length is { } length && length - dataAt < DataBytes) throw CutShort(length - dataAt);
+        var rgb = new byte[file.Length is null ? Math.Min(FirstBytes, 3L * width * height) : 3L * width * height];
+        var pixel = new byte[3];
+        for (var (y, at) = (0, 0); y < height; y++)
+        {
+            if (kind == 6 && maxval == 255)
+            {
+                for (var end = at + 3 * width; at < end;)
+                {
+                    MakeRoom(ref rgb, at + 1);
+                    var count = file.Read(rgb.AsSpan(at, Math.Min(rgb.Length, end) - at));
+                    if (count == 0) throw CutShort(file.Place - dataAt);
+                    at += count;
+                }
+                continue;
+            }
+            var bits = 0;
+            for (var x = 0; x < width; x++, at += 3)
+            {
+                MakeRoom(ref rgb, at + 3);
+                if (kind == 4) bits = x % 8 == 0 ? Byte(dataAt) : bits << 1;
+                for (var c = 0; c < Channels; c++) pixel[c] = ReadSample(bits, dataAt);
+                (rgb[at], rgb[at + 1], rgb[at + 2]) = Channels == 1 ? (pixel[0], pixel[0], pixel[0]) : (pixel[0], pixel[1], pixel[2]);
+            }
+        }
+        return new Picture(width, height, rgb);
+    }
+
+    /// <summary>Doubles the picture's memory when that is full, up to what the header says.</summary>
+    private void MakeRoom(ref byte[] rgb, int bytes)
+    {
+        if (bytes > rgb.Length) Array.Resize(ref rgb, (int)Math.Min(Math.Max(2L * rgb.Length, bytes), 3L * width * height));
+    }
+
+    /// <summary>The next sample, scaled to 8 bits and rounded to nearest.</summary>
+    /// <param name="bits">In a bitmap of bytes the sample, as the highest of eight bits.</param>
+    /// <param name="dataAt">Where the samples begin, for a message.</param>
+    private byte ReadSample(int bits, long dataAt)
+    {
+        var start = file.Place;
+        var value = kind switch
+        {
+            1 => 1 - ReadBit(), // in a bitmap 1 is ink: black
+            2 or 3 => ReadNumber("a value"),
+            4 => 1 - (bits >> 7 & 1),
+            _ when maxval > 255 => Byte(dataAt) << 8 | Byte(dataAt),
+            _ => Byte(dataAt),
+        };
+        if (value > maxval) throw new PictureFileException($"the value {value} at byte {start} is greater than maxval, which is {maxval}");
+        return (byte)((value * 255 + maxval / 2) / maxval);
+    }
+
+    private int Byte(long dataAt) => file.Next() is >= 0 and var value ? value : throw CutShort(file.Place - dataAt);
+
+    private int ReadBit()
+    {
+        SkipBlanks("a 0 or 1");
+        return file.Peek() is '0' or '1' ? file.Next() - '0' : throw Unexpected("a 0 or 1");
+    }
+
+    /// <summary>A whole number after any blanks and comments.</summary>
+    private int ReadNumber(string what)
+    {
+        SkipBlanks(what);
+        if (!IsDigit(file.Peek())) throw Unexpected(what);
+        var (number, start) = (0L, file.Place);
+        while (IsDigit(file.Peek()))
+        {
+            number = number * 10 + file.Next() - '0';
+            if (number > int.MaxValue)
+                throw new PictureFileException($"{what} at byte {start} is greater than {int.MaxValue:N0}, which is the limit");
+        }
+        return (int)number;
+    }
+
+    /// <summary>Skips to the next thing that is neither blank nor comment; it is there.</summary>
+    private void SkipBlanks(string what)
+    {
+        while (IsBlank(file.Peek()) || file.Peek() == '#')
+            if (file.Next() == '#') SkipComment();
+        if (file.Peek() < 0) throw new PictureFileException($"the file is cut short: it ends where {what} is due");
+    }
+
+    /// <summary>From # to the end of the line, which stays, or of the file.</summary>
+    private void SkipComment()
+    {
+        while (file.Peek() is >= 0 and not ('\n' or '\r')) file.Next();
+    }
+
+    /// <summary>Exactly one blank, or a comment with its line end, stands before the bytes, which may look like blanks too.</summary>
+    private void SkipSeparator()
+    {
+        if (file.Peek() == '#') SkipComment();
+        if (file.Peek() < 0) throw new PictureFileException("the file is cut short: it ends with its header");
+        if (!IsBlank(file.Peek())) throw Unexpected("a line end");
+        file.Next();
+    }
+
+    private static bool IsBlank(int value) => value is ' ' or (>= '\t' and <= '\r');
+
+    private static bool IsDigit(int value) => value is >= '0' and <= '9';
+
+    /// <summary>What is thrown where a header promises more than the file holds; of a file, before anything is allocated for it.</summary>
+    private PictureFileException CutShort(long there) => new($"the file is cut short: {width:N0} × {height:N0} pixels need "
+        + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
+
+    private PictureFileException Unexpected(string due) => new($"'{PictureFile.Printable([(byte)file.Peek()])}' at byte {file.Place}, where {due} is due");
+}

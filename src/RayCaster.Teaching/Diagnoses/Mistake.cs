@@ -1,0 +1,113 @@
+namespace RayCaster.Teaching;
+
+/// <summary>What a mistake touches, so that a scene without it need not be tried.</summary>
+[Flags]
+public enum Concerns
+{
+    /// <summary>The way from a pixel to its ray: every picture.</summary>
+    Camera = 1,
+
+    /// <summary>Which crossing counts and which of two hits shows: every picture.</summary>
+    Hit = 2,
+
+    /// <summary>The formula of planes.</summary>
+    Planes = 4,
+
+    /// <summary>The formula of spheres.</summary>
+    Spheres = 8,
+
+    /// <summary>The formula of boxes.</summary>
+    Boxes = 16,
+
+    /// <summary>The formula of circles.</summary>
+    Circles = 32,
+
+    /// <summary>The formula of triangles, those of meshes included.</summary>
+    Triangles = 64,
+
+    /// <summary>The way from a hit to three bytes: every picture.</summary>
+    Color = 128,
+
+    /// <summary>The way from the bytes to the file: every picture.</summary>
+    File = 256,
+}
+
+/// <summary>Help in three steps, so that it need not do the homework.</summary>
+/// <param name="Symptom">What is to be seen.</param>
+/// <param name="Question">What to ask oneself.</param>
+/// <param name="Answer">What to write instead.</param>
+public sealed record Hint(string Symptom, string Question, string Answer);
+
+/// <summary>
+/// Something that people get wrong in a ray caster, stated as a small deviation from the definition: it changes one or two steps of a
+/// <see cref="Lab"/>, and what it does not change is right. Several may be made at once.
+/// </summary>
+public sealed class Mistake
+{
+    private readonly List<Mistake> wordings = [];
+
+    internal Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate)
+    {
+        (Id, Concerns, Slide, Cause, Deviate) = (id, concerns, slide, cause, deviate);
+        wordings.Add(this);
+    }
+
+    /// <summary>A short name without blanks, the same for ever.</summary>
+    public string Id { get; }
+
+    /// <summary>What is wrong in the program, in one line.</summary>
+    public string Cause { get; }
+
+    /// <summary>The title of the slide that has the right formula; docs/slides-to-code.md leads from it to the code.</summary>
+    public string Slide { get; }
+
+    /// <summary>Help in three steps.</summary>
+    public required Hint Hint { get; init; }
+
+    /// <summary>What it touches.</summary>
+    public Concerns Concerns { get; }
+
+    /// <summary>The same mistake as different people write it: one id, but each a cause of its own. This one is the first.</summary>
+    public IReadOnlyList<Mistake> Wordings => wordings;
+
+    /// <summary>Plants the mistake.</summary>
+    internal Action<Lab> Deviate { get; }
+
+    /// <summary>Whether it puts another formula in the place of a step, not around it; it is planted before such as do not.</summary>
+    internal bool Rewrites { get; init; }
+
+    /// <summary>Whether it moves no channel by more than a level, as rounding does, so that no wrong pixel can be its work.</summary>
+    internal bool IsWithinRounding { get; init; }
+
+    /// <summary>Whether a scene has what the mistake touches; where not, its picture is right.</summary>
+    public bool Touches(Scene scene)
+    {
+        const Concerns always = Concerns.Camera | Concerns.Hit | Concerns.Color | Concerns.File;
+        if ((Concerns & always) != 0) return true;
+        foreach (var model in scene.Models)
+        {
+            if ((Concerns & KindOf(model)) != 0) return true;
+        }
+        return false;
+    }
+
+    /// <summary>Its id.</summary>
+    public override string ToString() => Id;
+
+    /// <summary>Adds a wording.</summary>
+    internal Mistake Or(string cause, Action<Lab> deviate)
+    {
+        wordings.Add(new Mistake(Id, Concerns, Slide, cause, deviate) { Hint = Hint, Rewrites = Rewrites });
+        return this;
+    }
+
+    private static Concerns KindOf(Model model) => model switch
+    {
+        Model<Plane> => Concerns.Planes,
+        Model<Sphere> => Concerns.Spheres,
+        Model<Aabb> => Concerns.Boxes,
+        Model<Circle> => Concerns.Circles,
+        Model<Triangle> or Mesh => Concerns.Triangles,
+        _ => 0,
+    };
+}
