@@ -28,7 +28,7 @@ public static class PictureFile
         {
             // A few bytes tell what it is. A pipe cannot go back: the rest follows them.
             var start = new byte[8];
-            var begun = start.AsSpan(0, stream.ReadAtLeast(start, start.Length, throwOnEndOfStream: false));
+            var begun = start.AsSpan(0, stream.Read(start));
             if (begun.IsEmpty) throw new PictureFileException("the file is empty");
             if (begun[0] == PngChunk.Signature[0]) return PngReader.Read(InMemory(begun, stream));
             if (begun[0] == 'P') return PnmReader.Read(new PnmBytes(begun, stream));

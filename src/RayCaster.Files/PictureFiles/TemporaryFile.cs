@@ -51,7 +51,7 @@ internal static class TemporaryFile
     private static string Beginning(string target)
     {
         var name = Path.GetFileName(target);
-        if (Encoding.UTF8.GetByteCount(name) <= LongestName - Ending.Length) return target;
+        if (Encoding.UTF8.GetByteCount(name) is var bytes && (bytes <= LongestName - Ending.Length || bytes > LongestName)) return target; // the latter is refused whatever is done
         var length = name.Length;
         while (Encoding.UTF8.GetByteCount(name.AsSpan(0, length)) > LongestName - Ending.Length || char.IsHighSurrogate(name[length - 1])) length--;
         return target[..(target.Length - name.Length + length)];

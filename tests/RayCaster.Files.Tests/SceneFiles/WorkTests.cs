@@ -14,7 +14,7 @@ public sealed class WorkTests : IDisposable
     [InlineData("{{\"models\":[{{\"type\":\"sphere\",{0}}}]}}", "\"{0}\":1,")]
     [InlineData("{{\"models\":[{0}]}}", "{{\"type\":\"sphere\",\"radius{0}\":1}},")]     // many objects with one
     [InlineData("{{\"models\":[{0}]}}", "{{\"a{0}\":1,\"a{0}\":2}},")]                  // a key twice
-    [InlineData("{{{0}}}", "\"models\":{0},")]
+    [InlineData("{{{0}}}", "\"models\":\"{0}\",")]
     public void TwiceTheErrorsAreTwiceTheWork(string file, string part)
     {
         var (once, twice) = (KeysLookedAt(file, part, 2000), KeysLookedAt(file, part, 4000));
