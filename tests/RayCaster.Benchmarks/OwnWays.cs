@@ -10,25 +10,25 @@ internal static class OwnWays
     /// <summary>How many crossings a way without a hierarchy may compute in one run; of a larger picture it casts evenly spread pixels.</summary>
     private const double Crossings = 2e7;
 
-    /// <summary>The engine, exact: all that it prepares for a scene is counted. Its map is kept from run to run, as Embree's is.</summary>
+    /// <summary>The engine, exact, as one of many frames: all that it prepares for a scene is counted. Its map is kept from run to run, as Embree's is.</summary>
     public static Way Exact(BenchmarkScene scene, int width, int height)
     {
         var hits = new Lazy<HitMap>(() => new(width, height));
         return new("exact t", Answer.Hits, threads =>
         {
             var (fresh, map) = (Fresh(scene, width, height), hits.Value);
-            return Time(() => new Renderer(fresh, threads).CastHits(map));
+            return Time(() => new Renderer(fresh, threads) { ManyFrames = true }.CastHits(map));
         });
     }
 
-    /// <summary>The engine, only the picture's bytes.</summary>
-    public static Way Bytes(BenchmarkScene scene, int width, int height)
+    /// <summary>The engine, only the picture's bytes: as one of many frames, or as a program draws that draws no other picture.</summary>
+    public static Way Bytes(BenchmarkScene scene, int width, int height, bool manyFrames = true)
     {
         var picture = new Lazy<Picture>(() => new(width, height));
-        return new("bytes", Answer.Bytes, threads =>
+        return new(manyFrames ? "bytes" : "bytes of a single picture", Answer.Bytes, threads =>
         {
             var (fresh, kept) = (Fresh(scene, width, height), picture.Value);
-            return Time(() => new Renderer(fresh, threads).DrawInto(kept));
+            return Time(() => new Renderer(fresh, threads) { ManyFrames = manyFrames }.DrawInto(kept));
         });
     }
 
