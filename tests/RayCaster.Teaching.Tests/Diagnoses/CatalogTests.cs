@@ -36,6 +36,7 @@ public class CatalogTests
         var ids = MistakeCatalog.All.Select(mistake => mistake.Id).ToArray();
         Assert.Equal(ids.Length, ids.Distinct().Count());
         Assert.Empty(Planted.All.Select(mistake => mistake.Id).Except(ids));
+        Assert.Equal(71, Planted.All.Select(mistake => mistake.Id).Distinct().Count());
         Assert.All(ids, id => Assert.Equal(id, MistakeCatalog.Named(id)!.Id));
         Assert.Null(MistakeCatalog.Named("no-such-mistake"));
     }
@@ -54,17 +55,11 @@ public class CatalogTests
         foreach (var mistake in MistakeCatalog.All)
         {
             Assert.Same(mistake, mistake.Wordings[0]);
+            if (mistake.Wordings.Count == 1) continue; // SceneFitnessTests see to it that no two mistakes have the same pictures
             Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id));
             var pictures = mistake.Wordings.Select(wording => Pictures(wording)).Append(Pictures());
             Assert.Equal(mistake.Wordings.Count + 1, pictures.Distinct().Count()); // and none is the right one
         }
-    }
-
-    [Fact]
-    public void NoTwoMistakesGiveTheSamePictures()
-    {
-        var alike = MistakeCatalog.All.GroupBy(mistake => Pictures(mistake));
-        Assert.Empty(alike.Where(group => group.Count() > 1).Select(group => string.Join(" = ", group)));
     }
 
     [Fact]
