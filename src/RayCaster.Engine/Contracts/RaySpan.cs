@@ -52,7 +52,7 @@ internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public void CopyModels(int first, Span<int> to)
     {
-        for (; to.Length >= Packet.Count; to = to[Packet.Count..], first += Packet.Count) ModelsAt<Packet>(first).ToInts().StoreUnsafe(ref to[0]);
+        for (; to.Length >= Packet.Count; to = to[Packet.Count..], first += Packet.Count) ModelsAt<Packet>(first).ToInts().CopyTo(to);
         for (var i = 0; i < to.Length; i++) to[i] = (int)model[first + i];
     }
 

@@ -11,11 +11,12 @@ internal sealed class ExactHits<N>(ScreenSpace screen, Vector3[] vertices, int[]
 
     /// <summary>Where rays cross triangles, a lane for each pair.</summary>
     /// <param name="rays">The rays.</param>
-    /// <param name="triangle">The triangle of the first lane, which those of the others follow.</param>
+    /// <param name="triangles">The triangles.</param>
+    /// <param name="first">The place there of the first lane's triangle, which those of the others follow.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a caller grown too large operators, silently, become calls
-    public Crossings<N> Cross(in Ray<N> rays, ref int triangle) => Triangle.Cross(
+    public Crossings<N> Cross(in Ray<N> rays, RawSpan<int> triangles, int first) => Triangle.Cross(
         new AlongRay<N>(rays),
-        N.Gather(vertices, indices, ref triangle, 0), N.Gather(vertices, indices, ref triangle, 1), N.Gather(vertices, indices, ref triangle, 2));
+        N.Gather(vertices, indices, triangles, first, 0), N.Gather(vertices, indices, triangles, first, 1), N.Gather(vertices, indices, triangles, first, 2));
 
     /// <summary>Asks about a pixel and a triangle, sooner or later, and keeps the t if it is less than what stands at the place.</summary>
     /// <param name="column">The pixel's column.</param>
@@ -50,7 +51,7 @@ internal sealed class ExactHits<N>(ScreenSpace screen, Vector3[] vertices, int[]
     private void Ask()
     {
         var direction = screen.Camera.Direction(N.Load(columns, 0), N.Load(rows, 0));
-        var crossings = Cross(new Ray<N>(screen.Camera.Position, direction), ref triangles[0]);
+        var crossings = Cross(new Ray<N>(screen.Camera.Position, direction), new(triangles), 0);
         var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.ZPerT(direction));
         hit.Store(hits, 0);
         (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(nearness, 0);

@@ -14,7 +14,7 @@ internal sealed class GroupSorter<N>(ScreenSpace screen, Vector3[] vertices, int
 
     private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private readonly TriangleBoxes boxes = new(vertices, indices);
-    private readonly Vector256<double>[] lows = new Vector256<double>[N.Count], highs = new Vector256<double>[N.Count];
+    private readonly BoxCorners lows = new(N.Count), highs = new(N.Count);
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
     private readonly int[] middles = new int[N.Count];
@@ -37,7 +37,9 @@ internal sealed class GroupSorter<N>(ScreenSpace screen, Vector3[] vertices, int
             {
                 // Where fewer are left than there are lanes, the last group again.
                 var begin = Math.Min(first + i * Group.Length, (end - 1) / Group.Length * Group.Length);
-                (lows[i], highs[i]) = boxes.Around(begin, Math.Min(begin + Group.Length, end));
+                var (low, high) = boxes.Around(begin, Math.Min(begin + Group.Length, end));
+                lows.Set(i, low);
+                highs.Set(i, high);
                 middles[i] = Math.Min(begin + Group.Length / 2, end - 1);
             }
             var ((fit, shows), sides) = (Project(), Sides());
@@ -59,7 +61,7 @@ internal sealed class GroupSorter<N>(ScreenSpace screen, Vector3[] vertices, int
     private (uint Fit, uint Shows) Project()
     {
         Vector3<N> eye = screen.Camera.Position;
-        var (low, high) = (N.Transpose(ref lows[0]) - eye, N.Transpose(ref highs[0]) - eye);
+        var (low, high) = (lows.Load<N>() - eye, highs.Load<N>() - eye);
         var (center, half) = ((N)0.5 * (low + high), (N)0.5 * (high - low));
         var (nearest, farthest) = Range(-screen.Camera.W, center, half);
         var (inverse, inverseFar) = ((N)1.0 / nearest, (N)1.0 / farthest);
@@ -155,5 +157,5 @@ internal sealed class GroupSorter<N>(ScreenSpace screen, Vector3[] vertices, int
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector3<N> Middle(int corner) => N.Gather(vertices, indices, ref middles[0], corner);
+    private Vector3<N> Middle(int corner) => N.Gather(vertices, indices, new(middles), 0, corner);
 }

@@ -35,7 +35,7 @@ internal sealed class TileHits<N>(ScreenSpace screen, Vector3[] vertices, int[] 
         {
             var at = first + i;
             var hit = Lanes.Broadcast<N>(double.NaN);
-            if (HasAny(at)) hit = span.First(i, exact.Cross(span.RaysAt<N>(i), ref proposed[at]));
+            if (HasAny(at)) hit = span.First(i, exact.Cross(span.RaysAt<N>(i), new(proposed), at));
             if (hasDecided)
             {
                 var other = N.Load(decided, at);
@@ -64,6 +64,6 @@ internal sealed class TileHits<N>(ScreenSpace screen, Vector3[] vertices, int[] 
     /// <summary>Whether any pixel of a packet has a proposed triangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool HasAny(int pixel) => N.Count == 8
-        ? Vector256.LoadUnsafe(ref pixels.Front[pixel]) != Vector256<float>.Zero
-        : Vector128.LoadUnsafe(ref pixels.Front[pixel]) != Vector128<float>.Zero;
+        ? pixels.Front.Load256(pixel) != Vector256<float>.Zero
+        : pixels.Front.Load128(pixel) != Vector128<float>.Zero;
 }

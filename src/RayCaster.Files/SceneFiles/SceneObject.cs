@@ -137,6 +137,17 @@ internal sealed class SceneObject
     /// <summary>A text, or null where it is left out.</summary>
     public string? OptionalText(string key, string meaning) => Text(key, meaning, false);
 
+    /// <summary>An array of texts, without those elements that are none; empty where it is left out.</summary>
+    public IReadOnlyList<string> Texts(string key, string meaning, bool isRequired)
+    {
+        described?.Add(new(key, KeyKind.Texts, meaning, isRequired));
+        if (Take(key, meaning, isRequired) is not { } value) return [];
+        if (value.Kind == JsonTokenType.StartArray)
+            return [.. value.Content.Where((text, i) => IsText(text, key, i)).Select(text => text.Text)];
+        Report(value, key, " must be an array of texts in brackets [ ], but is " + value.InWords);
+        return [];
+    }
+
     /// <summary>One of several words; the first where it is left out.</summary>
     public string OptionalChoice(string key, string meaning, params string[] words) =>
         Choice(key, meaning, words[0], words) ?? words[0];
@@ -278,10 +289,10 @@ internal sealed class SceneObject
         return Take(key, meaning, isRequired) is { } value && IsText(value, key) ? value.Text : null;
     }
 
-    private bool IsText(JsonValue value, string key)
+    private bool IsText(JsonValue value, string key, int? element = null)
     {
         if (value.Kind == JsonTokenType.String) return true;
-        Report(value, key, " must be a text in double quotes, but is " + value.InWords);
+        Report(value, key, " must be a text in double quotes, but is " + value.InWords, element);
         return false;
     }
 
