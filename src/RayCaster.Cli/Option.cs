@@ -23,6 +23,10 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Scene = new("--scene");
     public static readonly Option Reference = new("--reference");
     public static readonly Option Hint = new("--hint");
+    public static readonly Option Done = new("--done");
+    public static readonly Option For = new("--for");
+    public static readonly Option Require = new("--require");
+    public static readonly Option Mistake = new("--mistake");
     public static readonly Option Ledger = new("--ledger", takesValue: false);
     public static readonly Option Preview = new("--preview", takesValue: false);
     public static readonly Option Measures = new("--measures", takesValue: false);
@@ -36,7 +40,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option[] All =
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
-        Threads, Map, Color, Scene, Reference, Hint,
+        Threads, Map, Color, Scene, Reference, Hint, Done, For, Require, Mistake,
         Ledger, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
     ];
 

@@ -91,15 +91,23 @@ public sealed class Mistake
     internal bool IsWithinRounding { get; }
 
     /// <summary>Whether a scene has what the mistake touches; where not, its picture is right.</summary>
-    public bool Touches(Scene scene)
+    public bool Touches(Scene scene) => TouchesAny(scene.Models.Select(KindOf));
+
+    /// <summary>Whether a program has what the mistake touches that draws these kinds of shape, as a scene file calls them.</summary>
+    public bool Touches(IEnumerable<string> kinds) => TouchesAny(kinds.Select<string, Concerns>(kind => kind switch
+    {
+        "plane" => Concerns.Planes,
+        "sphere" => Concerns.Spheres,
+        "aabb" => Concerns.Boxes,
+        "circle" => Concerns.Circles,
+        "triangle" or "mesh" => Concerns.Triangles,
+        _ => default(Concerns),
+    }));
+
+    private bool TouchesAny(IEnumerable<Concerns> shapes)
     {
         const Concerns always = Concerns.Camera | Concerns.Hit | Concerns.Color | Concerns.File;
-        if ((Concerns & always) != 0) return true;
-        foreach (var model in scene.Models)
-        {
-            if ((Concerns & KindOf(model)) != 0) return true;
-        }
-        return false;
+        return shapes.Any(shape => (Concerns & shape) != 0) || (Concerns & always) != 0;
     }
 
     /// <summary>Its id.</summary>
