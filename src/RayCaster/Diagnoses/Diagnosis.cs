@@ -48,6 +48,12 @@ public sealed class Diagnosis
     /// <summary>What may be left unexplained, as a share of the wrong pixels, for a cause to be certain.</summary>
     private const double Explained = 0.05;
 
+    /// <summary>The share that one mistake may leave without asking whether a number of the scene explains more.</summary>
+    private const double Certain = 0.01;
+
+    /// <summary>The share of the wrong pixels that unfinished programs may leave for the rest to be right.</summary>
+    private const double Nearly = 0.001;
+
     /// <summary>The share of the wrong pixels that one mistake may leave before it is taken for chance; of more than one, less.</summary>
     private const double Foreign = 0.35, ForeignPair = 0.2;
 
@@ -87,7 +93,7 @@ public sealed class Diagnosis
         MissingModel = FindMissingModel();
         var ranked = new DiagnosisSearch(scene, prepared.Known, evidence, prepared.Threads)
             .Run(Unfinished.Ways(scene, done), () => Unfinished.ByColors(scene, right, picture, done));
-        Answer(ranked, picture);
+        Answer(ranked, picture, done);
     }
 
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
@@ -143,13 +149,14 @@ public sealed class Diagnosis
     public static Diagnosis Of(Scene scene, Picture picture, int? threads = null) => new SceneDiagnosis(scene, threads).Judge(picture);
 
     /// <summary>What the trials come to, the best of which stands first.</summary>
-    private void Answer(List<WrongProgram> ranked, Picture picture)
+    private void Answer(List<WrongProgram> ranked, Picture picture, IReadOnlyCollection<string> done)
     {
         var best = ranked[0];
         var left = best.Misfit.Unexplained / WrongCount;
         var isNamed = left <= Explained
             || (MissingModel is null && left <= (best.Wordings.Count + best.Base.Kinds.Count() > 1 ? ForeignPair : Foreign));
-        if (left > Explained && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
+        var doubtful = left > (best.Named.Count > 1 ? Nearly : Certain);
+        if (doubtful && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
         {
             var byModels = SceneDifference.Find(prepared.Scene, new(picture, prepared.Right), prepared.Threads);
             if (LikelyCause.Certain(prepared, byModels, evidence, left) is { } certain) (isNamed, Likely) = (false, [certain]);
@@ -162,12 +169,25 @@ public sealed class Diagnosis
             return;
         }
         NotYet = best.Base.NotYet;
+        if (best.Wordings.Count == 0 && best.Base.Kinds.Any() && left > (best.OtherSample ? Certain : Nearly)
+            && !IsRestRight([.. best.Base.Kinds], picture, done)) return;
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
         var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= Foreign * WrongCount);
         if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
             named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
         WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named)).Take(5)];
         Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(AsSuspect)];
+    }
+
+    /// <summary>Beside shapes that are missing a small mistake counts for little: what is drawn is judged once more by itself.</summary>
+    private bool IsRestRight(string[] kinds, Picture picture, IReadOnlyCollection<string> done)
+    {
+        var drawn = prepared.Scene with { Models = [.. prepared.Scene.Models.Where(model => !kinds.Contains(model.Kind))] };
+        var rest = new SceneDiagnosis(drawn, prepared.Threads).Judge(picture, done);
+        if (rest.Finding == Finding.Matches) return true;
+        NotYet = [.. kinds, .. rest.NotYet];
+        (Finding, Suspects, Likely) = (rest.Finding, rest.Suspects, rest.Likely);
+        return false;
     }
 
     private bool SameSize(Picture picture) => (picture.Width, picture.Height) == (prepared.Right.Width, prepared.Right.Height);

@@ -15,8 +15,14 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// <summary>How many single mistakes are tried together with every other: of a finished program, and of an unfinished one.</summary>
     private const int Partners = 10, UnfinishedPartners = 4;
 
+    /// <summary>How many of all pairs get a closer look than fifty pixels.</summary>
+    private const int Closer = 400;
+
+    /// <summary>How many wordings of a mistake are tried where all pairs are.</summary>
+    private const int MostWordings = 5;
+
     /// <summary>How many ways to be unfinished are tried with mistakes on top.</summary>
-    private const int Ways = 16;
+    private const int Ways = 8;
 
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
@@ -28,14 +34,18 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     public List<WrongProgram> Run(IEnumerable<Unfinished> unfinished, Func<IEnumerable<Unfinished>> likely)
     {
         var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
-        var singles = WithoutIdle(Best(Singles(Unfinished.Nothing)));
+        var singles = WithoutIdle(Best(Singles(Unfinished.Nothing, [false, true])));
         List<WrongProgram> all = [.. plain, .. singles];
         if (IsDone(all)) return Sorted(all);
 
         Unfinished[] ways = [.. likely().Take(Ways)];
-        var onTop = Best([.. ways.SelectMany(Singles)]);
+        bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
+        var onTop = Best([.. ways.SelectMany(way => Singles(way, samples))]);
         all.AddRange(onTop);
-        if (!IsDone(all)) all.AddRange(Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]));
+        if (IsDone(all)) return Sorted(all);
+
+        all.AddRange(Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]));
+        if (!IsDone(all)) all.AddRange(Best(Reworded(Best([.. Measured(AllPairs(), 0.008).Take(Closer)]))));
         return Sorted(all);
     }
 
@@ -43,12 +53,12 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     private List<WrongProgram> Sorted(List<WrongProgram> trials) => [.. trials.OrderBy(trial => trial.Cost(Wrong))]; // stable: of equals the first in the catalogue
 
-    private List<WrongProgram> Singles(Unfinished way) =>
+    private List<WrongProgram> Singles(Unfinished way, bool[] samples) =>
     [
         .. from mistake in known
            where !way.AsMistakes.Contains(mistake)
            from wording in mistake.Wordings
-           from otherSample in mistake == center ? (bool[])[false] : [false, true]
+           from otherSample in mistake == center ? (bool[])[false] : samples
            select new WrongProgram(way, [wording], otherSample),
     ];
 
@@ -66,6 +76,26 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         where other.Id != single.Wordings[0].Id && !(single.OtherSample && other == center)
         from wording in other.Wordings
         select single with { Wordings = [single.Wordings[0], wording] };
+
+    /// <summary>All pairs, one of both in its first wording: of two mistakes that change everything, neither is near by itself.</summary>
+    private List<WrongProgram> AllPairs() =>
+    [
+        .. from one in known
+           from other in known
+           where one != other
+           from wording in other.Wordings.Take(MostWordings)
+           select new WrongProgram(Unfinished.Nothing, [one, wording], false),
+    ];
+
+    /// <summary>The best pairs with one of both in another wording, and with rays through the other place of each pixel.</summary>
+    private static List<WrongProgram> Reworded(List<WrongProgram> pairs) =>
+    [
+        .. from pair in pairs.Take(Partners)
+           from place in (int[])[0, 1]
+           from wording in pair.Wordings[place].Wordings
+           from otherSample in (bool[])[false, true]
+           select pair with { Wordings = place == 0 ? [wording, pair.Wordings[1]] : [pair.Wordings[0], wording], OtherSample = otherSample },
+    ];
 
     /// <summary>Looks at all, looks closer at the best, and sorts these.</summary>
     private List<WrongProgram> Best(List<WrongProgram> trials)

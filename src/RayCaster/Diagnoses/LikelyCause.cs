@@ -16,7 +16,7 @@ internal static class LikelyCause
         if (ModelsText.Meant(byModels) is [{ } model] && (model.IsMissing || model.OtherColor is not null))
             return ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault();
         var (unexplained, says) = OtherNumber.Find(prepared.Scene, evidence, prepared.Threads);
-        return unexplained <= Math.Min(Explained, left / 2) * evidence.WrongCount ? says : null;
+        return unexplained <= Math.Min(Explained, left / 4) * evidence.WrongCount ? says : null;
     }
 
     /// <summary>What may be said besides.</summary>

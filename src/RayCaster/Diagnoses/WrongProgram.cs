@@ -24,5 +24,5 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// </summary>
     /// <param name="wrong">How many pixels are wrong.</param>
     public double Cost(int wrong) =>
-        (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong) * Math.Pow(1 / 0.6, Wordings.Count) * Math.Pow(1.02, Base.NotYet.Count);
+        (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong) * Math.Pow(1 / 0.6, Math.Max(Wordings.Count, OtherSample ? 1 : 0)) * Math.Pow(1.02, Base.NotYet.Count);
 }

@@ -8,7 +8,7 @@ namespace RayCaster;
 /// <param name="Background">The colour of a pixel whose ray hits nothing.</param>
 public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Background = default)
 {
-    /// <summary>Slide "Attenuation": the farther the hit, the darker; black from twice the target's distance on.</summary>
+    /// <summary>Slide "Primitive Shading": the farther the hit, the darker; black from twice the target's distance on.</summary>
     /// <param name="t">The parameter of the nearest hit.</param>
     /// <param name="model">The model hit there; null for none, which shows the background, not attenuated.</param>
     public Color Shade(double t, Model? model) => model is null ? Background : Attenuation<Scalar>(t) * model.Color;
