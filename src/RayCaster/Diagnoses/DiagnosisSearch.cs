@@ -21,6 +21,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// <summary>How many wordings of a mistake are tried where all pairs are.</summary>
     private const int MostWordings = 5;
 
+    /// <summary>How many of the nearest mistakes are tried beside each way to be unfinished.</summary>
+    private const int Besides = 3;
+
     /// <summary>How many ways to be unfinished are tried with mistakes on top.</summary>
     private const int Ways = 8;
 
@@ -35,7 +38,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     {
         var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
         var singles = WithoutIdle(Best(Singles(Unfinished.Nothing, [false, true])));
-        List<WrongProgram> all = [.. plain, .. singles];
+        // Beside a mistake that changes everything a missing shape counts for little, so it is looked for even where the mistake explains most.
+        var beside = Best([.. singles.DistinctBy(single => single.Id).Take(Besides).SelectMany(single => unfinished.Select(way => single with { Base = way }))]);
+        List<WrongProgram> all = [.. plain, .. singles, .. beside];
         if (IsDone(all)) return Sorted(all);
 
         Unfinished[] ways = [.. likely().Take(Ways)];

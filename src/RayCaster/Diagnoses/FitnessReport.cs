@@ -58,6 +58,11 @@ public static class FitnessReport
                 foreach (var mistake in group) text.AppendLine($"    {mistake.Id,-14} {mistake.Cause}");
             }
         }
+        if (fitness.HiddenAtFirst.Count > 0)
+        {
+            text.AppendLine("These show in one form and are hidden in another:");
+            foreach (var mistake in fitness.HiddenAtFirst) text.AppendLine($"    {mistake.Id,-14} hidden as: {mistake.Cause}");
+        }
         if (fitness.WithinRounding.Count > 0)
             text.AppendLine($"Only a comparison of the bytes shows {string.Join(", ", fitness.WithinRounding.Select(mistake => mistake.Id))}: they change a channel by a level.");
         if (fitness.Twins.Count > 0)
@@ -98,6 +103,8 @@ public static class FitnessReport
                 json.WriteEndObject();
             }
             json.WriteEndArray();
+            json.WritePropertyName("hiddenInOneForm");
+            WriteStrings(json, fitness.HiddenAtFirst.Select(mistake => mistake.Id));
             json.WriteStartArray("twins");
             foreach (var group in fitness.Twins) WriteStrings(json, group.Select(mistake => mistake.Id));
             json.WriteEndArray();

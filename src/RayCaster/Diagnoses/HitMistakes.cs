@@ -14,18 +14,9 @@ internal static class HitMistakes
             "Things from behind the camera are in the picture, upside down and glaring.",
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
-            .Or("|t| is asked where t is meant", lab =>
-            {
-                lab.Ahead.Is(t => Math.Abs(t) > lab.Camera.Bias);
-                lab.Near.Is((_, _) => true);
-            })
             .Or("no least t for planes", lab => BackToo(lab, Concerns.Planes))
             .Or("no least t for spheres", lab => BackToo(lab, Concerns.Spheres))
-            .Or("no least t for boxes", lab => BackToo(lab, Concerns.Boxes))
-            .Or("no least t for circles", lab => BackToo(lab, Concerns.Circles))
-            .Or("no least t for triangles", lab => BackToo(lab, Concerns.Triangles))
-            .Or("no least t for planes and circles", lab => BackToo(lab, Concerns.Planes | Concerns.Circles))
-            .Or("no least t for planes, circles and triangles", lab => BackToo(lab, Concerns.Planes | Concerns.Circles | Concerns.Triangles)),
+            .Or("no least t for boxes", lab => BackToo(lab, Concerns.Boxes)),
         new Mistake("last-hit", Concerns.Hit, Slides.RayCasting, "the last model hit shows, not the nearest",
             lab => lab.Better.Is((_, _) => true),
             "Far things cover near ones; the order of the models changes the picture.",

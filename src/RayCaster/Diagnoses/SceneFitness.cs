@@ -31,6 +31,7 @@ public sealed class SceneFitness
         var (known, views) = Look(Scenes, asked, threads);
         NotTried = [.. asked.Except(known)];
         Hidden = HiddenOf(known, views);
+        HiddenAtFirst = [.. known.Except(Hidden).Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))];
         WithinRounding = [.. Hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))];
         Twins = Groups(views, [.. known.Except(Hidden)]);
         ShowsNothing = views.All(view => view.IsOfOneColor);
@@ -67,6 +68,9 @@ public sealed class SceneFitness
 
     /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
     public IReadOnlyList<Mistake> Hidden { get; }
+
+    /// <summary>The mistakes that show in another wording only than the catalogue's first: a program may well have them, and its picture be right.</summary>
+    public IReadOnlyList<Mistake> HiddenAtFirst { get; }
 
     /// <summary>Those of the hidden ones that do change pixels, by a level: a comparison shows them, the eye does not.</summary>
     public IReadOnlyList<Mistake> WithinRounding { get; }
@@ -125,7 +129,7 @@ public sealed class SceneFitness
         private readonly GoldenSteps places = new(scene.Camera.Width * scene.Camera.Height); // of samples
         private readonly Picture right = Renderer.Render(scene);
         private readonly ConcurrentDictionary<Mistake, byte[]> samples = [];
-        private readonly ConcurrentDictionary<Mistake, bool> shown = [], byALevel = [];
+        private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [], byALevel = [];
 
         public Scene Scene => scene;
 
@@ -133,6 +137,9 @@ public sealed class SceneFitness
 
         /// <summary>Whether the picture shows a mistake, in any of its wordings.</summary>
         public bool Shows(Mistake mistake) => shown.GetValueOrDefault(mistake);
+
+        /// <summary>The same for its first wording.</summary>
+        public bool ShowsFirst(Mistake mistake) => shownFirst.GetValueOrDefault(mistake);
 
         public bool ShowsByALevel(Mistake mistake) => byALevel.GetValueOrDefault(mistake);
 
@@ -144,8 +151,10 @@ public sealed class SceneFitness
             var pixels = new byte[3 * Math.Min(most, count)];
             for (var k = 0; k < pixels.Length / 3; k++) Put(lab, places[k], pixels, 3 * k);
             samples[mistake] = pixels;
-            shown[mistake] = SizeOf(lab) != (right.Width, right.Height) || CountSamples(pixels) >= LeastPixels || (mistake.Touches(scene)
-                && mistake.Wordings.Any(wording => Changes(wording, wording == mistake ? SecondLook : ThirdLook)));
+            shownFirst[mistake] = SizeOf(lab) != (right.Width, right.Height) || CountSamples(pixels) >= LeastPixels
+                || (mistake.Touches(scene) && Changes(mistake, SecondLook));
+            shown[mistake] = shownFirst[mistake]
+                || (mistake.Touches(scene) && mistake.Wordings.Skip(1).Any(wording => Changes(wording, ThirdLook)));
         }
 
         /// <summary>Whether a wording changes enough pixels of a part of the picture.</summary>

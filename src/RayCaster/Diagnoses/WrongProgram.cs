@@ -10,7 +10,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
     /// <summary>Equal for trials that differ in wordings and samples alone.</summary>
-    public string Id { get; } = string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id).Order(StringComparer.Ordinal)));
+    public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id).Order(StringComparer.Ordinal)));
 
     /// <summary>Draws the scene so.</summary>
     public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Wordings, .. OtherSample ? (Mistake[])[center] : []]));
@@ -24,5 +24,5 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// </summary>
     /// <param name="wrong">How many pixels are wrong.</param>
     public double Cost(int wrong) =>
-        (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong) * Math.Pow(1 / 0.6, Math.Max(Wordings.Count, OtherSample ? 1 : 0)) * Math.Pow(1.02, Base.NotYet.Count);
+        (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong) * Math.Pow(1 / 0.6, Math.Max(Wordings.Count, OtherSample ? 1 : 0)) * Math.Pow(1.15, Base.NotYet.Count);
 }
