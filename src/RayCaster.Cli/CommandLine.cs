@@ -84,9 +84,9 @@ internal sealed class CommandLine
     public PictureFormat? PictureFormat() => this[Option.Format] switch
     {
         null => null,
-        "png" => RayCaster.PictureFormat.Png,
-        "ppm" => RayCaster.PictureFormat.Ppm,
-        "ppm-text" => RayCaster.PictureFormat.PpmText,
+        "png" => RayCaster.Files.PictureFormat.Png,
+        "ppm" => RayCaster.Files.PictureFormat.Ppm,
+        "ppm-text" => RayCaster.Files.PictureFormat.PpmText,
         var text => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
     };
 

@@ -55,6 +55,7 @@ internal sealed class CompareCommand : Command
         {
             scene = SceneInput.Read(path, null, threads, quiet: true, cancellation);
             if (scene is null) return ExitCode.CouldNot;
+            SceneInput.WarnOfEditedJudge(path, scene);
         }
 
         var comparison = new PictureComparison(mine, reference, scene, threads);

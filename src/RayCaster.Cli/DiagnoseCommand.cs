@@ -63,6 +63,7 @@ internal sealed class DiagnoseCommand : Command
             if (json) StandardFile.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
             return ExitCode.CouldNot;
         }
+        SceneInput.WarnOfEditedJudge(scenePath, scene);
 
         var picture = PictureFile.Read(picturePath);
         var size = (scene.Camera.Width, scene.Camera.Height);

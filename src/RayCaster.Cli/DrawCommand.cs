@@ -9,7 +9,7 @@ internal sealed class DrawCommand : Command
     public override Option[] Options { get; } =
     [
         Option.Output, Option.Format, Option.Size, Option.Rows, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress,
-        Option.Map, Option.Mistake, Option.Ledger, Option.Preview, Option.Color, Option.Version,
+        Option.Map, Option.Mistake, Option.Ledger, Option.Plain, Option.Preview, Option.Color, Option.Version,
     ];
 
     public override string Help => HelpText.Full;
@@ -53,7 +53,8 @@ internal sealed class DrawCommand : Command
         var odd = new OddPicture(scene.Background);
         var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
-        PictureOutput.Draw(output, format, scene, lines, part, threads, showProgress, cancellation, quiet && preview is null ? null : Watch);
+        var renderer = new CheckedRenderer(scene, threads, line.Has(Option.Plain));
+        PictureOutput.Draw(output, format, renderer, lines, part, showProgress, cancellation, quiet && preview is null ? null : Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
@@ -61,8 +62,10 @@ internal sealed class DrawCommand : Command
         if (line.Has(Option.Ledger) || isOdd) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
 
-        void Watch(ReadOnlySpan<byte> drawn)
+        void Watch(int first, ReadOnlySpan<byte> drawn)
         {
+            if (first == 0 && preview is not null) preview = TerminalScreen.Preview(scene.Camera.Width, lines.Count);
+            if (first == 0) odd = new(scene.Background);
             odd.Take(drawn);
             preview?.Take(drawn);
         }

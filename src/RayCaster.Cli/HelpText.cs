@@ -20,15 +20,24 @@ internal static class HelpText
           raycaster <scene> [options]
           raycaster <command> ...
 
-        Commands:
-          check <scene>...                 Finds errors, and what a scene's picture cannot show.
-          compare <mine> <reference>       Says whether two pictures are the same, and where not.
+        For students:
+          live <scene>                     Opens a page that follows the scene file.
           diagnose <scene> <mine>          Says which mistake makes a wrong picture.
+          compare <mine> <reference>       Says whether two pictures are the same, and where not.
           explain <scene> <column> <line>  Shows how one pixel gets its colour.
+
+        For teachers:
+          handout <folder>                 Writes the lab for students: ten steps, with tests.
+          mark <rubric> <submissions>      Marks a class by its pictures, with a page for each.
+          vary <scene>                     Makes a scene of its own for each student.
+          check <scene>...                 Finds errors, and what a scene's picture cannot show.
+
+        For large pictures and many:
           stitch <part>...                 Joins parts into one picture; says which are missing.
           orbit <scene>                    Draws the frames of a camera that moves.
           animate <frame>...               Joins frames into an animated PNG.
           sheet <picture>...               Shows many pictures, made small, on one.
+
           help [command]                   Shows this help, or a command's.
 
         Arguments:
@@ -53,6 +62,8 @@ internal static class HelpText
                                  once, as rows+bgr; docs/mistakes.md lists their ids.
               --ledger           Prints which models show, and why the others do not. Printed
                                  by itself when the picture is empty or of one colour.
+              --plain            Draws by the definition, ScalarRenderer, ray by ray: for the
+                                 debugger and for Console.WriteLine in a formula.
               --preview          Shows the picture in the terminal, too (standard output).
               --color <when>     Colours of the preview: auto, always or never. [default: auto,
                                  which heeds NO_COLOR, FORCE_COLOR, COLORTERM and TERM]

@@ -27,12 +27,20 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option For = new("--for");
     public static readonly Option Require = new("--require");
     public static readonly Option Mistake = new("--mistake");
+    public static readonly Option JUnit = new("--junit");
+    public static readonly Option Seed = new("--seed");
+    public static readonly Option Mine = new("--mine");
+    public static readonly Option Port = new("--port");
     public static readonly Option Ledger = new("--ledger", takesValue: false);
+    public static readonly Option Plain = new("--plain", takesValue: false);
     public static readonly Option Preview = new("--preview", takesValue: false);
     public static readonly Option Measures = new("--measures", takesValue: false);
     public static readonly Option Json = new("--json", takesValue: false);
+    public static readonly Option Open = new("--open");
+    public static readonly Option Solution = new("--solution", takesValue: false);
     public static readonly Option Quiet = new("--quiet", "-q", takesValue: false);
     public static readonly Option NoProgress = new("--no-progress", takesValue: false);
+    public static readonly Option NoBrowser = new("--no-browser", takesValue: false);
     public static readonly Option Version = new("--version", takesValue: false);
     public static readonly Option Help = new("--help", "-h", takesValue: false);
 
@@ -40,8 +48,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option[] All =
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
-        Threads, Map, Color, Scene, Reference, Hint, Done, For, Require, Mistake,
-        Ledger, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
+        Threads, Map, Color, Scene, Reference, Hint, Done, For, Require, Mistake, Open, Solution, JUnit, Seed, Mine, Port,
+        Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, NoBrowser, Version, Help,
     ];
 
     /// <summary>What it is called, with two dashes.</summary>

@@ -76,7 +76,7 @@ internal sealed class OrbitCommand : Command
             var output = Path.Combine(folder, $"{name}-{frame.ToString(digits, CultureInfo.InvariantCulture)}.png");
             var part = PictureOutput.Facts(view, whole); // says what it is, so that it can be left out later
             if (line.Has(Option.Resume) && PartFile.Holds(output, part)) continue;
-            PictureOutput.Draw(output, PictureFormat.Png, view, whole, part, threads, showProgress, cancellation);
+            PictureOutput.Draw(output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, showProgress, cancellation);
             drawn++;
         }
         if (!quiet)

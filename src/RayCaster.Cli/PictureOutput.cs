@@ -38,28 +38,41 @@ internal static class PictureOutput
     /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="output">The file, or "-".</param>
     /// <param name="format">Its kind.</param>
-    /// <param name="scene">The scene.</param>
+    /// <param name="renderer">Draws the scene.</param>
     /// <param name="lines">Which lines.</param>
     /// <param name="part">What the file is to say of itself, if anything.</param>
-    /// <param name="threads">How many threads cast rays; null for one per core.</param>
     /// <param name="showProgress">Whether to tell on the terminal how far it is.</param>
     /// <param name="cancellation">Stops the work.</param>
-    /// <param name="watch">Sees the lines too.</param>
-    public static void Draw(string output, PictureFormat format, Scene scene, LineRange lines, PartFacts? part, int? threads,
-        bool showProgress, CancellationToken cancellation, Action<ReadOnlySpan<byte>>? watch = null) => Write(output, cancellation, stream =>
+    /// <param name="watch">Sees the lines too, from the first to the last, and again from the first if the picture is drawn anew.</param>
+    public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
+        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null)
     {
-        var (width, height) = (scene.Camera.Width, lines.Count);
-        using var progress = showProgress ? ProgressLine.OnTerminal(width, height) : null;
-        using var writer = PictureWriter.Create(format, stream, width, height, part);
-        new Renderer(scene, threads).Draw(lines, Take, progress is null ? null : progress.LinesDone, cancellation);
-        writer.Finish();
-
-        void Take(ReadOnlySpan<byte> drawn)
+        if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // what is written there cannot be taken back
+        try
         {
-            watch?.Invoke(drawn);
-            writer.WriteRows(drawn);
+            Write(output, cancellation, WriteOnce);
         }
-    });
+        catch (FastWayDisagreesException)
+        {
+            Write(output, cancellation, WriteOnce); // the file was not put in place yet
+        }
+
+        void WriteOnce(Stream stream)
+        {
+            var (width, height, line) = (renderer.Scene.Camera.Width, lines.Count, 0);
+            using var progress = showProgress ? ProgressLine.OnTerminal(width, height) : null;
+            using var writer = PictureWriter.Create(format, stream, width, height, part);
+            renderer.Draw(lines, Take, progress is null ? null : progress.LinesDone, cancellation);
+            writer.Finish();
+
+            void Take(ReadOnlySpan<byte> drawn)
+            {
+                watch?.Invoke(line, drawn);
+                writer.WriteRows(drawn);
+                line += drawn.Length / (3 * width);
+            }
+        }
+    }
 
     /// <summary>What a part says of itself.</summary>
     /// <exception cref="ProblemException">A model does not say what it is made of.</exception>

@@ -16,10 +16,16 @@ internal static class SceneInput
     public static Scene? Read(string path, (int Width, int Height)? size, int? threads, bool quiet, CancellationToken cancellation)
     {
         var (wide, high) = size ?? (0, 0); // the scene's own is not known before it is read
-        var reading = Abandonable.Run(() => Read(path, threads, text => Rehearsal.Begin(text, (long)wide * high)), cancellation);
+        var reading = Abandonable.Run(() => Read(path, threads, text => WarmUp.Begin(text, (long)wide * high)), cancellation);
         if (reading.Scene is null || !quiet) StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
         return scene with { Camera = scene.Camera.WithSize(width, height) };
+    }
+
+    /// <summary>Says so where this build draws the scene otherwise than its stored reference shows it: then its judgement is worth nothing.</summary>
+    public static void WarnOfEditedJudge(string path, Scene scene)
+    {
+        if (path != Standard && StoredReference.Contradiction(path, scene) is { } message) StandardFile.WriteError(message + Environment.NewLine);
     }
 
     /// <summary>Reads a scene and all that is to be said of it.</summary>

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster;
 
 /// <summary>A ray X(t) = P + t d on its way through the scene, and the nearest thing it has met so far (slide "Ray").</summary>
@@ -29,11 +31,18 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     /// <summary>Whether a crossing at t counts: not behind, beyond the bias, within the clip range. False for NaN.</summary>
     public bool Counts(double t) => Clip.Counts<Scalar>(t, ZPerT) != 0;
 
-    /// <summary>Meets a model: keeps it if its hit is nearer than all before, so of equal ones the first met stays.</summary>
+    /// <summary>Meets a model: keeps its hit if that is nearer than all before, so of equal ones the first met stays.</summary>
     public void Meet(Model model)
     {
-        if (model.Intersect(this) is not { } t || !(t < HitParameter)) return;
+        if (model.Intersect(this) is not { } t || IsNearer<Scalar>(t, HitParameter).Value == 0) return;
         HitParameter = t;
         HitModel = model;
     }
+
+    /// <summary>Where a hit takes the place of the nearest one before it; nowhere where t is NaN.</summary>
+    /// <param name="t">The parameter of the hit.</param>
+    /// <param name="nearest">That of the nearest before it; +∞ before the first.</param>
+    /// <typeparam name="N">The kind of number.</typeparam>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static N IsNearer<N>(N t, N nearest) where N : struct, IReal<N> => t < nearest;
 }

@@ -18,12 +18,13 @@ public readonly record struct Color(double R, double G, double B)
     public static Color operator *(double attenuation, Color color) =>
         new(attenuation * color.R, attenuation * color.G, attenuation * color.B);
 
-    /// <summary>The three bytes of a pixel: each channel clamped to 0 … 1, times 255, rounded to nearest; no gamma.</summary>
+    /// <summary>The three bytes of a pixel, red first: the whole part of each channel's level; no gamma. A channel that is NaN gives 0.</summary>
     public (byte R, byte G, byte B) ToBytes() => (ToByte(R), ToByte(G), ToByte(B));
 
     /// <summary>A channel clamped to 0 … 1, times 255, plus a half; the byte is the whole part of it.</summary>
+    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static N Level<N>(N channel) where N : struct, IReal<N> => N.Min(N.Max(channel, 0), 1) * 255 + 0.5;
+    public static N Level<N>(N channel) where N : struct, IReal<N> => N.Min(N.Max(channel, 0), 1) * 255 + 0.5;
 
     private static byte ToByte(double channel) => (byte)Level<Scalar>(channel);
 }

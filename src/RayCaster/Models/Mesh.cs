@@ -5,6 +5,12 @@ namespace RayCaster;
 /// <param name="indices">Three places in <paramref name="vertices"/> for each triangle, in file order.</param>
 public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
 {
+    /// <summary>The corners; not a copy, so nothing in it may change.</summary>
+    public Vector3[] Vertices => vertices;
+
+    /// <summary>Three places in <see cref="Vertices"/> for each triangle, in file order; not a copy, so nothing in it may change.</summary>
+    public int[] Indices => indices;
+
     /// <summary>How many triangles the mesh has.</summary>
     public int TriangleCount => indices.Length / 3;
 
@@ -25,19 +31,17 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
         return nearest;
     }
 
-    /// <summary>Adds the corners and the places in them.</summary>
-    public override void AddTo(SceneDigest digest) =>
-        digest.Add("Mesh").Add(vertices.Length).Add(indices.Length).AddBits<Vector3>(vertices).AddBits<int>(indices);
+    /// <summary>A box around all corners, computed anew at each call.</summary>
+    public override Bounds? Bounds
+    {
+        get
+        {
+            var bounds = RayCaster.Bounds.Empty;
+            foreach (var vertex in vertices) bounds = bounds.With(vertex);
+            return bounds;
+        }
+    }
 
     /// <inheritdoc/>
-    internal override int PartCount => TriangleCount;
-
-    /// <inheritdoc/>
-    internal override Crossings<N>? Cross<N>(in Ray<N> ray, int part) => this[part].Cross(ray);
-
-    /// <inheritdoc/>
-    internal override ISurface SurfaceOf(int part) => this[part];
-
-    /// <inheritdoc/>
-    internal override ModelView See(Camera camera, int threads) => new MeshView(vertices, indices, new(camera), threads);
+    public override void Accept(IModelVisitor visitor) => visitor.Visit(this);
 }

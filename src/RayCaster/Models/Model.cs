@@ -16,33 +16,27 @@ public abstract class Model
     public abstract double? Intersect(Ray ray);
 
     /// <summary>
-    /// Adds to a digest the kind of shape and everything that <see cref="Intersect"/> depends on, so that parts of a picture that were drawn apart
-    /// are joined only if they show the same; the colour is in it already.
+    /// All numbers that <see cref="Intersect"/> depends on, so that parts of a picture that were drawn apart are joined only if they show the same.
+    /// Null for a class that does not say; a picture with such a model cannot be drawn in parts.
     /// </summary>
-    /// <exception cref="NotSupportedException">A class derived from this one does not override it.</exception>
-    public virtual void AddTo(SceneDigest digest) => throw SceneDigest.Unknown(GetType());
+    public virtual IReadOnlyList<double>? Numbers => null;
 
     /// <summary>What kind of shape it is, as a scene file calls it.</summary>
-    internal virtual string Kind => GetType().Name.ToLowerInvariant();
+    public virtual string Kind => GetType().Name.ToLowerInvariant();
 
-    /// <summary>How many shapes with a formula it is made of: one, the triangles of a mesh, none for a model in plain doubles and ifs.</summary>
-    internal virtual int PartCount => 0;
+    /// <summary>What is known of its surface; null for a model that does not say, and for a mesh, whose triangles do.</summary>
+    public virtual ISurface? Surface => this as ISurface;
 
-    /// <summary>Where any kind of ray crosses one of its shapes, by the shape's own formula; null where it has none.</summary>
+    /// <summary>A box around it; null for a shape that is endless or does not say.</summary>
+    public virtual Bounds? Bounds => (this as IBounded)?.Bounds;
+
+    /// <summary>Where any kind of ray crosses the shape, by its own formula; null where there is none to run: for a mesh, and for plain doubles and ifs.</summary>
     /// <param name="ray">The ray; its direction has length 1.</param>
-    /// <param name="part">Which of the <see cref="PartCount"/> shapes, from 0.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
-    internal virtual Crossings<N>? Cross<N>(in Ray<N> ray, int part) where N : struct, IReal<N> => null;
+    public virtual Crossings<N>? Cross<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
 
-    /// <summary>What is known of the surface of one of its shapes, or of the model itself if it has none; null where nothing is.</summary>
-    /// <inheritdoc cref="Cross{N}"/>
-    internal virtual ISurface? SurfaceOf(int part) => this as ISurface;
-
-    /// <summary>The model as the camera of one picture sees it; pixel by pixel where a model knows only single rays.</summary>
-    internal virtual ModelView See(Camera camera, int threads) => new SingleRayView(this);
-
-    /// <summary>Joins the crowd of a scene of many models, if there it is found faster than by itself.</summary>
-    internal virtual bool Join(Crowd crowd, int index) => false;
+    /// <summary>Calls the visitor's method for this kind of model.</summary>
+    public virtual void Accept(IModelVisitor visitor) => visitor.VisitOther(this);
 
     /// <summary>Makes a model of a shape.</summary>
     public static Model<P> Of<P>(P primitive) where P : struct, IPrimitive => new(primitive);
@@ -64,24 +58,18 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
         return double.IsNaN(t) ? null : t;
     }
 
-    /// <summary>Adds the name of the shape's type and the bits of its numbers.</summary>
-    public override void AddTo(SceneDigest digest) => digest.Add(typeof(P).Name).AddBits([Primitive]);
+    /// <inheritdoc/>
+    public override string Kind => typeof(P).Name.ToLowerInvariant();
 
     /// <inheritdoc/>
-    internal override string Kind => typeof(P).Name.ToLowerInvariant();
+    public override ISurface? Surface => Primitive as ISurface;
 
     /// <inheritdoc/>
-    internal override int PartCount => 1;
+    public override Bounds? Bounds => (Primitive as IBounded)?.Bounds;
 
     /// <inheritdoc/>
-    internal override Crossings<N>? Cross<N>(in Ray<N> ray, int part) => Primitive.Cross(ray);
+    public override Crossings<N>? Cross<N>(in Ray<N> ray) => Primitive.Cross(ray);
 
     /// <inheritdoc/>
-    internal override ISurface? SurfaceOf(int part) => Primitive as ISurface;
-
-    /// <inheritdoc/>
-    internal override ModelView See(Camera camera, int threads) => new PrimitiveView<P>(Primitive, camera);
-
-    /// <inheritdoc/>
-    internal override bool Join(Crowd crowd, int index) => crowd.Add(Primitive, index);
+    public override void Accept(IModelVisitor visitor) => visitor.Visit(this);
 }

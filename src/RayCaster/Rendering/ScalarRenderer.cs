@@ -1,25 +1,46 @@
 namespace RayCaster;
 
-/// <summary>The definition of a picture, one ray after another, for reading and for testing the fast way against it.</summary>
+/// <summary>The definition of a picture, one ray after another. What draws faster must give the same bytes; in a build from source it is checked against this.</summary>
 public static class ScalarRenderer
 {
+    /// <summary>
+    /// Whether this library was built from other sources than those with which the fast way was tested to agree (tested.sha256). Then pictures are compared with this
+    /// definition while they are drawn.
+    /// </summary>
+    public static bool IsChanged =>
+#if CHANGED
+        true;
+#else
+        false;
+#endif
+
     /// <summary>Draws the picture of a scene.</summary>
     public static Picture Render(Scene scene)
     {
-        var camera = scene.Camera;
-        var picture = new Picture(camera.Width, camera.Height);
-        for (var row = 0; row < camera.Height; row++)
-        {
-            for (var column = 0; column < camera.Width; column++)
-            {
-                var ray = Cast(scene, column, row);
-                picture[column, camera.Height - 1 - row] = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
-            }
-        }
+        var picture = new Picture(scene.Camera.Width, scene.Camera.Height);
+        Render(scene, picture);
         return picture;
     }
 
-    /// <summary>Sends the ray of a pixel through the scene; it comes back with the nearest hit.</summary>
+    /// <summary>Draws a window of the picture of a scene.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="window">Its pixels are set. It may be smaller than the picture.</param>
+    /// <param name="left">The picture's column that is the window's first.</param>
+    /// <param name="top">The picture's line, counted from the top, that is the window's first.</param>
+    public static void Render(Scene scene, Picture window, int left = 0, int top = 0)
+    {
+        for (var y = 0; y < window.Height; y++)
+        {
+            var row = scene.Camera.Height - 1 - (top + y); // lines count from the top, rows from the bottom
+            for (var x = 0; x < window.Width; x++)
+            {
+                var ray = Cast(scene, left + x, row);
+                window[x, y] = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
+            }
+        }
+    }
+
+    /// <summary>Casts the ray of a pixel through the scene; afterwards it knows its nearest hit.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="column">c, from the left.</param>
     /// <param name="row">r, from the bottom.</param>

@@ -1,5 +1,3 @@
-using RayCaster.Tests.Models;
-
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>

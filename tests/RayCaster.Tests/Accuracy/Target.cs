@@ -1,5 +1,3 @@
-using RayCaster.Tests.Models;
-
 namespace RayCaster.Tests.Accuracy;
 
 /// <summary>A shape about 1 large near the origin, and places to aim at.</summary>

@@ -1,0 +1,28 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>What the rays of columns side by side have in common, whatever their rows: uc U (<see cref="Camera.Across"/>). Reused from part to part.</summary>
+/// <param name="camera">Where the rays start.</param>
+/// <param name="capacity">The most columns.</param>
+internal sealed class Columns(Camera camera, int capacity)
+{
+    private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
+
+    /// <summary>Comes to columns; those of the last packet that lie beyond them are computed, too.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void Enter<N>(int column, int width) where N : struct, IPacket<N>
+    {
+        for (var i = 0; i < width; i += N.Count)
+        {
+            var across = camera.Across(N.Sequence(column + i));
+            across.X.Store(x, i);
+            across.Y.Store(y, i);
+            across.Z.Store(z, i);
+        }
+    }
+
+    /// <summary>uc U of the packet that begins so many columns after the first.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3<N> At<N>(int i) where N : struct, IPacket<N> => new(N.Load(x, i), N.Load(y, i), N.Load(z, i));
+}

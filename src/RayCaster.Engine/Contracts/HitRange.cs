@@ -1,0 +1,24 @@
+namespace RayCaster.Engine;
+
+/// <summary>Where the hits of a model in a tile lie.</summary>
+/// <param name="Least">No hit is nearer; +∞ if there is none.</param>
+/// <param name="Cover">Every pixel of the tile surely has a hit that is not farther; +∞ if that is not sure.</param>
+/// <param name="IsNear">Every hit is surely its shape's first crossing: there is nothing to choose or clip.</param>
+internal readonly record struct HitRange(double Least, double Cover, bool IsNear = false)
+{
+    /// <summary>Anything is possible.</summary>
+    public static HitRange Unknown => new(0, double.PositiveInfinity);
+
+    /// <summary>No hit.</summary>
+    public static HitRange None => new(double.PositiveInfinity, double.PositiveInfinity);
+}
+
+/// <summary>Where the hits of a model in eight parts lie (<see cref="HitRange"/>), a lane for each.</summary>
+internal readonly struct HitRanges(WidePacket least, WidePacket cover, WidePacket isNear)
+{
+    /// <summary>The same in all parts.</summary>
+    public HitRanges(HitRange all) : this(all.Least, all.Cover, 0) { }
+
+    /// <summary>That of a part.</summary>
+    public HitRange this[int part] => new(least.Lanes[part], cover.Lanes[part], double.IsNegative(isNear.Lanes[part])); // a mask's sign is its truth
+}

@@ -1,0 +1,42 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>Asks for the rays of a packet whether bounds can be rejected.</summary>
+internal readonly struct BoundsTest<N> where N : struct, IPacket<N>, IReal<N>
+{
+    private readonly N inverseX, inverseY, inverseZ;
+    private readonly N mostlyX, ratherY; // masks: the axis that a ray follows most, as AlongRay chooses it
+
+    /// <param name="direction">The rays' directions; they share one origin.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public BoundsTest(Vector3<N> direction)
+    {
+        var (x, y, z) = (N.Max(direction.X, -direction.X), N.Max(direction.Y, -direction.Y), N.Max(direction.Z, -direction.Z));
+        (mostlyX, ratherY) = ((x >= y) & (x >= z), y >= z);
+        (inverseX, inverseY, inverseZ) = ((N)1.0 / direction.X, (N)1.0 / direction.Y, (N)1.0 / direction.Z);
+    }
+
+    /// <summary>Whether any of the rays may cross what is in the bounds, not behind its origin and not beyond <paramref name="nearest"/>.</summary>
+    /// <param name="bounds">The bounds, seen from the rays' origin and padded.</param>
+    /// <param name="nearest">The t beyond which nothing is looked for.</param>
+    /// <remarks>
+    /// A ray within a face's plane multiplies 0 by ∞: NaN, which no comparison rejects. A triangle that is seen nearly edge-on may
+    /// have a t that is far off the truth, but never outside of what its corners span along the axis that the ray follows most; so only that axis tells
+    /// what is too far or behind.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool MayHit(Bounds bounds, N nearest)
+    {
+        var (x0, x1) = (bounds.Min.X * inverseX, bounds.Max.X * inverseX);
+        var (y0, y1) = (bounds.Min.Y * inverseY, bounds.Max.Y * inverseY);
+        var (z0, z1) = (bounds.Min.Z * inverseZ, bounds.Max.Z * inverseZ);
+        var (nearX, farX) = (N.Min(x0, x1), N.Max(x0, x1));
+        var (nearY, farY) = (N.Min(y0, y1), N.Max(y0, y1));
+        var (nearZ, farZ) = (N.Min(z0, z1), N.Max(z0, z1));
+        var missed = N.Max(nearX, N.Max(nearY, nearZ)) > N.Min(farX, N.Min(farY, farZ));
+        var tooFar = N.Select(mostlyX, nearX, N.Select(ratherY, nearY, nearZ)) > nearest;
+        var behind = N.Select(mostlyX, farX, N.Select(ratherY, farY, farZ)) < 0;
+        return !N.All(missed | tooFar | behind);
+    }
+}

@@ -1,0 +1,71 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>For each cell of 8 × 8 pixels the least w that their hits surely have: what lies behind it is hidden there, and need not be looked at.</summary>
+internal sealed class CoarseDepth
+{
+    /// <summary>The side of a cell in pixels.</summary>
+    public const int CellSide = 8;
+
+    private const int Across = Tile.MaxSide / CellSide;
+
+    private readonly float[] least = new float[Across * Across];
+
+    /// <summary>Knows nothing.</summary>
+    public void Clear() => least.AsSpan().Clear();
+
+    /// <summary>Looks at the pixels of a tile, row by row of <see cref="Tile.MaxSide"/>.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public void Update(float[] covered)
+    {
+        for (var cell = 0; cell < least.Length; cell++)
+        {
+            var first = cell / Across * CellSide * Tile.MaxSide + cell % Across * CellSide;
+            var w = covered.Load256(first);
+            for (var row = 1; row < CellSide; row++) w = Vector256.MinNative(w, covered.Load256(first + row * Tile.MaxSide));
+            var half = Vector128.MinNative(w.GetLower(), w.GetUpper());
+            half = Vector128.MinNative(half, Vector128.Shuffle(half, Vector128.Create(2, 3, 0, 1)));
+            least[cell] = Math.Min(half[0], half[1]);
+        }
+    }
+
+    /// <summary>Whether each pixel of some cells surely has a hit before w.</summary>
+    /// <param name="cells">Cells of a whole tile.</param>
+    /// <param name="firstRow">The row of that tile from which on its pixels were looked at.</param>
+    /// <param name="w">The w.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool Hides(Cells cells, int firstRow, float w)
+    {
+        var row = Vector256.Create(float.PositiveInfinity);
+        var top = Math.Min(Across - 1, (cells.Top * CellSide + CellSide - 1 - firstRow) >> 3);
+        for (var y = Math.Max(0, cells.Bottom * CellSide - firstRow) >> 3; y <= top; y++)
+            row = Vector256.MinNative(row, least.Load256(y * Across));
+        var hidden = Vector256.GreaterThan(row, Vector256.Create(w)).ExtractMostSignificantBits();
+        var columns = (2u << cells.Right) - (1u << cells.Left);
+        return (hidden & columns) == columns;
+    }
+
+    /// <summary>Each pixel that was looked at surely has a hit of at least this w; 0 if that is not sure.</summary>
+    public float Least
+    {
+        get
+        {
+            var w = float.PositiveInfinity;
+            foreach (var cell in least) w = Math.Min(w, cell);
+            return w;
+        }
+    }
+}
+
+/// <summary>A rectangle of cells of a tile.</summary>
+internal readonly record struct Cells(byte Left, byte Right, byte Bottom, byte Top)
+{
+    /// <summary>Those of pixels of a tile, by their columns and rows in the picture.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Cells Of(uint left, uint right, uint bottom, uint top) => new(CellOf(left), CellOf(right), CellOf(bottom), CellOf(top));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static byte CellOf(uint pixel) => (byte)(pixel % Tile.MaxSide / CoarseDepth.CellSide);
+}

@@ -1,0 +1,53 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// The corners of a mesh's triangles, projected each time that they are asked for: to write all vertices' places on the screen to an array first, and to
+/// read them from there, takes longer, for memory is slower than arithmetic.
+/// </summary>
+/// <param name="screen">The camera.</param>
+/// <param name="vertices">The corners.</param>
+/// <param name="indices">Three for each triangle, all of them places of vertices.</param>
+internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
+{
+    /// <inheritdoc/>
+    public override int Count => indices.Length / 3;
+
+    /// <inheritdoc/>
+    public override void See(ReadOnlySpan<int> triangles, out EightTriangles seen)
+    {
+        See(triangles, 0, out seen.A);
+        See(triangles, 1, out seen.B);
+        See(triangles, 2, out seen.C);
+    }
+
+    /// <inheritdoc/>
+    public override void Fetch(int group)
+    {
+        for (var i = 0; i < 3; i++) Lanes.Fetch(ref indices[Math.Min(3 * group + i * Group.Length, indices.Length - 1)]);
+    }
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public override void FetchVertices(int group)
+    {
+        if (group + Group.Length > Count) return;
+        var points = new RawSpan<Vector3>(vertices);
+        var places = new RawSpan<int>(indices);
+        for (var i = 3 * group; i < 3 * (group + Group.Length); i += 9) // most are neighbours of others
+        {
+            Lanes.Fetch(ref points[places[i]]);
+            Lanes.Fetch(ref points[places[i + 1]]);
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void See(ReadOnlySpan<int> triangles, int corner, out EightPoints seen)
+    {
+        var names = new RawSpan<int>(triangles);
+        var lower = screen.Project(N.Gather(vertices, indices, names, 0, corner));
+        var upper = N.Count == 8 ? lower : screen.Project(N.Gather(vertices, indices, names, N.Count, corner));
+        seen = new(N.Narrow(lower.X, upper.X), N.Narrow(lower.Y, upper.Y), N.Narrow(lower.W, upper.W));
+    }
+}

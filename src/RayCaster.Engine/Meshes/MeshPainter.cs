@@ -1,0 +1,128 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// One thread's tool: paints the tiles of a mesh in floats, from what the filter knows of each pixel. The hit's w is in a range, so its t is in one, and each
+/// channel's level, too. Where both ends have the same whole part, that is the byte; the few other pixels are in doubt.
+/// </summary>
+internal sealed class MeshPainter
+{
+    /// <summary>With a greater error too many pixels would be in doubt.</summary>
+    private const double MostError = 0.002;
+
+    /// <summary>
+    /// How far a t may be from that of its w, in parts of itself: the squares of a slope across and of one upwards, their sum, the root of it, unit,
+    /// product and quotient each round by 2⁻²⁴, and the root halves what came before it.
+    /// </summary>
+    private const double Roundings = 6.0 / (1 << 24);
+
+    private readonly Scene scene;
+    private readonly ScreenSpace screen;
+    private readonly Model model;
+    private readonly Vector512<int> background;
+    private readonly float[] squares = new float[Tile.MaxSide]; // of the columns' slopes
+    private readonly ulong[] doubts = new ulong[Tile.MaxSide * Tile.MaxSide / RoughPacket.Count]; // of each packet
+    private Tile tile;
+    private byte[] rgb = [];
+    private int first, step;
+
+    /// <param name="screen">The camera.</param>
+    /// <param name="scene">The scene.</param>
+    /// <param name="index">The mesh's place in it.</param>
+    public MeshPainter(ScreenSpace screen, Scene scene, int index)
+    {
+        (this.screen, this.scene, model) = (screen, scene, scene.Models[index]);
+        var (r, g, b) = scene.Background.ToBytes();
+        background = Vector512.Create(r | (g << 8) | (b << 16));
+        // Beyond this t there is no light, whatever the rounding.
+        var most = 2 * scene.Camera.Reach;
+        var light = scene.Attenuation(new Rounded(0, most, most * Roundings));
+        Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + RoughBytes.RoundingOfTheEnds;
+        // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the view.
+        IsSupported = RoughBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30
+            && screen.LongestT < 1e4 && screen.Camera.Skew * screen.LongestT < 1e-9;
+    }
+
+    /// <summary>Whether machine and scene suit it.</summary>
+    public bool IsSupported { get; }
+
+    /// <summary>How far a level may be from the one that doubles give for the same w.</summary>
+    public double Error { get; init; }
+
+    /// <summary>The pixels that the last painting left in doubt, by their places in the tile.</summary>
+    public GrowingArray<int> Doubts { get; } = new();
+
+    /// <summary>Writes the bytes of a tile.</summary>
+    /// <param name="tile">The tile.</param>
+    /// <param name="covered">The least w that a pixel's hit may have, row by row of <see cref="TilePixels.Stride"/>.</param>
+    /// <param name="front">The greatest; 0 where there is no hit.</param>
+    /// <param name="decided">Less than +∞ where the w are not all that is known; null if there is no such pixel.</param>
+    /// <param name="rgb">Room for the bytes.</param>
+    /// <param name="first">The place of the lowest row's first pixel.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    public void Paint(in Tile tile, float[] covered, float[] front, double[]? decided, byte[] rgb, int first, int step)
+    {
+        (this.tile, this.rgb, this.first, this.step) = (tile, rgb, first, step);
+        for (var i = 0; i < tile.Width; i++) squares[i] = (float)Square((tile.Column + i - screen.CenterX) / screen.Scale);
+        Paint(covered, front, decided);
+
+        Doubts.Clear();
+        var packets = (tile.Width + RoughPacket.Count - 1) / RoughPacket.Count;
+        for (var i = 0; i < packets * tile.Height; i++)
+        {
+            for (var lanes = doubts[i]; lanes != 0; lanes &= lanes - 1)
+                Doubts.Add(i / packets * TilePixels.Stride + i % packets * RoughPacket.Count + BitOperations.TrailingZeroCount(lanes));
+        }
+    }
+
+    /// <summary>Writes a pixel by the definition.</summary>
+    /// <param name="pixel">Its place in the tile.</param>
+    /// <param name="t">Where its ray hits the mesh; +∞ if it does not.</param>
+    public void Write(int pixel, double t)
+    {
+        var to = first + pixel / TilePixels.Stride * step + 3 * (pixel % TilePixels.Stride);
+        (rgb[to], rgb[to + 1], rgb[to + 2]) = scene.Shade(t, double.IsPositiveInfinity(t) ? null : model).ToBytes();
+    }
+
+    /// <summary>Paints it all and notes which pixels are in doubt.</summary>
+    /// <remarks>A ray is √(1 + u² + v²) long where it is 1 deep and moves u across and v upwards: t = unit · √(1 + u² + v²) / w.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
+    private void Paint(float[] covered, float[] front, double[]? decided)
+    {
+        RoughPacket red = model.Color.R, green = model.Color.G, blue = model.Color.B;
+        var (unit, slack) = (Vector512.Create((float)screen.Unit), Vector512.Create((float)Error));
+        var packet = 0;
+        for (var row = 0; row < tile.Height; row++)
+        {
+            var upwards = Vector512.Create((float)(1 + Square((tile.Row + row - screen.CenterY) / screen.Scale)));
+            for (var i = 0; i < tile.Width; i += RoughPacket.Count, packet++)
+            {
+                var at = row * TilePixels.Stride + i;
+                var ends = new RoughPacket(front.Load512(at), covered.Load512(at));
+                var far = RoughPacket.Of(unit * Vector512.Sqrt(upwards + squares.Load512(i)));
+                var light = scene.Attenuation(far / ends);
+                var (r, g, b) = (Color.Level(light * red), Color.Level(light * green), Color.Level(light * blue));
+                var least = RoughBytes.Packed(r.Upper - slack, g.Upper - slack, b.Upper - slack);
+                var most = RoughBytes.Packed(r.Lower + slack, g.Lower + slack, b.Lower + slack);
+                var isMiss = Vector512.Equals(ends.Lower, Vector512<float>.Zero).AsInt32();
+                var pixels = Vector512.ConditionalSelect(isMiss, background, least);
+                if (i + RoughPacket.Count <= tile.Width) RoughBytes.Store(pixels, rgb, first + row * step + 3 * i);
+                else RoughBytes.StoreFew(pixels, rgb.AsSpan(first + row * step + 3 * i, 3 * (tile.Width - i)));
+
+                var doubt = (Vector512.Equals(least, most) | isMiss).ExtractMostSignificantBits() ^ RoughBytes.AllLanes;
+                if (decided is not null)
+                    doubt |= IsDecided(decided, at) | (IsDecided(decided, at + Vector512<double>.Count) << Vector512<double>.Count);
+                doubts[packet] = doubt;
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static ulong IsDecided(double[] t, int place) =>
+        Vector512.LessThan(t.Load512(place), Vector512.Create(double.PositiveInfinity)).ExtractMostSignificantBits();
+
+    private static double Square(double x) => x * x;
+}

@@ -1,0 +1,94 @@
+namespace RayCaster.Engine;
+
+/// <summary>
+/// A mesh as a camera sees it. All rays of a picture start in one point, so each triangle is projected onto the picture once, and a filter in floats finds for
+/// each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and where, the
+/// triangle's formula decides.
+/// </summary>
+internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IPacket<N>
+{
+    private readonly ScreenSpace screen;
+    private readonly Vector3[] vertices;
+    private readonly int[] indices;
+    private readonly ScreenTriangles<N>[] sets = []; // the triangles, and the pieces of those that had to be clipped
+    private readonly TriangleTree? hard;             // over those for which the filter knows nothing
+    private readonly TileFilter<N>? filter;          // one thread's
+    private MeshPainter? painter;
+
+    /// <param name="vertices">The corners.</param>
+    /// <param name="indices">Three for each triangle.</param>
+    /// <param name="screen">The camera.</param>
+    /// <param name="threads">How many threads may prepare the view.</param>
+    public MeshView(Vector3[] vertices, int[] indices, ScreenSpace screen, int threads = 1)
+    {
+        (this.vertices, this.indices, this.screen) = (vertices, indices, screen);
+        if (!screen.IsFine)
+        {
+            hard = new(vertices, indices);
+            Extent = Tile.Everywhere;
+            return;
+        }
+
+        var whole = new ScreenTriangles<N>(
+            screen, new MeshCorners<N>(screen, vertices, indices), null,
+            each => new GroupSorter<N>(screen, vertices, indices, each), () => new Twins(vertices, indices), threads);
+
+        var clipper = new ScreenClipper(screen, vertices);
+        foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
+        var clipped = new ScreenTriangles<N>(screen, new PieceCorners(clipper.Points), clipper.Owners, null, null, threads);
+        sets = [whole, clipped];
+
+        if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);
+        Extent = hard is null ? ExtentOf(whole.Extent, clipped.Extent) : Tile.Everywhere;
+    }
+
+    private MeshView(MeshView<N> shared)
+    {
+        (screen, vertices, indices, sets, hard, Extent) = (shared.screen, shared.vertices, shared.indices, shared.sets, shared.hard, shared.Extent);
+        filter = new TileFilter<N>(screen, vertices, indices);
+    }
+
+    /// <inheritdoc/>
+    public override Tile Extent { get; }
+
+    /// <inheritdoc/>
+    public override ModelView<N> ForThread() => new MeshView<N>(this);
+
+    /// <inheritdoc/>
+    public override HitRange Enter(in Tile tile, HitRange known)
+    {
+        if (sets.Length == 0) return known;
+        var range = filter!.Enter(tile, sets);
+        return hard is null ? range : range with { Least = 0 };
+    }
+
+    /// <inheritdoc/>
+    public override void Meet(RaySpan span, int index)
+    {
+        if (sets.Length > 0) filter!.Meet(span, index);
+        if (hard is null) return;
+        for (var i = 0; i < span.Length; i += N.Count) span.Keep(i, hard.Nearest<N>(span, i), Lanes.Broadcast<N>(index));
+    }
+
+    /// <inheritdoc/>
+    public override void Free()
+    {
+        foreach (var set in sets) set.Free();
+    }
+
+    /// <inheritdoc/>
+    public bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
+    {
+        if (hard is not null) return false;
+        painter ??= new(screen, scene, index);
+        if (painter.IsSupported) filter!.Paint(painter, rgb, first, step);
+        return painter.IsSupported;
+    }
+
+    private static Tile ExtentOf((int Left, int Right, int Bottom, int Top) a, (int Left, int Right, int Bottom, int Top) b)
+    {
+        var (left, right) = (Math.Min(a.Left, b.Left), Math.Max(a.Right, b.Right));
+        var (bottom, top) = (Math.Min(a.Bottom, b.Bottom), Math.Max(a.Top, b.Top));
+        return right < left ? default : new(left, bottom, right - left + 1, top - bottom + 1);
+    }
+}

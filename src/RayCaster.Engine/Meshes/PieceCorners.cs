@@ -1,0 +1,24 @@
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>The corners of triangles that are on the screen already.</summary>
+/// <param name="points">x, y and w of three corners for each triangle.</param>
+internal sealed class PieceCorners(Vector128<float>[] points) : Corners
+{
+    /// <inheritdoc/>
+    public override int Count => points.Length / 3;
+
+    /// <inheritdoc/>
+    public override void See(ReadOnlySpan<int> triangles, out EightTriangles seen) =>
+        (seen.A, seen.B, seen.C) = (See(triangles, 0), See(triangles, 1), See(triangles, 2));
+
+    private EightPoints See(ReadOnlySpan<int> triangles, int corner)
+    {
+        Span<float> numbers = stackalloc float[24];
+        for (var i = 0; i < 8; i++)
+            for (var k = 0; k < 3; k++)
+                numbers[8 * k + i] = points[3 * triangles[i] + corner][k];
+        return new(Vector256.Create<float>(numbers), Vector256.Create<float>(numbers[8..]), Vector256.Create<float>(numbers[16..]));
+    }
+}

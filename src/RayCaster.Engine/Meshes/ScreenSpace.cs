@@ -1,0 +1,140 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// Where a camera sees points: the column and row that a point falls on (samples lie at whole numbers) and w = |T − P| / depth, which over the picture
+/// plane is linear on every flat surface. All that is told in floats, with margins for what they and the primitive's formula round.
+/// </summary>
+internal sealed class ScreenSpace
+{
+    private readonly Vector3 origin, u, v, w;
+    private readonly Vector3 right, up, ahead; // the axes in pixels at unit depth
+
+    public ScreenSpace(Camera camera)
+    {
+        (Camera, origin, u, v, w) = (camera, camera.Position, camera.U, camera.V, camera.W);
+        (Scale, Unit) = (camera.Height / camera.PlaneHeight, camera.Reach / 2);
+        (right, up, ahead) = (Scale / Unit * u, Scale / Unit * v, -w);
+        (CenterX, CenterY) = (camera.Width / 2.0 - camera.SampleOffset, camera.Height / 2.0 - camera.SampleOffset);
+        Guard = 256 + Math.Max(camera.Width, camera.Height) / 4.0;
+
+        var squareOfSlope = (camera.PlaneWidth * camera.PlaneWidth + camera.PlaneHeight * camera.PlaneHeight) / 4;
+        var longest = Math.Sqrt(1 + squareOfSlope) * (1 + 1e-9);
+        LongestT = longest;
+
+        // Direction, projection and formula each round by a few units of 2⁻⁵³ of an angle, or of the picture's size; an angle is at most that many pixels:
+        var pixelsOfAngle = Scale * (1 + squareOfSlope) + camera.Width + camera.Height;
+        DoubleMargin = (1e-14 + 4 * camera.Skew) * pixelsOfAngle;
+        // A float is good to 2⁻²⁴ of a coordinate; that is spent once for the coordinate and once where it is seen from the tile's corner.
+        Margin = (float)(DoubleMargin + Math.ScaleB(Math.Max(camera.Width, camera.Height) + Guard + 2, -23));
+        // Corners off by δ turn the formula's t by δ · side / area of the span of its corners' depths; an area of 4e6 δ · side keeps that below 1e-6.
+        LeastWidth = (float)(4e6 * DoubleMargin + 16 * Margin);
+        IsFine = DoubleMargin < 1e-2 && camera.Skew * longest < 1e-7 && Unit is > 1e-250 and < 1e250;
+
+        var byDistance = camera.Clip == Clip.Distance;
+        var nearest = Math.Max(camera.ZNear, camera.Bias);
+        LeastDepth = (byDistance ? nearest : Math.Max(camera.ZNear, camera.Bias / longest)) / (byDistance ? longest : 1) * (1 - 1e-6);
+        MostSureW = (float)(Unit / nearest * (1 - 1e-5));
+        LeastSureW = (float)(Unit / camera.ZFar * (byDistance ? longest : 1) * (1 + 1e-5));
+        MostW = (float)(Unit / LeastDepth * (1 + 1e-5));
+        LeastW = (float)(Unit / camera.ZFar * (1 - 1e-5));
+    }
+
+    public Camera Camera { get; }
+
+    /// <summary>Pixels for a slope of 1 against the view direction.</summary>
+    public double Scale { get; }
+
+    /// <summary>The depth at which w is 1.</summary>
+    public double Unit { get; }
+
+    /// <summary>The column and row of the view direction.</summary>
+    public double CenterX { get; }
+
+    /// <inheritdoc cref="CenterX"/>
+    public double CenterY { get; }
+
+    /// <summary>How many pixels off the picture a corner may be. Triangles that reach farther are clipped, so that floats stay exact enough.</summary>
+    public double Guard { get; }
+
+    /// <summary>The t of the rays that are longest to a depth of 1.</summary>
+    public double LongestT { get; }
+
+    /// <summary>Pixels by which doubles may put a corner, and a ray, wrong.</summary>
+    public double DoubleMargin { get; }
+
+    /// <summary>Pixels by which floats may.</summary>
+    public float Margin { get; init; }
+
+    /// <summary>What some float operations on numbers of a size of up to 1 are off by at most.</summary>
+    public float Roundings { get; init; } = 1f / (1 << 20);
+
+    /// <summary>Twice the area of a triangle by its width and height, in pixels, from which its t lies safely on its plane.</summary>
+    public float LeastWidth { get; init; }
+
+    /// <summary>Whether doubles tell pixels of this camera apart at all; with a view of 1e-9 degrees they do not.</summary>
+    public bool IsFine { get; }
+
+    /// <summary>Nothing that is less deep counts.</summary>
+    public double LeastDepth { get; }
+
+    /// <summary>Hits between these surely count.</summary>
+    public float LeastSureW { get; init; }
+
+    /// <inheritdoc cref="LeastSureW"/>
+    public float MostSureW { get; init; }
+
+    /// <summary>Hits surely do not count outside of these.</summary>
+    public float LeastW { get; }
+
+    /// <inheritdoc cref="LeastW"/>
+    public float MostW { get; }
+
+    /// <summary>A point in the camera's axes: X to the right, Y up, Z into the picture.</summary>
+    public Vector3 See(Vector3 point)
+    {
+        var p = point - origin;
+        return new(p * u, p * v, -(p * w));
+    }
+
+    /// <summary>Column, row and w of a point in the camera's axes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public (N X, N Y, N W) Project<N>(N x, N y, N z) where N : struct, IReal<N>
+    {
+        var inverse = (N)1 / z;
+        return (x * inverse * Scale + CenterX, y * inverse * Scale + CenterY, (N)Unit * inverse);
+    }
+
+    /// <summary>Column, row and w of points.</summary>
+    /// <remarks>
+    /// The axes in pixels are rounded once more than those of the camera, and products and sums less often; what that changes is a few parts in 2⁵³ of a
+    /// coordinate, as <see cref="DoubleMargin"/> counts for any order of these steps. What overflows is not fit for floats.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public (N X, N Y, N W) Project<N>(Vector3<N> point) where N : struct, IPacket<N>, IReal<N>
+    {
+        var p = point - (Vector3<N>)origin;
+        var nearness = (N)Unit / Along(p, ahead);
+        return (N.MultiplyAddEstimate(Along(p, right), nearness, CenterX), N.MultiplyAddEstimate(Along(p, up), nearness, CenterY), nearness);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static N Along<N>(Vector3<N> p, Vector3 axis) where N : struct, IPacket<N>, IReal<N> =>
+        N.MultiplyAddEstimate(p.X, axis.X, N.MultiplyAddEstimate(p.Y, axis.Y, p.Z * (N)axis.Z));
+
+    /// <summary>Where corners are fit for floats.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector256<float> IsFit(Vector256<float> column, Vector256<float> row, Vector256<float> nearness)
+    {
+        var beyond = Vector256.Create((float)(-Guard - 1));
+        return Vector256.GreaterThan(nearness, Vector256.Create(1e-30f)) & Vector256.LessThan(nearness, Vector256.Create(1e30f))
+            & Vector256.GreaterThanOrEqual(column, beyond) & Vector256.LessThanOrEqual(column, Vector256.Create((float)(Camera.Width + Guard + 1)))
+            & Vector256.GreaterThanOrEqual(row, beyond) & Vector256.LessThanOrEqual(row, Vector256.Create((float)(Camera.Height + Guard + 1)));
+    }
+
+    /// <inheritdoc cref="IsFit(Vector256{float}, Vector256{float}, Vector256{float})"/>
+    public bool IsFit(double column, double row, double nearness) =>
+        nearness is > 1e-30 and < 1e30 && column >= -Guard - 1 && column <= Camera.Width + Guard + 1 && row >= -Guard - 1 && row <= Camera.Height + Guard + 1;
+}

@@ -1,0 +1,187 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is left out, group by
+/// group, then triangles that cover no sample, eight at once.
+/// </summary>
+internal sealed class TileFilter<N> where N : struct, IPacket<N>
+{
+    /// <summary>How many groups are looked at before any of them is drawn, and how many of these their memory is asked for in advance.</summary>
+    private const int GroupsAtOnce = 256, Ahead = 4;
+
+    private readonly ScreenSpace screen;
+    private readonly TilePixels pixels;
+    private readonly TileHits<N> hits;
+    private readonly TriangleCover cover;
+    private readonly CoarseDepth coarse = new();
+    private readonly WaitingTriangles waiting = new(), waitingLarge = new();
+    private EightTriangles eight;
+    private Tile tile;
+    private bool isEmpty;
+
+    public TileFilter(ScreenSpace screen, Vector3[] vertices, int[] indices)
+    {
+        (this.screen, pixels) = (screen, new(vertices, indices));
+        hits = new(screen, vertices, indices, pixels);
+        cover = new(screen, pixels, hits.Decide);
+    }
+
+    /// <summary>Finds the pixels' triangles.</summary>
+    public HitRange Enter(in Tile tile, ScreenTriangles<N>[] sets)
+    {
+        this.tile = tile;
+        isEmpty = true;
+        foreach (var set in sets)
+        {
+            // Most of what is seen of a closed mesh faces the camera with the same side; that side first, most of the other is found to be hidden.
+            Add(set, CollectionsMarshal.AsSpan(set.Large));
+            var nearer = MeanW(set, tile, 0) < MeanW(set, tile, 1) ? 1 : 0;
+            Add(set, set.GroupsOf(tile, nearer));
+            Add(set, set.Of(tile, nearer));
+            if (!isEmpty)
+            {
+                hits.Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
+                coarse.Update(pixels.Covered);
+            }
+            Add(set, set.GroupsOf(tile, 1 - nearer));
+            Add(set, set.Of(tile, 1 - nearer));
+        }
+        if (isEmpty) return HitRange.None;
+        hits.Decide();
+        coarse.Update(pixels.Covered);
+        var least = coarse.Least;
+        return new(screen.Unit / cover.GreatestW * (1 - 1e-6), least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
+    }
+
+    /// <summary>Keeps the hits of a part of a row of the tile.</summary>
+    public void Meet(RaySpan span, int index)
+    {
+        if (!isEmpty) hits.Meet(span, index);
+    }
+
+    /// <inheritdoc cref="TileHits{N}.Paint"/>
+    public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => hits.Paint(painter, rgb, first, step);
+
+    private static float MeanW(ScreenTriangles<N> set, in Tile tile, int side)
+    {
+        const int Samples = 8;
+        var sum = 0f;
+        if (set.GroupsOf(tile, side) is { Length: > 0 } groups)
+        {
+            var step = (groups.Length + Samples - 1) / Samples;
+            for (var i = 0; i < groups.Length; i += step) sum += groups[i].MostW;
+            return sum / ((groups.Length + step - 1) / step);
+        }
+        if (set.Of(tile, side) is not { Length: > 0 } triangles) return 0;
+        Span<int> ids = stackalloc int[Samples];
+        for (var i = 0; i < Samples; i++) ids[i] = triangles[(int)((long)i * triangles.Length / Samples)];
+        set.Corners.See(ids, out var seen);
+        return Vector256.Sum(seen.A.W) / Samples;
+    }
+
+    /// <summary>Comes to a tile in which there may be something; all that is known is of another one.</summary>
+    private void Begin()
+    {
+        isEmpty = false;
+        coarse.Clear();
+        pixels.Enter(tile);
+        cover.Enter(tile);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<Group> groups)
+    {
+        if (groups.Length == 0) return;
+        if (isEmpty) Begin();
+        var firstRow = tile.Row % Tile.MaxSide;
+        var corners = set.Corners;
+        Span<int> seen = stackalloc int[GroupsAtOnce];
+        for (var next = 0; next < groups.Length;)
+        {
+            var count = 0;
+            for (; next < groups.Length && count < seen.Length; next++)
+                if (!coarse.Hides(groups[next].Cells, firstRow, groups[next].MostW))
+                    seen[count++] = groups[next].First;
+
+            // A group's indices and vertices lie anywhere; to wait for them would take longer than all that is computed.
+            for (var i = -Ahead; i < count; i++)
+            {
+                if (i + Ahead < count) corners.Fetch(seen[i + Ahead]);
+                if (i + Ahead / 2 is >= 0 and var near && near < count) corners.FetchVertices(seen[near]);
+                if (i >= 0) Add(set, seen[i]);
+            }
+        }
+        AddWaiting();
+    }
+
+    private void Add(ScreenTriangles<N> set, int group)
+    {
+        var end = Math.Min(group + Group.Length, set.Corners.Count);
+        for (var first = group; first < end; first += 8)
+        {
+            set.Corners.SeeRun(first, out eight);
+            Add(set, Vector256.Create(first) + Vector256<int>.Indices, end - first);
+        }
+    }
+
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<int> triangles)
+    {
+        if (triangles.Length == 0) return;
+        if (isEmpty) Begin();
+        Span<int> ids = stackalloc int[8];
+        for (var first = 0; first < triangles.Length; first += 8)
+        {
+            for (var i = 0; i < 8; i++) ids[i] = triangles[Math.Min(first + i, triangles.Length - 1)];
+            set.Corners.See(ids, out eight);
+            Add(set, Vector256.Create<int>(ids), triangles.Length - first);
+        }
+        AddWaiting();
+    }
+
+    /// <summary>Takes the eight triangles that are seen, or less: those in whose boxes are samples wait.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Add(ScreenTriangles<N> set, Vector256<int> names, int count)
+    {
+        ref readonly var t = ref eight;
+        var margin = Vector256.Create(screen.Margin);
+        var (column, row) = (Vector256.Create((float)tile.Column), Vector256.Create((float)tile.Row));
+        var (minX, maxX) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
+        var (minY, maxY) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
+        var left = Vector256.MaxNative(Vector256.Ceiling(minX - margin), column);
+        var right = Vector256.MinNative(Vector256.Floor(maxX + margin), column + Vector256.Create(tile.Width - 1f));
+        var bottom = Vector256.MaxNative(Vector256.Ceiling(minY - margin), row);
+        var top = Vector256.MinNative(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
+        var isSingle = Vector256.Equals(left, right) & Vector256.Equals(bottom, top);
+        var passes = TriangleSetUp.Pass(t, left, bottom, maxX - minX + (maxY - minY), margin, out _);
+        var shows = Vector256.AndNot(Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top), isSingle & passes)
+            .ExtractMostSignificantBits();
+        if (count < 8) shows &= (1u << count) - 1;
+        if (shows == 0) return;
+        if (set.Owners is { } owners)
+            for (var i = 0; i < 8; i++)
+                names = names.WithElement(i, owners[Math.Min(names[i], owners.Length - 1)]);
+
+        var side = Vector256.Create((float)TriangleCover.SmallSide);
+        var small = (Vector256.LessThan(right - left, side) & Vector256.LessThan(top - bottom, side)).ExtractMostSignificantBits();
+        if ((shows & small) != 0)
+        {
+            waiting.Add(t, names, shows & small);
+            if (waiting.IsFull) cover.AddSmall(waiting);
+        }
+        if ((shows & ~small) != 0)
+        {
+            waitingLarge.Add(t, names, shows & ~small);
+            if (waitingLarge.IsFull) cover.AddLarge(waitingLarge);
+        }
+    }
+
+    private void AddWaiting()
+    {
+        cover.AddSmall(waiting);
+        cover.AddLarge(waitingLarge);
+    }
+}

@@ -1,0 +1,109 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>One thread's tool: finds the tiles of triangles, eight at a time.</summary>
+/// <param name="screen">The camera.</param>
+/// <param name="corners">Where the triangles' corners are seen.</param>
+/// <param name="twins">Knows which large triangles are there already; null where that is not known.</param>
+internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Twins? twins)
+{
+    /// <summary>A triangle in more tiles than this is looked at in every tile, so that a million large ones do not need a place in each.</summary>
+    private const int ManyTiles = 64;
+
+    private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
+    private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
+
+    /// <summary>Triangles by tile and side.</summary>
+    public GrowingArray<(int Place, int Triangle)> Triangles { get; } = new();
+
+    /// <summary>Triangles that are in many tiles.</summary>
+    public List<int> Large { get; } = [];
+
+    /// <summary>Triangles with corners that are not fit for floats; nothing is known of them.</summary>
+    public List<int> Unfit { get; } = [];
+
+    /// <summary>Where samples may be covered.</summary>
+    public (int Left, int Right, int Bottom, int Top) Extent => extent;
+
+    /// <summary>Takes triangles. Those that surely cover no sample are dropped.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void Add(int first, int end)
+    {
+        var (zero, one) = (Vector256<float>.Zero, Vector256<float>.One);
+        var margin = Vector256.Create(screen.Margin);
+        var (lastColumn, lastRow) = (Vector256.Create(screen.Camera.Width - 1f), Vector256.Create(screen.Camera.Height - 1f));
+        var spread = Vector256.Create((float)(4 / screen.Scale));
+        var (leastW, mostW) = (Vector256.Create(screen.LeastW), Vector256.Create(screen.MostW));
+        Span<int> ids = stackalloc int[8];
+        Span<int> box = stackalloc int[32];
+        for (; first < end; first += 8)
+        {
+            for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
+            corners.See(ids, out var t);
+            var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
+            var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
+            var size = right - left + (top - bottom);
+
+            // The samples within the box around the triangle. Columns and rows of a picture are exact in floats.
+            var column0 = Vector256.MaxNative(Vector256.Ceiling(left - margin), zero);
+            var column1 = Vector256.MinNative(Vector256.Floor(right + margin), lastColumn);
+            var row0 = Vector256.MaxNative(Vector256.Ceiling(bottom - margin), zero);
+            var row1 = Vector256.MinNative(Vector256.Floor(top + margin), lastRow);
+            var fit = screen.IsFit(t.A.X, t.A.Y, t.A.W) & screen.IsFit(t.B.X, t.B.Y, t.B.W) & screen.IsFit(t.C.X, t.C.Y, t.C.W);
+            var shows = Vector256.LessThanOrEqual(column0, column1) & Vector256.LessThanOrEqual(row0, row1);
+
+            // The range of w that counts; see TriangleSetUp on the stretch of the corners' w.
+            var stretch = size * spread;
+            shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.A.W, t.B.W, t.C.W) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
+            shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
+
+            // Where the box holds one sample only, the sides tell whether it is beside the triangle. (The others are looked at in their tiles.)
+            var passes = TriangleSetUp.Pass(t, column0, row0, size, margin, out var area);
+            var single = Vector256.Equals(column0, column1) & Vector256.Equals(row0, row1);
+            shows &= ~(passes & single) & fit;
+
+            var inRange = end - first >= 8 ? 0xFFu : (1u << (end - first)) - 1;
+            var unfit = ~fit.ExtractMostSignificantBits() & inRange;
+            for (; unfit != 0; unfit &= unfit - 1)
+            {
+                var i = first + BitOperations.TrailingZeroCount(unfit);
+                if (twins is null || !twins.HasEarlier(i)) Unfit.Add(i);
+            }
+            var bits = shows.ExtractMostSignificantBits() & inRange;
+            if (bits == 0) continue;
+
+            var turned = Vector256.LessThan(area, zero).ExtractMostSignificantBits();
+            Vector256.ConvertToInt32(column0).CopyTo(box);
+            Vector256.ConvertToInt32(column1).CopyTo(box[8..]);
+            Vector256.ConvertToInt32(row0).CopyTo(box[16..]);
+            Vector256.ConvertToInt32(row1).CopyTo(box[24..]);
+            for (; bits != 0; bits &= bits - 1)
+            {
+                var i = BitOperations.TrailingZeroCount(bits);
+                Place(first + i, (int)(turned >> i) & 1, box[i], box[i + 8], box[i + 16], box[i + 24]);
+            }
+        }
+    }
+
+    private void Place(int triangle, int side, int left, int right, int bottom, int top)
+    {
+        if (left < extent.Left) extent.Left = left;
+        if (right > extent.Right) extent.Right = right;
+        if (bottom < extent.Bottom) extent.Bottom = bottom;
+        if (top > extent.Top) extent.Top = top;
+        var (x0, x1, y0, y1) = (left / Tile.MaxSide, right / Tile.MaxSide, bottom / Tile.MaxSide, top / Tile.MaxSide);
+        var tiles = (long)(x1 - x0 + 1) * (y1 - y0 + 1);
+        if (tiles > 1 && twins is not null && twins.HasEarlier(triangle)) return;
+        if (tiles > ManyTiles)
+        {
+            Large.Add(triangle);
+            return;
+        }
+        for (var y = y0; y <= y1; y++)
+            for (var x = x0; x <= x1; x++)
+                Triangles.Add((2 * (y * tilesAcross + x) + side, triangle));
+    }
+}

@@ -1,0 +1,140 @@
+using System.Runtime.CompilerServices;
+using N = RayCaster.Engine.WidePacket;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// All the numbers from Lo to Hi, and NaN if said so: a formula over it tells what all the rays of a part of the picture may do. Each lane is a
+/// part of its own. As a mask Lo is where it surely holds, Hi where it may.
+/// </summary>
+/// <remarks>
+/// It holds what doubles compute, not what real numbers would give, so nothing is rounded outwards: each operation is monotonic in each
+/// operand, and so is rounding to nearest; what is computed from numbers between two others lies between what is computed from those.
+/// Where a divisor may be 0, or an end is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything". Of a quotient, though,
+/// it is still known how near to 0 it cannot be: rays along a plane cross it far away, before or behind the eye.
+/// </remarks>
+/// <param name="lo">The least number.</param>
+/// <param name="hi">The greatest number.</param>
+/// <param name="missing">0: every ray has a number. 1: some may have NaN. 2: all have NaN; the ends mean nothing.</param>
+/// <param name="gap">No number is nearer to 0 than this.</param>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal readonly struct Interval(N lo, N hi, N missing, N gap) : IReal<Interval>
+{
+    public readonly N Lo = lo, Hi = hi, Missing = missing, Gap = gap;
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Interval(N lo, N hi) : this(lo, hi, 0, 0) { }
+
+    /// <summary>A mask: no ray has a number.</summary>
+    public N IsNothing
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Missing > 1;
+    }
+
+    /// <summary>A mask: some rays may have no number.</summary>
+    public N MayBeNaN
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Missing > 0;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static implicit operator Interval(double value) =>
+        double.IsNaN(value) ? new(double.PositiveInfinity, double.NegativeInfinity, 2, double.PositiveInfinity) : new(value, value);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval operator +(Interval a, Interval b) => Sum(a, b, a.Lo + b.Lo, a.Hi + b.Hi);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval operator -(Interval a, Interval b) => Sum(a, b, a.Lo - b.Hi, a.Hi - b.Lo);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval operator -(Interval a) => new(-a.Hi, -a.Lo, a.Missing, a.Gap);
+
+    public static Interval operator *(Interval a, Interval b) => Hull(a, b, a.Lo * b.Lo, a.Lo * b.Hi, a.Hi * b.Lo, a.Hi * b.Hi, 0);
+
+    public static Interval operator /(Interval a, Interval b)
+    {
+        // A quotient by NaN is NaN, which Hull takes for anything.
+        var mayBeZero = (b.Lo <= 0) & (b.Hi >= 0);
+        var divisor = N.Select(mayBeZero, double.NaN, b.Lo);
+        var gap = N.Greater(0, N.Greater(a.Lo, -a.Hi)) / N.Greater(-b.Lo, b.Hi);
+        return Hull(a, b, a.Lo / divisor, a.Lo / b.Hi, a.Hi / divisor, a.Hi / b.Hi, N.Select(mayBeZero & (gap > 0), gap, 0)); // not if it is 0 / 0
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval operator <(Interval a, Interval b) => Mask(a, b, a.Hi < b.Lo, a.Lo < b.Hi);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval operator >(Interval a, Interval b) => Mask(a, b, a.Lo > b.Hi, a.Hi > b.Lo);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval operator <=(Interval a, Interval b) => Mask(a, b, a.Hi <= b.Lo, a.Lo <= b.Hi);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval operator >=(Interval a, Interval b) => Mask(a, b, a.Lo >= b.Hi, a.Hi >= b.Lo);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval operator &(Interval a, Interval b) => new(a.Lo & b.Lo, a.Hi & b.Hi);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval operator |(Interval a, Interval b) => new(a.Lo | b.Lo, a.Hi | b.Hi);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval Sqrt(Interval x)
+    {
+        var missing = N.Select(x.Hi < 0, 2, N.Select(x.Lo < 0, 1, 0));
+        return new(N.Sqrt(N.Greater(0, x.Lo)), N.Sqrt(x.Hi), N.Greater(x.Missing, missing), 0);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval Min(Interval a, Interval b) =>
+        new(N.Lesser(a.Lo, b.Lo), N.Lesser(a.Hi, b.Hi), N.Greater(a.Missing, b.Missing), N.Lesser(a.Gap, b.Gap));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Interval Max(Interval a, Interval b) =>
+        new(N.Greater(a.Lo, b.Lo), N.Greater(a.Hi, b.Hi), N.Greater(a.Missing, b.Missing), N.Lesser(a.Gap, b.Gap));
+
+    public static Interval Select(Interval mask, Interval a, Interval b)
+    {
+        // Either: the hull of what there is.
+        N least = double.PositiveInfinity, most = double.NegativeInfinity;
+        var (aIsNothing, bIsNothing) = (a.IsNothing, b.IsNothing);
+        var lo = N.Lesser(N.Select(aIsNothing, least, a.Lo), N.Select(bIsNothing, least, b.Lo));
+        var hi = N.Greater(N.Select(aIsNothing, most, a.Hi), N.Select(bIsNothing, most, b.Hi));
+        var gap = N.Lesser(N.Select(aIsNothing, least, a.Gap), N.Select(bIsNothing, least, b.Gap));
+        var missing = N.Select(aIsNothing & bIsNothing, 2, N.Lesser(N.Greater(a.Missing, b.Missing), 1));
+        return new(Choose(a.Lo, lo, b.Lo), Choose(a.Hi, hi, b.Hi), Choose(a.Missing, missing, b.Missing), Choose(a.Gap, gap, b.Gap));
+
+        N Choose(N surely, N either, N surelyNot) => N.Select(mask.Lo, surely, N.Select(mask.Hi, either, surelyNot));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Interval Mask(Interval a, Interval b, N surely, N maybe)
+    {
+        var missing = N.Greater(a.Missing, b.Missing);
+        return new(N.Select(missing > 0, 0, surely), N.Select(missing > 1, 0, maybe));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Interval Sum(Interval a, Interval b, N lo, N hi) =>
+        OrAnything(a, b, lo, hi, hi - lo < double.PositiveInfinity, 0); // false for NaN
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Interval Hull(Interval a, Interval b, N p, N q, N r, N s, N gap)
+    {
+        var sum = p + q + (r + s); // infinite or NaN if one of them is, which the least and the greatest need not tell
+        var (lo, hi) = (N.Lesser(N.Lesser(p, q), N.Lesser(r, s)), N.Greater(N.Greater(p, q), N.Greater(r, s)));
+        return OrAnything(a, b, lo, hi, sum - sum <= 0, gap);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Interval OrAnything(Interval a, Interval b, N lo, N hi, N isFinite, N gap)
+    {
+        var missing = N.Greater(a.Missing, b.Missing);
+        return new(
+            N.Select(isFinite, lo, double.NegativeInfinity), N.Select(isFinite, hi, double.PositiveInfinity),
+            N.Select(isFinite, missing, N.Greater(missing, 1)), gap);
+    }
+}

@@ -1,0 +1,73 @@
+namespace RayCaster.Files;
+
+/// <summary>
+/// Reads a camera's way from a file (docs/frames.md): JSON as in a scene file, an array of <c>keys</c> and how to go from one to the next.
+/// </summary>
+public static class CameraPathReader
+{
+    /// <summary>The longest file, in bytes: some ten thousand keys.</summary>
+    public const int MostBytes = 1 << 20;
+
+    /// <summary>Reads a file.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="camera">The scene's camera: a key that leaves target or fovY out has its.</param>
+    /// <param name="report">All that is wrong with the file, as text for people; empty if nothing is.</param>
+    /// <returns>The way, or null if there is an error.</returns>
+    public static CameraPath? Read(string path, Camera camera, out string report)
+    {
+        report = "";
+        try
+        {
+            if (!File.Exists(path))
+            {
+                report = $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
+                return null;
+            }
+            using var file = File.OpenRead(path);
+            var bytes = new byte[MostBytes + 1];
+            var length = file.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
+            if (length <= MostBytes) return Parse(bytes[..length], path, camera, out report);
+            report = $"{path}: error: the file is longer than {MostBytes:N0} bytes, which is the limit\n";
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            report = $"{path}: error: the file cannot be read: {e.Message}\n";
+        }
+        return null;
+    }
+
+    /// <summary>Reads a text.</summary>
+    /// <param name="utf8">The text.</param>
+    /// <param name="displayName">What messages call it.</param>
+    /// <param name="camera">The scene's camera.</param>
+    /// <param name="report">All that is wrong with it.</param>
+    public static CameraPath? Parse(byte[] utf8, string displayName, Camera camera, out string report)
+    {
+        var path = SceneReader.Parse(utf8, displayName, "", "the camera's way", o => ReadPath(o, camera), out var problems);
+        report = new SceneReading(null, problems).Report();
+        return path;
+    }
+
+    private static CameraPath? ReadPath(SceneObject o, Camera camera)
+    {
+        o.OptionalText("$schema", "Not used by the program.");
+        var isSmooth = o.OptionalChoice("interpolation", "How the camera goes from key to key: in a curve or straight.", "smooth", "linear") == "smooth";
+        var keys = new List<CameraKey>();
+        foreach (var element in o.Objects("keys", "Where the camera is and when, an array of at least two."))
+        {
+            var key = new CameraKey(
+                element.Number("time", "When; each key later than the one before."),
+                element.Vector("position", "P, where the camera is."),
+                element.Vector("target", "T, where it looks; the scene's target where it is left out.", camera.Target),
+                element.Number("fovY", "The vertical field of view in degrees; the scene's where it is left out.", Limits.Between(0, 180), camera.FovY));
+            element.Close();
+            if (keys.Count > 0 && key.Time <= keys[^1].Time)
+                element.Refuse("time", $" must be later than that of the key before, which is {keys[^1].Time}, but is {key.Time}");
+            if (key.Position == key.Target) element.Refuse("position", $" must differ from the target, but both are {key.Target}");
+            keys.Add(key);
+        }
+        if (o.Has("keys") && keys.Count < 2 && o.IsSound) o.Refuse("keys", $" must be at least two, but there {(keys.Count == 1 ? "is one" : "is none")}");
+        o.Close();
+        return o.IsSound ? new(keys, isSmooth) : null;
+    }
+}

@@ -1,0 +1,93 @@
+namespace RayCaster.Files;
+
+/// <summary>Many pictures, made small, side by side on one.</summary>
+/// <param name="pictures">The files, PNGs of any size that are not interlaced.</param>
+/// <param name="columns">How many in a row.</param>
+/// <param name="width">Pixels in a line of a small picture.</param>
+/// <param name="height">Lines of a small picture.</param>
+public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, int width, int height)
+{
+    /// <summary>Black pixels between two pictures, and around all.</summary>
+    public const int Gap = 4;
+
+    /// <summary>Pixels in a line of the sheet.</summary>
+    public long Width => (long)columns * (width + Gap) + Gap;
+
+    /// <summary>Lines of the sheet.</summary>
+    public long Height => (long)((pictures.Count - 1) / columns + 1) * (height + Gap) + Gap;
+
+    /// <summary>How large small pictures are if nobody says: no wider than 160, in the shape of a picture.</summary>
+    /// <exception cref="PictureFileException">It cannot be read.</exception>
+    public static (int Width, int Height) SizeFor(string picture) => PictureFile.Open(picture, file =>
+    {
+        using var open = file;
+        using var png = new PngReader(file, 3 * Camera.MaxPixels);
+        var width = Math.Min(png.Header.Width, 160);
+        return (width, (int)Math.Clamp(((long)png.Header.Height * width + png.Header.Width / 2) / png.Header.Width, 1, 1000));
+    });
+
+    /// <summary>Writes the sheet, a row of small pictures at a time.</summary>
+    /// <param name="writer">Takes the lines; it is not finished.</param>
+    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    /// <exception cref="PictureFileException">A picture cannot be read.</exception>
+    public void Write(PictureWriter writer, CancellationToken cancellation = default)
+    {
+        var lineBytes = 3 * (int)Width;
+        var row = new byte[lineBytes * (Gap + height)];
+        for (var first = 0; first < pictures.Count; first += columns)
+        {
+            row.AsSpan().Clear();
+            for (var i = first; i < Math.Min(first + columns, pictures.Count); i++)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                Shrink(pictures[i], row.AsSpan(Gap * lineBytes + 3 * (Gap + (i - first) * (width + Gap))), lineBytes);
+            }
+            writer.WriteRows(row);
+        }
+        writer.WriteRows(new byte[Gap * lineBytes]);
+    }
+
+    /// <summary>Makes a picture small: each pixel is the mean of those that it stands for, or shows the one that it lies in where there are fewer.</summary>
+    private void Shrink(string picture, Span<byte> corner, int lineBytes)
+    {
+        var small = new byte[3 * width * height];
+        PictureFile.Open(picture, file =>
+        {
+            using var open = file;
+            using var png = new PngReader(file, 3 * Camera.MaxPixels);
+            var (fromWidth, fromHeight) = (png.Header.Width, png.Header.Height);
+            if (png.Header.Interlaced) throw new PictureFileException("it is interlaced, so that its lines cannot be read one after another");
+            var line = new byte[3 * fromWidth];
+            var (sums, read) = (new long[3 * width], 0);
+            for (var y = 0; y < height; y++)
+            {
+                var (top, bottom) = Of(y, height, fromHeight);
+                Array.Clear(sums);
+                for (var i = top; i < bottom; i++)
+                {
+                    for (; read <= i; read++) png.ReadLine(line);
+                    for (var x = 0; x < width; x++)
+                    {
+                        var (left, right) = Of(x, width, fromWidth);
+                        for (var from = 3 * left; from < 3 * right; from++) sums[3 * x + from % 3] += line[from];
+                    }
+                }
+                for (var x = 0; x < width; x++)
+                {
+                    var (left, right) = Of(x, width, fromWidth);
+                    var count = (long)(right - left) * (bottom - top);
+                    for (var c = 3 * x; c < 3 * x + 3; c++) small[3 * width * y + c] = (byte)((sums[c] + count / 2) / count);
+                }
+            }
+            return true;
+        });
+        for (var y = 0; y < height; y++) small.AsSpan(3 * width * y, 3 * width).CopyTo(corner[(y * lineBytes)..]);
+
+        // Where many become one, all of them have a part in it; where one becomes many, there is at least one for each.
+        static (int From, int To) Of(int place, int places, int many)
+        {
+            var from = (int)((long)place * many / places);
+            return (from, Math.Max(from + 1, (int)((place + 1L) * many / places)));
+        }
+    }
+}

@@ -1,0 +1,104 @@
+using System.Text;
+
+namespace RayCaster.Files;
+
+/// <summary>Ascii STL: words that may stand on any line, apart from the names of solids, which end with theirs.</summary>
+internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
+{
+    /// <summary>A block is cut behind a facet, unless it is the last, so each but the first begins within a solid.</summary>
+    public override void Read(MeshBlock block, MeshBuilder mesh)
+    {
+        var scanner = TextScanner.OfBlock(block);
+        var word = scanner.Next();
+        var isInSolid = block.Start > 0;
+        if (!isInSolid && !Is(word, "solid"))
+            throw scanner.Error($"an ascii STL file must begin with 'solid', but this one begins with {scanner.Quoted}");
+        for (; isInSolid || !word.IsEmpty; isInSolid = false)
+        {
+            if (!isInSolid)
+            {
+                if (!Is(word, "solid")) throw Expected("solid");
+                word = NextAfterName();
+            }
+            for (; Is(word, "facet"); word = scanner.Next()) ReadFacet();
+            if (word.IsEmpty && !block.IsLast) return;
+            if (!Is(word, "endsolid")) throw Expected("facet' or 'endsolid");
+            word = scanner.NextLine() ? scanner.Next() : []; // the name may stand here again
+        }
+
+        void ReadFacet()
+        {
+            Expect("normal");
+            for (var i = 0; i < 3; i++) scanner.Next(); // read by nobody: programs write nan into those of slivers
+            Expect("outer");
+            Expect("loop");
+            mesh.BeginFace();
+            var word = scanner.Next();
+            for (; Is(word, "vertex"); word = scanner.Next())
+            {
+                var (x, y, z) = (Number("the vertex's x"), Number("the vertex's y"), Number("the vertex's z"));
+                mesh.AddVertex(new(x, y, z));
+                mesh.AddCornerBack(-1);
+            }
+            if (!Is(word, "endloop")) throw Expected("vertex' or 'endloop");
+            if (mesh.CornerCount < 3) throw scanner.Error($"a facet needs at least three vertices, but this one has {mesh.CornerCount}");
+            Expect("endfacet");
+        }
+
+        // On a later line if need be, but where that has no number, it is this line that misses one.
+        double Number(string what)
+        {
+            var word = scanner.NextInLine();
+            if (!word.IsEmpty) return scanner.ToNumber(word, what);
+            var lineEnd = scanner.WordAt;
+            return DecimalNumber.TryParse(scanner.Next(), out var number) ? number : throw scanner.ErrorAt(lineEnd, $"{what} is missing");
+        }
+
+        // A solid's name is the rest of its line, unless somebody has written the whole solid as one line.
+        ReadOnlySpan<byte> NextAfterName()
+        {
+            while (scanner.NextInLine() is { IsEmpty: false } word)
+            {
+                var afterWord = scanner.Position;
+                if (Is(word, "facet") && Is(scanner.NextInLine(), "normal"))
+                {
+                    scanner.Position = afterWord;
+                    return word;
+                }
+                scanner.Position = afterWord;
+            }
+            return scanner.Next();
+        }
+
+        void Expect(string keyword)
+        {
+            if (!Is(scanner.Next(), keyword)) throw Expected(keyword);
+        }
+
+        MeshFileException Expected(string keyword) => scanner.Error($"expected '{keyword}', found {scanner.Quoted}");
+    }
+
+    /// <summary>
+    /// Behind the last line of a facet: endfacet, below endloop, below a vertex, each on a line of its own. These are so many words that
+    /// none of the places takes them in which anything may stand, a name or the three words of a normal; so whoever has come here has read a facet.
+    /// </summary>
+    protected override int LastCut(ReadOnlySpan<byte> text)
+    {
+        var (cut, linesFound) = (0, 0);
+        for (var left = text; TryTakeLastLine(ref left, out var line);)
+        {
+            var words = line.Trim(" \t\v\f"u8);
+            if (words.IsEmpty) continue;
+            if (linesFound == 2 && words.Length > 7 && Is(words[..6], "vertex") && words[6] is (byte)' ' or (byte)'\t') return cut;
+            if (linesFound == 1 && Is(words, "endloop"))
+                linesFound = 2;
+            else if (Is(words, "endfacet"))
+                (cut, linesFound) = (left.Length + 1, 1);
+            else
+                linesFound = 0;
+        }
+        return 0;
+    }
+
+    private static bool Is(ReadOnlySpan<byte> word, string keyword) => Ascii.EqualsIgnoreCase(word, keyword);
+}

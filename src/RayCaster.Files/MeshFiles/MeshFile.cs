@@ -1,0 +1,71 @@
+namespace RayCaster.Files;
+
+/// <summary>Reads meshes that other programs write.</summary>
+public static class MeshFile
+{
+    /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
+    /// <param name="path">The file, of any size.</param>
+    /// <param name="threads">How many threads read a large file; one per core if left out.</param>
+    /// <exception cref="MeshFileException">The file is not there, is of another kind, or is broken.</exception>
+    public static MeshData Read(string path, int? threads = null)
+    {
+        var reader = ReaderOf(path);
+        using var stream = Open(path);
+        return reader(new MeshSource(path, stream, threads: threads ?? Environment.ProcessorCount));
+    }
+
+    /// <summary>Reads a mesh from the bytes that a file of this name would hold.</summary>
+    internal static MeshData Parse(string path, byte[] bytes, int blockSize = MeshSource.UsualBlockSize, int threads = 1) =>
+        ReaderOf(path)(new MeshSource(path, new MemoryStream(bytes, writable: false), blockSize, threads));
+
+    /// <summary>Whether a file's name ends like that of a mesh.</summary>
+    internal static bool IsNamedLikeOne(string path) => Path.GetExtension(path).ToLowerInvariant() is ".obj" or ".ply" or ".stl";
+
+    private static Func<MeshSource, MeshData> ReaderOf(string path) => Path.GetExtension(path).ToLowerInvariant() switch
+    {
+        ".obj" => ObjFile.Read,
+        ".ply" => PlyFile.Read,
+        ".stl" => StlFile.Read,
+        "" => throw new MeshFileException(path, "a mesh file's name must end with .obj, .ply or .stl, but this one has no extension"),
+        var other => throw new MeshFileException(path, $"a mesh file must be .obj, .ply or .stl, but this one is {other}"),
+    };
+
+    private static Stream Open(string path)
+    {
+        try
+        {
+            if (Directory.Exists(path)) throw new MeshFileException(path, "is a folder, not a mesh file");
+            var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+            if (file.CanSeek && file.Length > 0) return file;
+            using (file) return Copy(file, path); // a pipe, or one of those files that only seem to be empty
+        }
+        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw new MeshFileException(path, $"file not found{FileNames.Hint(path)}", inner: e);
+        }
+        catch (UnauthorizedAccessException e)
+        {
+            throw new MeshFileException(path, $"no permission to read it{FullPath(path)}", inner: e);
+        }
+        catch (Exception e) when (e is IOException or ArgumentException or NotSupportedException)
+        {
+            throw new MeshFileException(path, $"cannot be read: {e.Message}", inner: e);
+        }
+    }
+
+    private static MemoryStream Copy(Stream stream, string path)
+    {
+        var copy = new MemoryStream();
+        var buffer = new byte[1 << 16];
+        while (stream.Read(buffer) is > 0 and var count)
+        {
+            copy.Write(buffer, 0, count);
+            if (copy.Length > MeshBlock.MostBytes)
+                throw new MeshFileException(path, FormattableString.Invariant(
+                    $"a pipe or device of more than {MeshBlock.MostBytes:N0} bytes is not read, but a file of any size is"));
+        }
+        return copy;
+    }
+
+    private static string? FullPath(string path) => Path.IsPathFullyQualified(path) ? null : $"; looked for {Path.GetFullPath(path)}";
+}

@@ -1,0 +1,130 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Files;
+
+/// <summary>Where a scene puts a mesh: a vertex p becomes Rz·Ry·Rx·(scale ∘ p) + translate.</summary>
+/// <param name="Scale">A factor for each axis, none of them 0; negative mirrors.</param>
+/// <param name="Rotate">Right-handed turns about the x, y and z axis, in degrees, in this order.</param>
+/// <param name="Translate">The way to go at last.</param>
+public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vector3 Translate)
+{
+    /// <summary>The mesh as a model, without the triangles that have no area where they are placed.</summary>
+    /// <param name="data">
+    /// The file's vertices and triangles. The model keeps the array of vertices where all stay in their places, and that of indices where no triangle is dropped.
+    /// </param>
+    /// <param name="dropped">How many triangles had no area.</param>
+    /// <param name="threads">How many threads place a large mesh; one per core if left out.</param>
+    /// <exception cref="OverflowException">A placed vertex is not finite.</exception>
+    public Mesh Place(MeshData data, out int dropped, int? threads = null)
+    {
+        var threadCount = threads ?? Environment.ProcessorCount;
+        var vertices = IsNone ? data.Vertices : PlaceVertices(data.Vertices, threadCount);
+        var indices = WithoutFlat(data.Indices, vertices, threadCount);
+        dropped = (data.Indices.Length - indices.Length) / 3;
+        return new Mesh(vertices, indices);
+    }
+
+    private bool IsNone => Scale == new Vector3(1, 1, 1) && Rotate == Vector3.Zero && Translate == Vector3.Zero;
+
+    private Vector3[] PlaceVertices(Vector3[] from, int threads)
+    {
+        var placement = this;
+        var placed = GC.AllocateUninitializedArray<Vector3>(from.Length);
+        var areFinite = true;
+        Ranges.Each(from.Length, threads, (start, length) =>
+        {
+            if (!placement.Place(from.AsSpan(start, length), placed.AsSpan(start, length))) Volatile.Write(ref areFinite, false);
+        });
+        if (areFinite) return placed;
+        var first = Array.FindIndex(placed, p => !(double.IsFinite(p.X) && double.IsFinite(p.Y) && double.IsFinite(p.Z)));
+        throw new OverflowException($"vertex {first + 1} is placed at {placed[first]}, beyond the largest number");
+    }
+
+    /// <summary>Places some vertices.</summary>
+    /// <returns>Whether all are finite where they are placed.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // called a few times, for many vertices each
+    private bool Place(ReadOnlySpan<Vector3> from, Span<Vector3> placed)
+    {
+        var (scale, translate) = (Scale, Translate);
+        var (sx, cx) = SinCos(Rotate.X);
+        var (sy, cy) = SinCos(Rotate.Y);
+        var (sz, cz) = SinCos(Rotate.Z);
+        var zero = 0d; // NaN as soon as a coordinate is not finite
+        for (var i = 0; i < from.Length; i++)
+        {
+            var p = from[i];
+            p = new(scale.X * p.X, scale.Y * p.Y, scale.Z * p.Z);
+            p = new(p.X, cx * p.Y - sx * p.Z, sx * p.Y + cx * p.Z);
+            p = new(cy * p.X + sy * p.Z, p.Y, cy * p.Z - sy * p.X);
+            p = new(cz * p.X - sz * p.Y, sz * p.X + cz * p.Y, p.Z);
+            placed[i] = p += translate;
+            zero += 0 * p.X + 0 * p.Y + 0 * p.Z;
+        }
+        return zero == 0;
+    }
+
+    /// <summary>The triangles that have an area: the same array where all have.</summary>
+    private static int[] WithoutFlat(int[] indices, Vector3[] vertices, int threads)
+    {
+        var kept = new int[Ranges.CountIn(indices.Length) + 1]; // how many in the ranges before, when they are summed up
+        Ranges.Each(indices.Length, threads, (start, length) =>
+        {
+            kept[start / Ranges.Usual + 1] = length - 3 * CountFlat(indices.AsSpan(start, length), vertices);
+        });
+        for (var range = 1; range < kept.Length; range++) kept[range] += kept[range - 1];
+        if (kept[^1] == indices.Length) return indices;
+
+        var left = GC.AllocateUninitializedArray<int>(kept[^1]);
+        Ranges.Each(indices.Length, threads, (start, length) =>
+        {
+            var to = kept[start / Ranges.Usual];
+            if (kept[start / Ranges.Usual + 1] - to == length)
+                indices.AsSpan(start, length).CopyTo(left.AsSpan(to));
+            else
+                for (var i = start; i < start + length; i += 3)
+                {
+                    if (IsFlat(indices.AsSpan(i, 3), vertices)) continue;
+                    indices.AsSpan(i, 3).CopyTo(left.AsSpan(to));
+                    to += 3;
+                }
+        });
+        return left;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private static int CountFlat(ReadOnlySpan<int> indices, Vector3[] vertices)
+    {
+        var count = 0;
+        for (; !indices.IsEmpty; indices = indices[3..])
+            if (IsFlat(indices, vertices))
+                count++;
+        return count;
+    }
+
+    /// <summary>Whether the first of some triangles has no area.</summary>
+    /// <remarks>
+    /// <see cref="Triangle.IsOnOneLine"/> says |e1 × e2| ≤ 1e-12 · (longest side)². A triangle that has twice that in squares, which need no root, has it
+    /// surely: the roots round by a few parts in 10¹⁶, and in these limits no square is too large or too small for a double. It spares
+    /// most of the time that a large mesh is checked.
+    /// </remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static bool IsFlat(ReadOnlySpan<int> corners, Vector3[] vertices)
+    {
+        var (a, b, c) = (vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]);
+        var (e1, e2, e3) = (b - a, c - a, c - b);
+        var (n, longest) = (e1 % e2, Math.Max(e1 * e1, Math.Max(e2 * e2, e3 * e3)));
+        return !(longest is > 1e-100 and < 1e100 && n * n > 4e-24 * longest * longest) && Triangle.IsOnOneLine(a, b, c);
+    }
+
+    /// <summary>
+    /// Sine and cosine of an angle in degrees, exact for quarter turns, so that a box turned by 90° keeps straight sides.
+    /// </summary>
+    private static (double Sin, double Cos) SinCos(double degrees) => Math.IEEERemainder(degrees, 360) switch
+    {
+        0 => (0, 1),
+        90 => (1, 0),
+        -90 => (-1, 0),
+        180 or -180 => (0, -1),
+        var angle => Math.SinCos(angle * Math.PI / 180),
+    };
+}

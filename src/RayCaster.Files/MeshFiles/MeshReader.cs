@@ -1,0 +1,71 @@
+namespace RayCaster.Files;
+
+/// <summary>
+/// Reads a mesh file block by block, several blocks side by side, and joins what they hold in file order.
+/// Where that fails, one thread reads the blocks one after another: it alone knows all that stands above a mistake, and meets the first one first.
+/// </summary>
+internal static class MeshReader
+{
+    /// <param name="source">The file.</param>
+    /// <param name="begin">The format, before its first block.</param>
+    /// <exception cref="MeshFileException">The file is broken.</exception>
+    public static MeshData Read(MeshSource source, Func<MeshFormat> begin)
+    {
+        var threads = (int)Math.Min(source.Threads, 1 + source.Length / source.BlockSize);
+        return (threads > 1 ? ReadSideBySide(source, begin(), threads) : null) ?? ReadInOrder(source, begin());
+    }
+
+    private static MeshData ReadInOrder(MeshSource source, MeshFormat format)
+    {
+        var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: true));
+        var pieces = new List<MeshPiece>();
+        while (format.Next(block))
+        {
+            format.Read(block, mesh);
+            pieces.Add(mesh.TakePiece());
+        }
+        return MeshPiece.Join(pieces, source, threads: 1);
+    }
+
+    private static MeshData? ReadSideBySide(MeshSource source, MeshFormat format, int threads)
+    {
+        var pieces = new List<MeshPiece>();
+        var failed = false;
+        Ranges.EachPiece(threads, threads, _ =>
+        {
+            try
+            {
+                var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: false));
+                while (NextPlace(block) is { } place)
+                {
+                    format.Read(block, mesh);
+                    var piece = mesh.TakePiece();
+                    lock (format) pieces[place] = piece;
+                }
+            }
+            catch (MeshFileException)
+            {
+                Volatile.Write(ref failed, true);
+            }
+        });
+        if (failed) return null;
+        try
+        {
+            return MeshPiece.Join(pieces, source, threads);
+        }
+        catch (MeshFileException)
+        {
+            return null;
+        }
+
+        int? NextPlace(MeshBlock block)
+        {
+            lock (format)
+            {
+                if (Volatile.Read(ref failed) || !format.Next(block)) return null;
+                pieces.Add(default);
+                return pieces.Count - 1;
+            }
+        }
+    }
+}

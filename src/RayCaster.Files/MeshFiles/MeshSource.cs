@@ -1,0 +1,69 @@
+namespace RayCaster.Files;
+
+/// <summary>A mesh file, which is read in blocks so that it need not fit into memory, and what to say about a place in it.</summary>
+/// <param name="path">The file, as the caller named it.</param>
+/// <param name="stream">What it holds; any place can be sought.</param>
+/// <param name="blockSize">How many bytes are read at once, where no line or row is longer.</param>
+/// <param name="threads">How many blocks are read side by side, at most.</param>
+internal sealed class MeshSource(string path, Stream stream, int blockSize = MeshSource.UsualBlockSize, int threads = 1)
+{
+    /// <summary>Small enough for a core's own cache. A file that is no larger is read without a thread being started.</summary>
+    public const int UsualBlockSize = 1 << 20;
+
+    /// <summary>The bytes of the file when it was opened.</summary>
+    public long Length { get; } = stream.Length;
+
+    public int BlockSize => blockSize;
+
+    public int Threads => threads;
+
+    /// <summary>Fills the buffer, from any thread.</summary>
+    /// <exception cref="MeshFileException">The file cannot be read, or not that far: somebody has made it shorter.</exception>
+    public void Read(long offset, Span<byte> buffer)
+    {
+        try
+        {
+            lock (stream)
+            {
+                stream.Position = offset;
+                stream.ReadExactly(buffer);
+            }
+        }
+        catch (EndOfStreamException e)
+        {
+            throw new MeshFileException(path, "the file became shorter while it was read", inner: e);
+        }
+        catch (IOException e)
+        {
+            throw new MeshFileException(path, $"cannot be read: {e.Message}", inner: e);
+        }
+    }
+
+    /// <summary>A mistake of the whole file.</summary>
+    public MeshFileException Error(string reason) => new(path, reason);
+
+    /// <summary>A mistake in a binary part of the file.</summary>
+    public MeshFileException ErrorAtByte(long offset, string reason) => new(path, reason, offset: offset);
+
+    /// <summary>A mistake in a text part of the file. Only now are its lines counted, so that readers need to know nothing but bytes.</summary>
+    public MeshFileException ErrorAtLine(long offset, string reason) => new(path, reason, LineAt(offset));
+
+    private int LineAt(long offset)
+    {
+        var buffer = new byte[UsualBlockSize];
+        var line = 1;
+        var previous = (byte)0;
+        for (var start = 0L; start <= offset && start < Length; start += buffer.Length)
+        {
+            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Math.Min(offset + 1, Length) - start)); // one more tells CR from CRLF
+            Read(start, bytes);
+            for (var i = 0; i < bytes.Length; i++)
+            {
+                if (previous == '\r' && bytes[i] != '\n') line++;
+                if (bytes[i] == '\n' && start + i < offset) line++;
+                previous = bytes[i];
+            }
+        }
+        return previous == '\r' && offset == Length ? line + 1 : line;
+    }
+}

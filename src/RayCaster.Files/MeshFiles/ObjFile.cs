@@ -1,0 +1,93 @@
+using System.Buffers.Text;
+
+namespace RayCaster.Files;
+
+/// <summary>Wavefront OBJ: the statements <c>v x y z</c> and <c>f i j k …</c>; all others are skipped.</summary>
+internal sealed class ObjFile : TextFormat
+{
+    private readonly long vertexCount;
+
+    /// <param name="source">The file.</param>
+    /// <param name="vertexCount">How many vertices it has, if that is known.</param>
+    private ObjFile(MeshSource source, long vertexCount = long.MaxValue) : base(source) => this.vertexCount = vertexCount;
+
+    public static MeshData Read(MeshSource source)
+    {
+        var mesh = MeshReader.Read(source, () => new ObjFile(source));
+        // A face may stand before its vertices, so only now is the range known. The second reading stops at the first index beyond it.
+        if (IsWhole(mesh, source.Threads)) return mesh;
+        MeshReader.Read(source, () => new ObjFile(source, mesh.Vertices.Length));
+        throw source.Error("the file changed while it was read");
+    }
+
+    /// <inheritdoc/>
+    public override void Read(MeshBlock block, MeshBuilder mesh)
+    {
+        var scanner = TextScanner.OfBlock(block, isObj: true);
+        do
+        {
+            var statement = scanner.NextInLine();
+            if (statement is [(byte)'v'])
+            {
+                mesh.AddVertex(new(
+                    scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z")));
+            }
+            else if (statement is [(byte)'f'])
+            {
+                mesh.BeginFace();
+                while (scanner.NextInLine() is { IsEmpty: false } corner)
+                {
+                    var index = ToIndex(corner, scanner);
+                    if (index > vertexCount) throw scanner.Error($"face index {index} is beyond the file's {vertexCount} vertices");
+                    if (index < -mesh.VerticesAbove)
+                        throw scanner.Error($"face index {index} counts back beyond the {mesh.VerticesAbove} vertices that are above it");
+                    if (index > 0) mesh.AddCorner(index - 1);
+                    else mesh.AddCornerBack(index);
+                }
+                if (mesh.CornerCount < 3) throw scanner.Error($"a face needs at least three corners, but this one has {mesh.CornerCount}");
+            }
+        }
+        while (scanner.NextLine());
+    }
+
+    /// <summary>Behind any line that no backslash continues.</summary>
+    protected override int LastCut(ReadOnlySpan<byte> text)
+    {
+        for (var left = text; TryTakeLastLine(ref left, out var line);)
+        {
+            var isCrLf = line.IsEmpty && left is [.., (byte)'\r'];
+            if ((isCrLf ? left[..^1] : line) is not [.., (byte)'\\']) return left.Length + 1;
+        }
+        return 0;
+    }
+
+    /// <summary>Whether all corners are among the vertices.</summary>
+    private static bool IsWhole(MeshData mesh, int threads)
+    {
+        var isWhole = true;
+        Ranges.Each(mesh.Indices.Length, threads, (start, length) =>
+        {
+            foreach (var index in mesh.Indices.AsSpan(start, length))
+                if (index >= mesh.Vertices.Length) Volatile.Write(ref isWhole, false);
+        });
+        return isWhole;
+    }
+
+    /// <summary>
+    /// The vertex of a corner, which is written <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c>: vertex, texture, normal.
+    /// </summary>
+    private static long ToIndex(ReadOnlySpan<byte> corner, TextScanner scanner)
+    {
+        var isCorner = Utf8Parser.TryParse(corner, out long index, out var length);
+        var rest = corner[length..];
+        for (var part = 0; isCorner && part < 2 && rest is [(byte)'/', ..]; part++)
+        {
+            Utf8Parser.TryParse(rest[1..], out long _, out length); // of length 0 where nothing is written
+            rest = rest[(1 + length)..];
+        }
+        if (!isCorner || !rest.IsEmpty || corner is [.., (byte)'/'])
+            throw scanner.Error($"a face's corner must be like 7, 7/1, 7/1/3 or 7//3, but is {scanner.Quoted}");
+        if (index == 0) throw scanner.Error("face index 0 is not allowed: vertices count from 1, or from -1 backwards");
+        return index;
+    }
+}

@@ -1,0 +1,103 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Files;
+
+/// <summary>PLY, ascii or binary: x, y and z of the element vertex, vertex_indices of the element face; all else is skipped.</summary>
+internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
+{
+    private readonly PlyRows rows = header.Format == "ascii" ? new AsciiPlyRows() : new BinaryPlyRows(header.Format == "binary_big_endian");
+    private long position = header.BodyAt;
+    private long rowsLeft;      // of the last element that has begun
+    private int elementsBegun;
+
+    public static MeshData Read(MeshSource source)
+    {
+        var header = new PlyHeader(source);
+        return TrianglePly.Read(source, header) ?? MeshReader.Read(source, () => new PlyFile(source, header));
+    }
+
+    /// <summary>A block has rows of one element.</summary>
+    public override bool Next(MeshBlock block)
+    {
+        for (; rowsLeft == 0; elementsBegun++)
+        {
+            if (elementsBegun == header.Elements.Count) return false;
+            Begin(header.Elements[elementsBegun]);
+        }
+
+        var element = header.Elements[elementsBegun - 1];
+        var rowCount = 0L;
+        position = block.Load(position, (bytes, isEnd) =>
+        {
+            rowCount = rowsLeft;
+            var length = rows.Measure(bytes, element, ref rowCount);
+            if (!isEnd || rowCount == rowsLeft) return length;
+            rowCount = rowsLeft; // in ascii the last line may lack its end; where rows are missing, it is noticed when they are read
+            return bytes.Length;
+        }).End;
+        rowsLeft -= rowCount;
+        (block.Element, block.RowCount) = (element, rowCount);
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public override void Read(MeshBlock block, MeshBuilder mesh)
+    {
+        var values = rows.ValuesOf(block);
+        for (var row = 0L; row < block.RowCount; row++)
+        {
+            values.BeginRow();
+            ReadRow(values, block.Element!, mesh);
+            values.EndRow();
+        }
+    }
+
+    private void Begin(PlyElement element)
+    {
+        if (element.Properties.Count == 0) return; // its rows, however many, take no space
+        if (!rows.CanHold(element, source.Length - position))
+            throw source.ErrorAtLine(element.At, $"the header promises {element.Count} rows, more than the rest of the file can hold");
+        rowsLeft = element.Count;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void ReadRow(PlyValues values, PlyElement element, MeshBuilder mesh)
+    {
+        var (x, y, z) = (0d, 0d, 0d);
+        foreach (var property in element.Properties)
+        {
+            var count = property.CountType is { } type ? ReadCount(values, type) : 1;
+            switch (property.Role)
+            {
+                case PlyRole.X: x = values.Next(property.Type); break;
+                case PlyRole.Y: y = values.Next(property.Type); break;
+                case PlyRole.Z: z = values.Next(property.Type); break;
+                case PlyRole.Corners: ReadFace(values, property.Type, count, mesh); break;
+                default: values.Skip(property, count); break;
+            }
+        }
+        if (element.Name == "vertex") mesh.AddVertex(new(x, y, z));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void ReadFace(PlyValues values, PlyType type, long count, MeshBuilder mesh)
+    {
+        if (count < 3) throw values.Error($"a face needs at least three corners, but this one has {count}");
+        mesh.BeginFace();
+        for (; count > 0; count--)
+        {
+            var index = values.Next(type);
+            if (index < 0 || index != Math.Floor(index)) throw values.Error($"a face index must be a whole number from 0 on, but is {index}");
+            if (index >= header.VertexCount)
+                throw values.Error($"face index {index} is beyond the file's {header.VertexCount} vertices, which count from 0");
+            mesh.AddCorner((int)index);
+        }
+    }
+
+    private static long ReadCount(PlyValues values, PlyType type)
+    {
+        var count = values.Next(type);
+        if (count < 0 || count != Math.Floor(count)) throw values.Error($"the count of a list must be a whole number from 0 on, but is {count}");
+        return (long)count;
+    }
+}

@@ -1,0 +1,166 @@
+using System.Buffers.Text;
+using System.Text;
+
+namespace RayCaster.Files;
+
+/// <summary>What a value of a PLY file is for.</summary>
+internal enum PlyRole { X, Y, Z, Corners, Skipped }
+
+/// <summary>How a value is stored in a binary PLY file.</summary>
+internal enum PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 }
+
+/// <summary>One value of each row of an element, or, with a type for the count in front of it, a list.</summary>
+internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType? CountType)
+{
+    /// <summary>The bytes of each value.</summary>
+    public int Size => SizeOf(Type);
+
+    /// <summary>The fewest bytes that the property takes in a binary file; a face has three corners at least.</summary>
+    public int LeastSize => CountType is { } type ? SizeOf(type) + (LeastNumbers - 1) * Size : Size;
+
+    /// <summary>The fewest numbers that the property takes, the count of a list included.</summary>
+    public int LeastNumbers => Role == PlyRole.Corners ? 4 : 1;
+
+    /// <summary>The bytes of a value.</summary>
+    public static int SizeOf(PlyType type) => type switch
+    {
+        PlyType.Int8 or PlyType.UInt8 => 1,
+        PlyType.Int16 or PlyType.UInt16 => 2,
+        PlyType.Int32 or PlyType.UInt32 or PlyType.Float32 => 4,
+        _ => 8,
+    };
+}
+
+/// <summary>A table of the file.</summary>
+/// <param name="Name">What its rows are: <c>vertex</c>, <c>face</c>, or anything else, which is skipped.</param>
+/// <param name="Count">The rows that the header promises.</param>
+/// <param name="At">Where the header says so.</param>
+internal sealed record PlyElement(string Name, long Count, int At)
+{
+    public List<PlyProperty> Properties { get; } = [];
+}
+
+/// <summary>The lines from <c>ply</c> to <c>end_header</c>.</summary>
+internal sealed class PlyHeader
+{
+    private const int longest = 1 << 20;
+    private readonly MeshSource source;
+    private readonly TextScanner scanner;
+
+    /// <exception cref="MeshFileException">
+    /// The header is broken, or there is no vertex with x, y and z, or no face with vertex_indices.
+    /// </exception>
+    public PlyHeader(MeshSource source)
+    {
+        var start = new MeshBlock(source).Load(0, (int)Math.Min(longest, source.Length));
+        (this.source, scanner) = (source, TextScanner.OfBlock(start));
+        if (NextWord() != "ply") throw scanner.Error("a PLY file must begin with the line 'ply'");
+        var lineEnd = scanner.Position;
+        ReadLines();
+        BodyAt = scanner.Position;
+        // Where lines end with a lone CR, a byte 10 after the last one is no LF but the beginning of the binary data.
+        if (start.Bytes[lineEnd..] is [(byte)'\r', not (byte)'\n', ..] && start.Bytes[BodyAt - 1] == '\n') BodyAt--;
+
+        VertexCount = Require("vertex", (PlyRole.X, "x"), (PlyRole.Y, "y"), (PlyRole.Z, "z")).Count;
+        Require("face", (PlyRole.Corners, "list vertex_indices"));
+    }
+
+    /// <summary><c>ascii</c>, <c>binary_little_endian</c> or <c>binary_big_endian</c>.</summary>
+    public string Format { get; private set; } = "";
+
+    public List<PlyElement> Elements { get; } = [];
+
+    /// <summary>The vertices that the header promises.</summary>
+    public long VertexCount { get; }
+
+    /// <summary>Where the first row begins.</summary>
+    public int BodyAt { get; }
+
+    private void ReadLines()
+    {
+        while (scanner.NextLine())
+        {
+            switch (NextWord())
+            {
+                case "format": ReadFormat(); break;
+                case "element": ReadElement(); break;
+                case "property": ReadProperty(); break;
+                case "comment" or "obj_info" or "": break;
+                case "end_header" when Format == "": throw scanner.Error("the header has no format");
+                case "end_header": scanner.NextLine(); return;
+                default:
+                    throw scanner.Error(
+                        $"a header line must be format, element, property, comment, obj_info or end_header, but is {scanner.Quoted}");
+            }
+        }
+        throw scanner.Error(source.Length > longest
+            ? $"end_header is missing in the first {longest} bytes; a header must not be longer"
+            : "the file ends within the header: end_header is missing");
+    }
+
+    private void ReadFormat()
+    {
+        Format = NextWord();
+        if (Format is not ("ascii" or "binary_little_endian" or "binary_big_endian"))
+            throw scanner.Error($"the format must be ascii, binary_little_endian or binary_big_endian, but is {scanner.Quoted}");
+        if (NextWord() != "1.0") throw scanner.Error($"the version of the format must be 1.0, but is {scanner.Quoted}");
+    }
+
+    private void ReadElement()
+    {
+        var name = NextWord();
+        var at = scanner.WordAt;
+        if (name is "vertex" or "face" && Elements.Exists(element => element.Name == name))
+            throw scanner.Error($"the element {name} is there twice");
+        var word = scanner.NextInLine();
+        if (!Utf8Parser.TryParse(word, out long count, out var length) || length < word.Length || count < 0)
+            throw scanner.Error($"the count of an element must be a whole number from 0 on, but is {scanner.Quoted}");
+        Elements.Add(new(name, count, at));
+    }
+
+    private void ReadProperty()
+    {
+        if (Elements.Count == 0) throw scanner.Error("a property must come after its element");
+        var element = Elements[^1];
+        var type = NextWord();
+        PlyType? countType = type == "list" ? ToType(NextWord()) : null;
+        if (countType is PlyType.Float32 or PlyType.Float64) throw scanner.Error("the count of a list must be of a whole-number type");
+        var valueType = ToType(countType is null ? type : NextWord());
+        var role = (element.Name, NextWord(), countType is not null) switch
+        {
+            ("vertex", "x", false) => PlyRole.X,
+            ("vertex", "y", false) => PlyRole.Y,
+            ("vertex", "z", false) => PlyRole.Z,
+            ("face", "vertex_indices" or "vertex_index", true) => PlyRole.Corners,
+            _ => PlyRole.Skipped,
+        };
+        if (role != PlyRole.Skipped && element.Properties.Exists(property => property.Role == role))
+            throw scanner.Error("the element has this property twice");
+        element.Properties.Add(new(role, valueType, countType));
+    }
+
+    private PlyType ToType(string name) => name switch
+    {
+        "char" or "int8" => PlyType.Int8,
+        "uchar" or "uint8" => PlyType.UInt8,
+        "short" or "int16" => PlyType.Int16,
+        "ushort" or "uint16" => PlyType.UInt16,
+        "int" or "int32" => PlyType.Int32,
+        "uint" or "uint32" => PlyType.UInt32,
+        "float" or "float32" => PlyType.Float32,
+        "double" or "float64" => PlyType.Float64,
+        _ => throw scanner.Error(
+            $"{scanner.Quoted} is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64"),
+    };
+
+    private PlyElement Require(string name, params ReadOnlySpan<(PlyRole Role, string Name)> needed)
+    {
+        var element = Elements.Find(element => element.Name == name) ?? throw source.Error($"the file has no element {name}");
+        foreach (var (role, property) in needed)
+            if (!element.Properties.Exists(p => p.Role == role))
+                throw source.ErrorAtLine(element.At, $"the element {name} must have the property {property}");
+        return element;
+    }
+
+    private string NextWord() => Encoding.UTF8.GetString(scanner.NextInLine());
+}

@@ -1,0 +1,31 @@
+namespace RayCaster.Files;
+
+/// <summary>A text that can be cut behind some of its lines.</summary>
+internal abstract class TextFormat(MeshSource source) : MeshFormat
+{
+    private long position = -1;
+
+    /// <inheritdoc/>
+    public override bool Next(MeshBlock block)
+    {
+        if (position == source.Length) return false;
+        position = block.Load(Math.Max(position, 0), (text, isEnd) => isEnd ? text.Length : LastCut(text)).End;
+        return true;
+    }
+
+    /// <summary>The greatest place in the text at which the next block can begin, behind a line end; 0 for none.</summary>
+    protected abstract int LastCut(ReadOnlySpan<byte> text);
+
+    /// <summary>Takes the last line off a text, if its end is there.</summary>
+    /// <param name="text">The text; afterwards what is left of it.</param>
+    /// <param name="line">The line without its end, or, where that is CR and LF, first an empty line and then the line.</param>
+    protected static bool TryTakeLastLine(ref ReadOnlySpan<byte> text, out ReadOnlySpan<byte> line)
+    {
+        var end = text.LastIndexOfAny((byte)'\n', (byte)'\r');
+        line = default;
+        if (end < 0) return false;
+        text = text[..end];
+        line = text[(text.LastIndexOfAny((byte)'\n', (byte)'\r') + 1)..];
+        return true;
+    }
+}

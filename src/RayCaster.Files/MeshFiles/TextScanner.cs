@@ -1,0 +1,137 @@
+using System.Runtime.CompilerServices;
+using System.Text;
+
+namespace RayCaster.Files;
+
+/// <summary>Cuts a text into words where they stand, without copying them. Words are separated by blanks, lines end with LF, CRLF or CR.</summary>
+/// <param name="block">The text.</param>
+/// <param name="position">Where its first word is looked for.</param>
+/// <param name="isObj">Whether, as in OBJ, # starts a comment and a backslash at the end of a line continues it on the next.</param>
+internal sealed class TextScanner(MeshBlock block, int position, bool isObj = false)
+{
+    private readonly byte[] buffer = block.Buffer;
+    private readonly int length = block.Length;
+    private int wordEnd;
+
+    /// <summary>Starts at the beginning of a block; in the file's first one past the byte order mark that some editors leave there.</summary>
+    /// <exception cref="MeshFileException">The text is in UTF-16.</exception>
+    public static TextScanner OfBlock(MeshBlock block, bool isObj = false) => (block.Start == 0 ? block.Bytes : []) switch
+    {
+        [0xEF, 0xBB, 0xBF, ..] => new(block, 3, isObj),
+        [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] => throw block.Source.ErrorAtLine(0, "the file is in UTF-16; save it as UTF-8"),
+        _ => new(block, 0, isObj),
+    };
+
+    /// <summary>Where the next word is looked for.</summary>
+    public int Position { get; set; } = position;
+
+    /// <summary>Where the last word began, or where one was missing.</summary>
+    public int WordAt { get; private set; }
+
+    /// <summary>The last word for a message: short and printable, whatever it is.</summary>
+    public string Quoted
+    {
+        get
+        {
+            const int most = 40;
+            var word = buffer.AsSpan(WordAt, wordEnd - WordAt);
+            if (word.IsEmpty) return Position == length ? "the end of the file" : "the end of the line";
+            var quoted = new StringBuilder("'");
+            foreach (var c in Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)])) quoted.Append(char.IsControl(c) ? '?' : c);
+            return quoted.Append(word.Length > most ? "…'" : "'").ToString();
+        }
+    }
+
+    /// <summary>The next word of this line; empty at the line's end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public ReadOnlySpan<byte> NextInLine()
+    {
+        var text = Text;
+        var at = SkipBlanks();
+        WordAt = at;
+        while (at < text.Length && !EndsWord(text[at])) at++;
+        // A backslash that continues nothing is a word of its own, or the scanner would not move.
+        if (at == WordAt && at < text.Length && text[at] == '\\') at++;
+        Position = wordEnd = at;
+        return text[WordAt..at];
+    }
+
+    /// <summary>The next word, on this line or a later one; empty at the end of the file.</summary>
+    public ReadOnlySpan<byte> Next()
+    {
+        while (true)
+        {
+            var word = NextInLine();
+            if (!word.IsEmpty || !NextLine()) return word;
+        }
+    }
+
+    /// <summary>Leaves the rest of the line and goes to the next; false where there is none.</summary>
+    public bool NextLine()
+    {
+        while (true)
+        {
+            var rest = Text[Position..];
+            var end = rest.IndexOfAny((byte)'\n', (byte)'\r');
+            if (end < 0)
+            {
+                Position = length;
+                return false;
+            }
+            Position += end + LineEnd(rest[end..]);
+            var continues = isObj && end > 0 && rest[end - 1] == '\\' && !rest[..end].Contains((byte)'#');
+            if (!continues) return Position < length;
+        }
+    }
+
+    /// <summary>The next word of this line as a number.</summary>
+    /// <param name="what">What the number is, for a message.</param>
+    public double NextNumber(string what) => ToNumber(NextInLine(), what);
+
+    /// <summary>Reads a word as a number.</summary>
+    /// <param name="word">The word that came last.</param>
+    /// <param name="what">What the number is, for a message.</param>
+    /// <exception cref="MeshFileException">It is something else, NaN, or beyond the largest number.</exception>
+    public double ToNumber(ReadOnlySpan<byte> word, string what)
+    {
+        if (DecimalNumber.TryParse(word, out var number)) return number;
+        throw Error(word.IsEmpty ? $"{what} is missing" : $"{what} must be a finite number, but is {Quoted}");
+    }
+
+    /// <summary>A mistake in the last word.</summary>
+    public MeshFileException Error(string reason) => ErrorAt(WordAt, reason);
+
+    /// <summary>A mistake at a place of the block.</summary>
+    public MeshFileException ErrorAt(int position, string reason) => block.Source.ErrorAtLine(block.Start + position, reason);
+
+    private ReadOnlySpan<byte> Text => buffer.AsSpan(0, length);
+
+    private int SkipBlanks()
+    {
+        var text = Text;
+        var at = Position;
+        while (at < text.Length)
+        {
+            if (text[at] is (byte)' ' or (byte)'\t' or (byte)'\v' or (byte)'\f')
+                at++;
+            else if (isObj && text[at] == '\\' && LineEnd(text[(at + 1)..]) is > 0 and var lineEnd)
+                at += 1 + lineEnd;
+            else if (isObj && text[at] == '#')
+                return text[at..].IndexOfAny((byte)'\n', (byte)'\r') is >= 0 and var end ? at + end : text.Length;
+            else
+                break;
+        }
+        return at;
+    }
+
+    private bool EndsWord(byte c) =>
+        c is (byte)' ' or (>= (byte)'\t' and <= (byte)'\r') || (isObj && c is (byte)'#' or (byte)'\\');
+
+    /// <summary>How many bytes a line end has that the text begins with; 0 for none.</summary>
+    private static int LineEnd(ReadOnlySpan<byte> text) => text switch
+    {
+        [(byte)'\r', (byte)'\n', ..] => 2,
+        [(byte)'\r' or (byte)'\n', ..] => 1,
+        _ => 0,
+    };
+}

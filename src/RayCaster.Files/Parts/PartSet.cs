@@ -1,0 +1,109 @@
+namespace RayCaster.Files;
+
+/// <summary>Files that are to be the parts of one picture, whether they are, and the picture that they make.</summary>
+/// <remarks>Only what each file says of itself is kept: a set may have as many parts as a picture has lines.</remarks>
+public sealed class PartSet
+{
+    private readonly List<(string Path, PartFacts Facts)> parts = [];
+    private readonly List<string> problems = [];
+
+    /// <summary>Looks at files.</summary>
+    /// <param name="paths">At least one.</param>
+    /// <param name="isChosen">Whether a file was named, so that it must be a part. Of a whole folder's PNGs those that are none are left out.</param>
+    /// <exception cref="PictureFileException">A file cannot be read.</exception>
+    public PartSet(IReadOnlyList<string> paths, Predicate<string>? isChosen = null)
+    {
+        foreach (var path in paths)
+        {
+            using var part = PartFile.Open(path);
+            if (part is not null) parts.Add((path, part.Facts));
+            else if (isChosen is null || isChosen(path)) problems.Add($"{path} is a picture, but does not say which part of which; --rows draws parts");
+        }
+        parts.Sort((a, b) => a.Facts.Lines.First.CompareTo(b.Facts.Lines.First) is var order and not 0 ? order : string.CompareOrdinal(a.Path, b.Path));
+        if (parts.Count == 0) return;
+        FindStrangers();
+        if (problems.Count == 0) FindOverlaps();
+        Missing = FindMissing();
+    }
+
+    /// <summary>How many parts there are.</summary>
+    public int Count => parts.Count;
+
+    /// <summary>The files that are parts, from the top.</summary>
+    public IEnumerable<string> Files => parts.Select(part => part.Path);
+
+    /// <summary>Why these files are not the parts of one picture, a line of text each; empty if they are, be they all or not.</summary>
+    public IReadOnlyList<string> Problems => problems;
+
+    /// <summary>The lines that no part holds, from the top.</summary>
+    public IReadOnlyList<LineRange> Missing { get; } = [];
+
+    /// <summary>The whole picture's size.</summary>
+    public (int Width, int Height) Size => (parts[0].Facts.Width, parts[0].Facts.Height);
+
+    /// <summary>Writes the picture, a line at a time.</summary>
+    /// <param name="writer">Takes the lines; it is not finished.</param>
+    /// <param name="linesDone">Told how many more lines are done.</param>
+    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
+    /// <exception cref="InvalidOperationException">There are problems, or lines are missing.</exception>
+    /// <exception cref="PictureFileException">A part is damaged, or another one than before.</exception>
+    public void Write(PictureWriter writer, Action<int>? linesDone = null, CancellationToken cancellation = default)
+    {
+        if (parts.Count == 0 || problems.Count > 0 || Missing.Count > 0) throw new InvalidOperationException("these parts do not make a picture");
+        var line = new byte[3 * Size.Width];
+        foreach (var (path, facts) in parts)
+        {
+            using var part = PartFile.Open(path);
+            if (part?.Facts != facts) throw new PictureFileException($"cannot read {path}: it was replaced in the meantime");
+            for (var i = 0; i < facts.Lines.Count; i++)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                part.ReadLine(line);
+                writer.WriteRows(line);
+                linesDone?.Invoke(1);
+            }
+        }
+    }
+
+    /// <summary>Parts of another picture than the first one's.</summary>
+    private void FindStrangers()
+    {
+        var (first, mine) = parts[0];
+        foreach (var (path, other) in parts)
+        {
+            if ((other.Width, other.Height) != (mine.Width, mine.Height))
+                problems.Add($"{path} is of a picture of {other.Width} x {other.Height} pixels, {first} of one of {mine.Width} x {mine.Height}");
+            else if (other.Digest != mine.Digest)
+                problems.Add($"{path} shows another scene than {first}: {Short(other)} instead of {Short(mine)}");
+            else if (other.Version != mine.Version)
+                problems.Add($"{path} was drawn by version {other.Version}, {first} by {mine.Version}");
+        }
+
+        static string Short(PartFacts facts) => facts.Digest.Length > 12 ? facts.Digest[..12] + "…" : facts.Digest;
+    }
+
+    /// <summary>Lines that are there twice, equal or not: there is one place too many for a mistake.</summary>
+    private void FindOverlaps()
+    {
+        var (path, reach) = ("", -1); // what reaches farthest so far
+        foreach (var (next, facts) in parts)
+        {
+            var lines = facts.Lines;
+            if (lines.First <= reach) problems.Add($"the lines {new LineRange(lines.First, Math.Min(reach, lines.Last))} are in {path} and in {next}");
+            if (lines.Last > reach) (path, reach) = (next, lines.Last);
+        }
+    }
+
+    private List<LineRange> FindMissing()
+    {
+        var missing = new List<LineRange>();
+        var next = 0; // the first line that is not yet found
+        foreach (var (_, facts) in parts)
+        {
+            if (facts.Lines.First > next) missing.Add(new(next, facts.Lines.First - 1));
+            next = Math.Max(next, facts.Lines.Last + 1);
+        }
+        if (next < Size.Height) missing.Add(new(next, Size.Height - 1));
+        return missing;
+    }
+}

@@ -1,0 +1,159 @@
+using System.Text;
+
+namespace RayCaster.Files;
+
+/// <summary>Reads and writes whole pictures.</summary>
+public static class PictureFile
+{
+    /// <summary>The largest array there is, a little less than 2^31 bytes.</summary>
+    internal static long MostBytes => Array.MaxLength;
+
+    /// <summary>
+    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), told apart by their first bytes.
+    /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
+    /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
+    /// </summary>
+    /// <exception cref="PictureFileException">The file cannot be read, is damaged, of another kind, or too large.</exception>
+    public static Picture Read(string path) => Open(path, file =>
+    {
+        using (file) return Read(file);
+    });
+
+    /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string)"/> does; the messages name no file.</summary>
+    /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
+    public static Picture Read(Stream stream) => Read(stream, MostBytes);
+
+    /// <summary>The same with a limit of one's own.</summary>
+    /// <param name="stream">The file's bytes.</param>
+    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel, whatever the file's header promises.</param>
+    /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
+    /// <exception cref="IOException">The stream fails.</exception>
+    public static Picture Read(Stream stream, long mostBytes)
+    {
+        try
+        {
+            var bytes = ReadToEnd(stream);
+            ReadOnlySpan<byte> file = bytes;
+            if (file.IsEmpty) throw new PictureFileException("the file is empty");
+            if (IsPng(file)) return PngReader.Read(new MemoryStream(bytes.Array!, bytes.Offset, bytes.Count), mostBytes);
+            if (IsPnm(file)) return PnmReader.Read(file, mostBytes);
+            throw new PictureFileException($"{Guess(file)}; PNG, PBM, PGM and PPM can be read");
+        }
+        catch (OutOfMemoryException e)
+        {
+            throw new PictureFileException("there is not enough memory for the picture", e);
+        }
+    }
+
+    /// <summary>Writes a picture; a file that was there is replaced at the end, or stays if anything fails.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="picture">The picture.</param>
+    /// <param name="format">The kind of file; if none is given, the one that the extension names.</param>
+    /// <exception cref="PictureFileException">The extension names no format, or the file cannot be written.</exception>
+    public static void Write(string path, Picture picture, PictureFormat? format = null)
+    {
+        format ??= PictureFormats.ByExtension(path);
+        using var file = new ReplacedFile(path);
+        using (var writer = PictureWriter.Create(format.Value, file, picture.Width, picture.Height))
+        {
+            writer.WriteRows(picture.Rgb);
+            writer.Finish();
+        }
+        file.Commit();
+    }
+
+    /// <summary>Opens a file and reads it, or begins to; says which file it is that does not do.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="read">Reads. It closes the file or keeps it; here it is closed only after a failure, or where nothing comes of it.</param>
+    /// <exception cref="PictureFileException">The file cannot be read.</exception>
+    internal static T Open<T>(string path, Func<FileStream, T> read)
+    {
+        FileStream? file = null;
+        var isKept = false;
+        try
+        {
+            if (Directory.Exists(path)) throw new PictureFileException("it is a folder, not a picture");
+            file = File.OpenRead(path);
+            var result = read(file);
+            isKept = result is not null;
+            return result;
+        }
+        catch (PictureFileException e)
+        {
+            throw new PictureFileException($"cannot read {path}: {e.Message}", e);
+        }
+        catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw new PictureFileException($"picture file not found: {path}\n  looked for {Path.GetFullPath(path)}", e);
+        }
+        catch (ArgumentException e) // empty, or with a zero in it
+        {
+            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e);
+        }
+        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
+        {
+            throw new PictureFileException($"cannot read {path}: {PictureFileException.Reason(e)}", e);
+        }
+        finally
+        {
+            if (!isKept) file?.Dispose();
+        }
+    }
+
+    /// <summary>Refuses a size that a header promises before anything is allocated for it.</summary>
+    /// <param name="width">Pixels in a line.</param>
+    /// <param name="height">Lines.</param>
+    /// <param name="mostBytes">What the picture may have, three bytes a pixel; what an array may have if left out.</param>
+    /// <exception cref="PictureFileException">A side is 0, or the picture is too large.</exception>
+    internal static void CheckSize(long width, long height, long? mostBytes = null)
+    {
+        if (width < 1 || height < 1)
+            throw new PictureFileException($"its size is {width} × {height} pixels, but each side must be at least 1");
+        var (bytes, limit) = ((Int128)width * height * 3, mostBytes ?? MostBytes);
+        if (bytes <= limit) return;
+        throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {limit:N0}");
+    }
+
+    /// <summary>A piece of a damaged file, fit for a message.</summary>
+    internal static string Printable(ReadOnlySpan<byte> bytes)
+    {
+        var text = new StringBuilder();
+        foreach (var value in bytes)
+            if (value is >= 0x20 and < 0x7F) text.Append((char)value);
+            else text.Append($"\\x{value:X2}");
+        return text.ToString();
+    }
+
+    private static bool IsPng(ReadOnlySpan<byte> file) => file[0] == PngChunk.Signature[0];
+
+    private static bool IsPnm(ReadOnlySpan<byte> file) => file[0] == 'P';
+
+    /// <summary>The bytes that are there; a pipe or a device promises no length, so that memory grows with them.</summary>
+    private static ArraySegment<byte> ReadToEnd(Stream stream)
+    {
+        if (stream.CanSeek && stream.Length - stream.Position > MostBytes) throw TooLong();
+        // One more than there should be, so that the end is met without growing.
+        var bytes = new byte[stream.CanSeek ? Math.Clamp(stream.Length - stream.Position + 1, 1, MostBytes) : 1 << 16];
+        for (var length = 0; ;)
+        {
+            var count = stream.Read(bytes.AsSpan(length));
+            if (count == 0) return new(bytes, 0, length);
+            length += count;
+            if (length == count && !IsPng(bytes) && !IsPnm(bytes)) return new(bytes, 0, length); // enough to see what it is not
+            if (length < bytes.Length) continue;
+            if (length == MostBytes) throw TooLong();
+            Array.Resize(ref bytes, (int)Math.Min(2L * length, MostBytes));
+        }
+
+        static PictureFileException TooLong() => new($"the file is longer than {MostBytes:N0} bytes, which is the limit");
+    }
+
+    private static string Guess(ReadOnlySpan<byte> file) => file switch
+    {
+        [0xFF, 0xD8, ..] => "it is a JPEG, whose colours are not exact",
+        [(byte)'G', (byte)'I', (byte)'F', ..] => "it is a GIF",
+        [(byte)'B', (byte)'M', ..] => "it is a BMP",
+        _ => $"it begins with '{Printable(file[..Math.Min(8, file.Length)])}', which is no picture that is known",
+    };
+}

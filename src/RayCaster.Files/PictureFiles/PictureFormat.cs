@@ -1,0 +1,28 @@
+namespace RayCaster.Files;
+
+/// <summary>The kinds of picture file that <see cref="PictureWriter"/> makes.</summary>
+public enum PictureFormat
+{
+    /// <summary>PNG: compressed without loss, 8 bits each of red, green and blue.</summary>
+    Png,
+
+    /// <summary>PPM in bytes (P6): a header of three lines, then the bare bytes of the pixels.</summary>
+    Ppm,
+
+    /// <summary>PPM in text (P3), which a person can read. It shares its extension with P6, so it is never chosen by a name.</summary>
+    PpmText,
+}
+
+/// <summary>Chooses a <see cref="PictureFormat"/>.</summary>
+public static class PictureFormats
+{
+    /// <summary>The format that a file's extension names: .png or .ppm, in any case.</summary>
+    /// <exception cref="PictureFileException">Another extension, or none.</exception>
+    public static PictureFormat ByExtension(string path) => Path.GetExtension(path).ToLowerInvariant() switch
+    {
+        ".png" => PictureFormat.Png,
+        ".ppm" => PictureFormat.Ppm,
+        "" => throw new PictureFileException($"no picture format for '{path}': the name has no extension; use .png or .ppm"),
+        var other => throw new PictureFileException($"no picture format for '{path}': {other} is not known; use .png or .ppm"),
+    };
+}

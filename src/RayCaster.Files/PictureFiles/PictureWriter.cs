@@ -1,0 +1,74 @@
+namespace RayCaster.Files;
+
+/// <summary>
+/// Writes a picture line by line from the top, in memory that does not grow with the number of lines. An error of the output stream
+/// passes through as it is.
+/// </summary>
+public abstract class PictureWriter : IDisposable
+{
+    private int linesMissing;
+    private bool finished;
+
+    private protected PictureWriter(Stream output, int width, int height)
+    {
+        ArgumentOutOfRangeException.ThrowIfLessThan(width, 1);
+        ArgumentOutOfRangeException.ThrowIfLessThan(height, 1);
+        Output = output;
+        LineBytes = checked(width * 3);
+        linesMissing = height;
+    }
+
+    private protected Stream Output { get; }
+
+    private protected int LineBytes { get; }
+
+    /// <summary>Begins a picture: writes the header.</summary>
+    /// <param name="format">The kind of file.</param>
+    /// <param name="output">Takes the file's bytes in order; it need not seek and is left open.</param>
+    /// <param name="width">Pixels in a line, at least 1.</param>
+    /// <param name="height">Lines, at least 1.</param>
+    /// <param name="part">What the picture is part of, if it is: only a PNG can tell.</param>
+    public static PictureWriter Create(PictureFormat format, Stream output, int width, int height, PartFacts? part = null) => format switch
+    {
+        PictureFormat.Png => new PngWriter(output, width, height, part),
+        _ when part is not null => throw new ArgumentException("a part of a picture is a PNG", nameof(format)),
+        PictureFormat.Ppm => new PpmWriter(output, width, height),
+        PictureFormat.PpmText => new PpmTextWriter(output, width, height),
+        _ => throw new ArgumentOutOfRangeException(nameof(format), format, null),
+    };
+
+    /// <summary>Writes the next lines.</summary>
+    /// <param name="rgb">Any number of whole lines, width · 3 bytes each: red, green, blue, from left to right.</param>
+    /// <exception cref="ArgumentException">The last line is not whole.</exception>
+    /// <exception cref="InvalidOperationException">The picture has fewer lines.</exception>
+    public void WriteRows(ReadOnlySpan<byte> rgb)
+    {
+        var (lines, rest) = Math.DivRem(rgb.Length, LineBytes);
+        if (rest != 0) throw new ArgumentException($"{rgb.Length} bytes are not whole lines of {LineBytes}", nameof(rgb));
+        if (lines > linesMissing) throw new InvalidOperationException($"{lines} lines for a picture that misses only {linesMissing}");
+        linesMissing -= lines;
+        Encode(rgb);
+    }
+
+    /// <summary>Ends the file and flushes the output.</summary>
+    /// <exception cref="InvalidOperationException">Lines are missing, or the file has been ended before.</exception>
+    public void Finish()
+    {
+        if (linesMissing > 0) throw new InvalidOperationException($"the picture misses {linesMissing} lines");
+        if (finished) throw new InvalidOperationException("the picture is finished");
+        finished = true;
+        EncodeEnd();
+        Output.Flush();
+    }
+
+    /// <summary>Frees what the writer holds. It does not end the file: a picture that was not finished stays visibly cut.</summary>
+    public virtual void Dispose() => GC.SuppressFinalize(this);
+
+    /// <summary>Writes lines that are known to be whole and in the picture.</summary>
+    private protected abstract void Encode(ReadOnlySpan<byte> lines);
+
+    /// <summary>Writes what follows the last line.</summary>
+    private protected virtual void EncodeEnd()
+    {
+    }
+}

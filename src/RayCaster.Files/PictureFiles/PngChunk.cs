@@ -1,0 +1,56 @@
+using System.Buffers.Binary;
+
+namespace RayCaster.Files;
+
+/// <summary>
+/// The outer form of a PNG (ISO/IEC 15948, clause 5): a signature, then chunks: length, four letters that name the type, data, checksum.
+/// </summary>
+internal static class PngChunk
+{
+    /// <summary>Length, type and checksum.</summary>
+    public const int Frame = 12;
+
+    private static readonly uint[] crcTable = MakeCrcTable();
+
+    /// <summary>Not ASCII, and with both kinds of line end, so that a transfer as text is noticed.</summary>
+    public static ReadOnlySpan<byte> Signature => [0x89, (byte)'P', (byte)'N', (byte)'G', (byte)'\r', (byte)'\n', 0x1A, (byte)'\n'];
+
+    /// <summary>Writes a chunk.</summary>
+    /// <param name="output">Takes the bytes.</param>
+    /// <param name="type">Four letters.</param>
+    /// <param name="data">Up to 2^31 − 1 bytes.</param>
+    public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data) =>
+        Write(output, type, data, Crc(Crc(0, type), data));
+
+    /// <summary>Writes a chunk whose checksum is known.</summary>
+    public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data, uint crc)
+    {
+        Span<byte> number = stackalloc byte[4];
+        BinaryPrimitives.WriteInt32BigEndian(number, data.Length);
+        output.Write(number);
+        output.Write(type);
+        output.Write(data);
+        BinaryPrimitives.WriteUInt32BigEndian(number, crc);
+        output.Write(number);
+    }
+
+    /// <summary>CRC-32 of the polynomial 0xEDB88320 (the specification's annex D); the checksum so far goes in, 0 at first.</summary>
+    public static uint Crc(uint crc, ReadOnlySpan<byte> data)
+    {
+        crc = ~crc;
+        foreach (var value in data) crc = crcTable[(byte)(crc ^ value)] ^ (crc >> 8);
+        return ~crc;
+    }
+
+    private static uint[] MakeCrcTable()
+    {
+        var table = new uint[256];
+        for (var i = 0u; i < table.Length; i++)
+        {
+            var crc = i;
+            for (var bit = 0; bit < 8; bit++) crc = (crc & 1) == 0 ? crc >> 1 : 0xEDB88320 ^ (crc >> 1);
+            table[i] = crc;
+        }
+        return table;
+    }
+}

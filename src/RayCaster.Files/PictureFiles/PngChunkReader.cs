@@ -1,0 +1,114 @@
+using System.Buffers.Binary;
+
+namespace RayCaster.Files;
+
+/// <summary>Reads the chunks of a PNG one after another, and each one's data in pieces of any size, so that no chunk need fit into memory.</summary>
+internal sealed class PngChunkReader
+{
+    private readonly Stream file;
+    private readonly byte[] frame = new byte[8];
+    private long start;
+    private uint crc;
+
+    /// <summary>Begins with the first chunk.</summary>
+    /// <param name="file">The file, which can seek.</param>
+    /// <exception cref="PictureFileException">It does not begin like a PNG.</exception>
+    public PngChunkReader(Stream file)
+    {
+        this.file = file;
+        file.Position = 0;
+        if (Fill(frame) < frame.Length || !frame.AsSpan().SequenceEqual(PngChunk.Signature))
+            throw new PictureFileException("it begins like a PNG, but its first eight bytes are damaged, as by a transfer as text");
+    }
+
+    /// <summary>The chunk's four letters.</summary>
+    public string Type { get; private set; } = "";
+
+    /// <summary>How many of its bytes were not read yet.</summary>
+    public long Left { get; private set; }
+
+    /// <summary>Goes to the chunk that follows.</summary>
+    /// <exception cref="PictureFileException">The file is cut short.</exception>
+    public void Next()
+    {
+        start = file.Position;
+        var follow = file.Length - start - PngChunk.Frame;
+        if (follow < 0 || Fill(frame) < frame.Length)
+            throw new PictureFileException($"the file is cut short: it ends at byte {file.Length:N0}, before its chunk IEND");
+        Left = BinaryPrimitives.ReadUInt32BigEndian(frame);
+        Type = PictureFile.Printable(frame.AsSpan(4));
+        if (Left > follow)
+            throw new PictureFileException(
+                $"the file is cut short: its chunk {Type} at byte {start:N0} needs {Left:N0} bytes, but {follow:N0} follow");
+        crc = PngChunk.Crc(0, frame.AsSpan(4));
+        if (Left == 0) CheckCrc();
+    }
+
+    /// <summary>Goes back to a chunk.</summary>
+    /// <param name="chunk">Its place, <see cref="Place"/>.</param>
+    public void Return(long chunk)
+    {
+        file.Position = chunk;
+        Next();
+    }
+
+    /// <summary>Where in the file the chunk begins.</summary>
+    public long Place => start;
+
+    /// <summary>Reads the next bytes of the chunk's data; with the last of them its checksum is checked.</summary>
+    /// <returns>How many: fewer than there is room for only at the chunk's end.</returns>
+    /// <exception cref="PictureFileException">The checksum is wrong, or somebody has cut the file.</exception>
+    public int Read(Span<byte> buffer)
+    {
+        if (Left == 0) return 0;
+        var data = buffer[..(int)Math.Min(buffer.Length, Left)];
+        if (Fill(data) < data.Length) throw new PictureFileException("the file became shorter while it was read");
+        crc = PngChunk.Crc(crc, data);
+        Left -= data.Length;
+        if (Left == 0) CheckCrc();
+        return data.Length;
+    }
+
+    /// <summary>All the data, if there are no more of them than expected; otherwise the first of them.</summary>
+    public byte[] ReadUpTo(int most)
+    {
+        var data = new byte[Math.Min(most, Left)];
+        Read(data);
+        return data;
+    }
+
+    /// <summary>Reads the rest of the chunk for its checksum alone.</summary>
+    public void Check()
+    {
+        var buffer = new byte[Math.Min(Left, 1 << 16)];
+        while (Left > 0) Read(buffer);
+    }
+
+    /// <summary>Leaves the rest of the chunk out, checksum and all.</summary>
+    public void Skip()
+    {
+        if (Left == 0) return; // its checksum has been read
+        file.Position += Left + 4;
+        Left = 0;
+    }
+
+    private void CheckCrc()
+    {
+        var sum = frame.AsSpan(0, 4);
+        if (Fill(sum) < 4) throw new PictureFileException("the file became shorter while it was read");
+        if (BinaryPrimitives.ReadUInt32BigEndian(sum) != crc)
+            throw new PictureFileException($"its chunk {Type} at byte {start:N0} is damaged: the checksum is wrong");
+    }
+
+    private int Fill(Span<byte> buffer)
+    {
+        try
+        {
+            return file.ReadAtLeast(buffer, buffer.Length, throwOnEndOfStream: false);
+        }
+        catch (IOException e)
+        {
+            throw new PictureFileException(PictureFileException.Reason(e), e); // not to be taken for damaged data
+        }
+    }
+}

@@ -1,0 +1,44 @@
+namespace RayCaster.Files;
+
+/// <summary>The compressed data of a PNG: what all its chunks IDAT hold, as one stream to be read once from the start.</summary>
+/// <param name="chunks">Stands at the first of these chunks.</param>
+internal sealed class PngData(PngChunkReader chunks) : Stream
+{
+    public override bool CanRead => true;
+
+    public override bool CanSeek => false;
+
+    public override bool CanWrite => false;
+
+    public override long Length => throw new NotSupportedException();
+
+    public override long Position
+    {
+        get => throw new NotSupportedException();
+        set => throw new NotSupportedException();
+    }
+
+    /// <exception cref="PictureFileException">A checksum is wrong.</exception>
+    public override int Read(Span<byte> buffer)
+    {
+        while (chunks.Left == 0 || chunks.Type != "IDAT")
+        {
+            if (chunks.Type == "IEND") return 0;
+            chunks.Skip();
+            chunks.Next();
+        }
+        return chunks.Read(buffer);
+    }
+
+    public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));
+
+    public override void Flush()
+    {
+    }
+
+    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+
+    public override void SetLength(long value) => throw new NotSupportedException();
+
+    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+}

@@ -1,0 +1,98 @@
+using System.Buffers.Binary;
+
+namespace RayCaster.Files;
+
+/// <summary>What a PNG's first chunk, IHDR, says about its pixels.</summary>
+internal readonly record struct PngHeader(int Width, int Height, int BitDepth, int ColorType, bool Interlaced)
+{
+    /// <summary>The chunk's length.</summary>
+    public const int Bytes = 13;
+
+    /// <summary>The colour type of samples red, green, blue.</summary>
+    public const int Rgb = 2;
+
+    /// <summary>The colour type whose samples are places in the palette.</summary>
+    public const int Palette = 3;
+
+    /// <summary>A line of pixels of up to 8 bytes then fits into an array with room to spare.</summary>
+    private const int MostColumns = 1 << 27;
+
+    /// <summary>Colour types by their samples: grey, red-green-blue, palette, grey and alpha, red-green-blue and alpha.</summary>
+    public int Channels => ColorType switch { 0 or Palette => 1, 4 => 2, Rgb => 3, _ => 4 };
+
+    public int BitsPerPixel => Channels * BitDepth;
+
+    /// <summary>
+    /// The reduced pictures that the file holds one after another, each line preceded by the number of its filter: one picture of all
+    /// pixels, or the seven of Adam7, that take pixels from ever finer grids.
+    /// </summary>
+    public IReadOnlyList<PngPass> Passes
+    {
+        get
+        {
+            ReadOnlySpan<PngPass> grids = Interlaced
+                ? [new(0, 0, 8, 8), new(4, 0, 8, 8), new(0, 4, 4, 8), new(2, 0, 4, 4), new(0, 2, 2, 4), new(1, 0, 2, 2), new(0, 1, 1, 2)]
+                : [new(0, 0, 1, 1)];
+            var passes = new List<PngPass>(grids.Length);
+            foreach (var grid in grids)
+                if (grid.X < Width && grid.Y < Height) passes.Add(grid); // a small picture has no pixel in some
+            return passes;
+        }
+    }
+
+    /// <summary>How many bytes the file's data have when they are decompressed.</summary>
+    public Int128 DataBytes
+    {
+        get
+        {
+            Int128 sum = 0;
+            foreach (var pass in Passes) sum += (Int128)(1 + LineBytes(pass.Columns(Width))) * pass.Lines(Height);
+            return sum;
+        }
+    }
+
+    /// <summary>The bytes of a line, without the number of its filter; its last byte may be filled up.</summary>
+    public long LineBytes(int columns) => ((long)columns * BitsPerPixel + 7) / 8;
+
+    /// <summary>The chunk's data.</summary>
+    public byte[] ToBytes()
+    {
+        var data = new byte[Bytes]; // the only compression and filter method there are are 0
+        BinaryPrimitives.WriteInt32BigEndian(data, Width);
+        BinaryPrimitives.WriteInt32BigEndian(data.AsSpan(4), Height);
+        (data[8], data[9], data[12]) = ((byte)BitDepth, (byte)ColorType, (byte)(Interlaced ? 1 : 0));
+        return data;
+    }
+
+    /// <summary>Reads the chunk's data.</summary>
+    /// <param name="data">Its bytes.</param>
+    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel.</param>
+    /// <exception cref="PictureFileException">A value is not allowed, or the picture is too large.</exception>
+    public static PngHeader Read(ReadOnlySpan<byte> data, long mostBytes)
+    {
+        long width = BinaryPrimitives.ReadUInt32BigEndian(data), height = BinaryPrimitives.ReadUInt32BigEndian(data[4..]);
+        PictureFile.CheckSize(width, height, mostBytes);
+        if (width > MostColumns) throw new PictureFileException($"its lines have {width:N0} pixels, the limit is {MostColumns:N0}");
+        var header = new PngHeader((int)width, (int)height, data[8], data[9], data[12] == 1);
+        var allowed = header.ColorType switch
+        {
+            0 => header.BitDepth is 1 or 2 or 4 or 8 or 16,
+            Palette => header.BitDepth is 1 or 2 or 4 or 8,
+            Rgb or 4 or 6 => header.BitDepth is 8 or 16,
+            _ => throw new PictureFileException($"its colour type is {data[9]}, but must be 0, 2, 3, 4 or 6"),
+        };
+        if (!allowed) throw new PictureFileException($"its bit depth is {data[8]}, which colour type {data[9]} does not allow");
+        if (data[10] != 0) throw new PictureFileException($"its compression method is {data[10]}, but must be 0");
+        if (data[11] != 0) throw new PictureFileException($"its filter method is {data[11]}, but must be 0");
+        if (data[12] > 1) throw new PictureFileException($"its interlace method is {data[12]}, but must be 0 or 1");
+        return header;
+    }
+}
+
+/// <summary>A grid of pixels: every <paramref name="StepX"/>th of every <paramref name="StepY"/>th line, from a first one on.</summary>
+internal readonly record struct PngPass(int X, int Y, int StepX, int StepY)
+{
+    public int Columns(int width) => (width - X - 1) / StepX + 1;
+
+    public int Lines(int height) => (height - Y - 1) / StepY + 1;
+}

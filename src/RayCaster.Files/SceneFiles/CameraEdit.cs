@@ -1,0 +1,41 @@
+using System.Globalization;
+using System.Text;
+
+namespace RayCaster.Files;
+
+/// <summary>Writes a camera's place into the text of a scene. Only the numbers that differ change: comments and layout stay as they are.</summary>
+public static class CameraEdit
+{
+    /// <summary>The text with the camera's position and target.</summary>
+    /// <param name="utf8">The text of a scene without a mistake, with or without a byte order mark.</param>
+    /// <param name="camera">The camera.</param>
+    public static byte[] Write(ReadOnlyMemory<byte> utf8, Camera camera)
+    {
+        var mark = utf8.Span.StartsWith(Encodings.Utf8Mark) ? Encodings.Utf8Mark.Length : 0;
+        var tree = JsonTree.Parse(new SourceText("", utf8[mark..]), out _) ?? throw new ArgumentException("the text is not JSON", nameof(utf8));
+        var place = tree.Root.Find("camera") ?? throw new ArgumentException("the text has no camera", nameof(utf8));
+        var edits = new List<(int Start, int End, string Number)>();
+        Replace("position", camera.Position);
+        Replace("target", camera.Target);
+        edits.Sort();
+
+        var (text, done) = (new MemoryStream(), 0);
+        foreach (var (start, end, number) in edits)
+        {
+            text.Write(utf8.Span[done..(mark + start)]);
+            text.Write(Encoding.ASCII.GetBytes(number));
+            done = mark + end;
+        }
+        text.Write(utf8.Span[done..]);
+        return text.ToArray();
+
+        void Replace(string key, Vector3 v)
+        {
+            if (place.Find(key) is not { } vector || !vector.IsOfThree(out var x, out var y, out var z))
+                throw new ArgumentException($"the camera has no {key}", nameof(utf8));
+            foreach (var (value, number) in (ReadOnlySpan<(JsonValue, double)>)[(x, v.X), (y, v.Y), (z, v.Z)])
+                if (value.Number != number)
+                    edits.Add((value.Start, value.End, number.ToString("R", CultureInfo.InvariantCulture)));
+        }
+    }
+}

@@ -1,0 +1,157 @@
+using System.Buffers.Text;
+using System.Text;
+using System.Text.Json;
+
+namespace RayCaster.Files;
+
+/// <summary>A value in a JSON text.</summary>
+/// <param name="tree">The text.</param>
+/// <param name="node">The value's token.</param>
+internal readonly struct JsonValue(JsonTree tree, int node)
+{
+    private const int FewKeys = 16; // so many are compared with each other
+
+    private readonly int node = node;
+
+    /// <summary>What it is.</summary>
+    public JsonTokenType Kind => tree[node].Kind;
+
+    /// <summary>The place of its first byte.</summary>
+    public int Start => tree[node].Start;
+
+    /// <summary>The place after its last byte.</summary>
+    public int End => tree[node].End;
+
+    /// <summary>How it is written, shortened if it is long.</summary>
+    public string AsWritten => tree.Text.Quote(Start, End);
+
+    /// <summary>What an array holds: elements; what an object holds: key, value, key, value …</summary>
+    public IEnumerable<JsonValue> Content
+    {
+        get
+        {
+            for (int i = node + 1, end = tree[node].Next; i < end; i = tree[i].Next) yield return new(tree, i);
+        }
+    }
+
+    /// <summary>The first element of an array; null if it has none.</summary>
+    public JsonValue? First => node + 1 < tree[node].Next ? new(tree, node + 1) : null;
+
+    /// <summary>The element after another one of an array; null after the last.</summary>
+    public JsonValue? After(JsonValue element) => tree[element.node].Next < tree[node].Next ? new(tree, tree[element.node].Next) : null;
+
+    /// <summary>The three elements of an array that has three.</summary>
+    public bool IsOfThree(out JsonValue first, out JsonValue second, out JsonValue third)
+    {
+        var (a, end) = (node + 1, tree[node].Next);
+        var b = a < end ? tree[a].Next : end;
+        var c = b < end ? tree[b].Next : end;
+        (first, second, third) = (new(tree, a), new(tree, b), new(tree, c));
+        return c < end && tree[c].Next == end;
+    }
+
+    /// <summary>The keys of an object, as they are written.</summary>
+    public IEnumerable<JsonValue> Keys
+    {
+        get
+        {
+            for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next) yield return new(tree, key);
+        }
+    }
+
+    /// <summary>The value of a key of an object, the first if there are several; null if there is none.</summary>
+    public JsonValue? Find(string name) => FindKey(name) is { } key ? new(tree, key.node + 1) : null;
+
+    /// <summary>The same in an object that has no key twice.</summary>
+    /// <param name="name">The key.</param>
+    /// <param name="likely">Where it is looked for first, 0 for no such place; becomes the place after it: most files have their keys in the order of the questions.</param>
+    public JsonValue? Find(string name, ref int likely)
+    {
+        if (likely > 0 && likely < tree[node].Next && new JsonValue(tree, likely).Is(name)) return ValueOf(new(tree, likely), ref likely);
+        return FindKey(name) is { } key ? ValueOf(key, ref likely) : null;
+    }
+
+    /// <summary>A key of an object, the first if there are several; null if there is none.</summary>
+    public JsonValue? FindKey(string name)
+    {
+        for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next)
+            if (new JsonValue(tree, key).Is(name))
+                return new JsonValue(tree, key);
+        return null;
+    }
+
+    /// <summary>How many keys an object has; null where it may have one of them twice.</summary>
+    public int? CountKeys()
+    {
+        var (count, end) = (0, tree[node].Next);
+        for (var key = node + 1; key < end; key = tree[key + 1].Next)
+        {
+            var written = tree.Written(key);
+            if (++count > FewKeys || written.IndexOf((byte)'\\') >= 0) return null;
+            for (var before = node + 1; before < key; before = tree[before + 1].Next)
+                if (tree[before].End - tree[before].Start == written.Length + 2 && tree.Written(before).SequenceEqual(written))
+                    return null;
+        }
+        return count;
+    }
+
+    /// <summary>Whether a text or key says this, which is plain ASCII.</summary>
+    public bool Is(string text)
+    {
+        var written = tree.Written(node);
+        if (written.Length != text.Length) return written.Length > text.Length && written.IndexOf((byte)'\\') >= 0 && Text == text;
+        for (var i = 0; i < written.Length; i++)
+            if (written[i] != text[i])
+                return false;
+        return true;
+    }
+
+    /// <summary>The number nearest to the one that is written; ±∞ beyond the largest.</summary>
+    public double Number
+    {
+        get
+        {
+            Utf8Parser.TryParse(tree.Text.Utf8[Start..End], out double number, out _);
+            return number;
+        }
+    }
+
+    /// <summary>A text or key without its quotes and escapes; as written if it holds half a surrogate pair, which is no text.</summary>
+    public string Text
+    {
+        get
+        {
+            var content = tree.Written(node);
+            return content.IndexOf((byte)'\\') < 0 ? Encoding.UTF8.GetString(content) : Unescaped();
+        }
+    }
+
+    /// <summary>What it is, in words: <c>the text "45"</c>.</summary>
+    public string InWords => Kind switch
+    {
+        JsonTokenType.StartObject => "an object",
+        JsonTokenType.StartArray => "an array",
+        JsonTokenType.String => $"the text {AsWritten}",
+        _ => AsWritten, // a number, true, false or null
+    };
+
+    private JsonValue ValueOf(JsonValue key, ref int next)
+    {
+        next = tree[key.node + 1].Next;
+        return new(tree, key.node + 1);
+    }
+
+    private string Unescaped()
+    {
+        var reader = new Utf8JsonReader(tree.Text.Utf8[Start..End]);
+        reader.Read();
+        try
+        {
+            return reader.GetString()!;
+        }
+        catch (InvalidOperationException)
+        {
+            return tree.Text.Quote(Start + 1, End - 1);
+        }
+    }
+}

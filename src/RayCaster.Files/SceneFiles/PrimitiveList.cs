@@ -1,0 +1,70 @@
+namespace RayCaster.Files;
+
+/// <summary>A type of model as a scene file names it.</summary>
+/// <param name="Name">What stands after <c>"type":</c>.</param>
+/// <param name="Meaning">What an editor shows for it.</param>
+/// <param name="Read">Reads the type's own keys; name and colour are read for all types alike.</param>
+internal sealed record PrimitiveType(string Name, string Meaning, Func<SceneObject, Model> Read);
+
+/// <summary>All types of models. To add one write its class and a line here (docs/adding-a-primitive.md).</summary>
+internal static class PrimitiveList
+{
+    public static readonly PrimitiveType[] All =
+    [
+        new("plane", "An endless plane, visible from both sides.", o =>
+            Model.Of(new Plane(
+                o.Vector("point", "Q, any point of the plane."),
+                o.Direction("normal", "n, across the plane; any length but zero.")))),
+
+        new("sphere", "A sphere, seen from outside or from inside.", o =>
+            Model.Of(new Sphere(
+                o.Vector("center", "C, the centre."),
+                o.Positive("radius", "R, greater than 0.")))),
+
+        new("aabb", "A box with its sides along the axes; it may be flat.", Box),
+
+        new("circle", "A flat disc, visible from both sides.", o =>
+            Model.Of(new Circle(
+                o.Vector("center", "C, the centre."),
+                o.Direction("normal", "n, across the disc; any length but zero."),
+                o.Positive("radius", "R, greater than 0.")))),
+
+        new("triangle", "A triangle, visible from both sides.", Triangle),
+
+        new("mesh", "Triangles from a file.", SceneMesh.Read),
+    ];
+
+    /// <summary>The names of all types.</summary>
+    public static readonly string[] Names = Array.ConvertAll(All, type => type.Name);
+
+    /// <summary>The keys that a model of one type or another has.</summary>
+    public static IEnumerable<string> KeysOfAllTypes()
+    {
+        var o = SceneObject.Describing(out var keys);
+        foreach (var type in All) SceneReader.ReadModel(o, type);
+        foreach (var key in keys) yield return key.Name;
+    }
+
+    private static Model Box(SceneObject o)
+    {
+        var min = o.Vector("min", "B0, the corner with the least coordinates.");
+        var max = o.Vector("max", "B1, the corner with the greatest coordinates.");
+        InOrder(0, min.X, max.X);
+        InOrder(1, min.Y, max.Y);
+        InOrder(2, min.Z, max.Z);
+        return Model.Of(new Aabb(min, max));
+
+        void InOrder(int axis, double from, double to)
+        {
+            if (to < from) o.Refuse("max", $" must not be less than {o.PathOf("min", axis)}, which is {from}, but is {to}; swap them?", axis);
+        }
+    }
+
+    private static Model Triangle(SceneObject o)
+    {
+        var (a, b, c) = (o.Vector("a", "A, the first corner."), o.Vector("b", "B, the second corner."), o.Vector("c", "C, the third corner."));
+        if (RayCaster.Triangle.IsOnOneLine(a, b, c))
+            o.Refuse("c", $" must not lie on one line with {o.PathOf("a")} and {o.PathOf("b")}: the triangle has no area");
+        return Model.Of(new Triangle(a, b, c));
+    }
+}

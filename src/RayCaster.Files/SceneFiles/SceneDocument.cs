@@ -1,0 +1,82 @@
+namespace RayCaster.Files;
+
+/// <summary>A scene file while it is read: its text, the problems found so far and the mesh files that it names.</summary>
+/// <param name="text">The text.</param>
+/// <param name="folder">Where the paths of mesh files start.</param>
+/// <param name="threads">How many threads read and place a large mesh; one per core if left out.</param>
+internal sealed class SceneDocument(SourceText text, string folder, int? threads = null)
+{
+    /// <summary>After so many errors the rest is not read, and after so many problems no warning is kept: a file of nothing but mistakes would take hours.</summary>
+    public const int MostProblems = 1000;
+
+    private const int LongestMessage = 2000; // a mesh file's path may stand in it, as long as somebody likes
+    private readonly List<Finding> findings = [];
+    private Dictionary<string, (MeshData? Mesh, MeshFileException? Refusal)>? meshes; // few scenes name one
+
+    /// <summary>How many errors were found so far.</summary>
+    public int ErrorCount { get; private set; }
+
+    /// <summary>Whether enough errors were found.</summary>
+    public bool IsHopeless => ErrorCount >= MostProblems;
+
+    /// <summary>The text.</summary>
+    public SourceText Text => text;
+
+    /// <summary>How many threads read and place a large mesh; one per core if null.</summary>
+    public int? Threads => threads;
+
+    /// <summary>The full paths of the mesh files that were asked for.</summary>
+    public string[] MeshFiles => meshes is null ? [] : Array.ConvertAll([.. meshes.Keys], Path.GetFullPath);
+
+    /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
+    public void Add(bool isError, int start, int end, string path, string message)
+    {
+        if (isError) ErrorCount++;
+        else if (findings.Count >= MostProblems) return;
+        if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
+        findings.Add(new(isError, start, end, path, SourceText.Printable(message)));
+    }
+
+    /// <summary>The problems in the order of the text.</summary>
+    public Problem[] Problems()
+    {
+        if (findings.Count == 0) return [];
+        // By hand rather than by LINQ, whose first use costs milliseconds; the number keeps the order of problems of one place.
+        var order = new (int Start, int Number)[findings.Count];
+        for (var i = 0; i < order.Length; i++) order[i] = (findings[i].Start, i);
+        Array.Sort(order);
+        var problems = new Problem[order.Length];
+        for (var i = 0; i < order.Length; i++)
+        {
+            var (isError, start, end, path, message) = findings[order[i].Number];
+            var (line, column) = text.Locate(start);
+            problems[i] = new(isError, text.Name, line, column, path, message, text.Excerpt(start, end));
+        }
+        return problems;
+    }
+
+    /// <summary>The content of a mesh file that the scene names; one that several models show is read once, and refused once.</summary>
+    /// <param name="file">The path as the scene writes it; both / and \ separate folders.</param>
+    /// <exception cref="MeshFileException">The file cannot be read.</exception>
+    public MeshData Mesh(string file)
+    {
+        var path = Path.Combine(folder, file.Replace('\\', '/'));
+        meshes ??= [];
+        if (!meshes.TryGetValue(path, out var known)) meshes.Add(path, known = Read(path));
+        return known.Mesh ?? throw known.Refusal!;
+    }
+
+    private (MeshData?, MeshFileException?) Read(string path)
+    {
+        try
+        {
+            return (MeshFile.Read(path, threads), null);
+        }
+        catch (MeshFileException refusal)
+        {
+            return (null, refusal);
+        }
+    }
+
+    private sealed record Finding(bool IsError, int Start, int End, string Path, string Message);
+}

@@ -1,0 +1,67 @@
+namespace RayCaster.Files;
+
+/// <summary>What kind of value a key has.</summary>
+internal enum KeyKind
+{
+    Number,
+    Whole,
+    Vector,
+    Direction,
+    Factors,
+    Color,
+    Text,
+    Texts,
+    Choice,
+    Object,
+    Objects,
+}
+
+/// <summary>A key of an object in a scene file, as the code that reads it describes it: the editors' schema is made of these.</summary>
+/// <param name="Name">The key.</param>
+/// <param name="Kind">What kind of value it has.</param>
+/// <param name="Meaning">What an editor shows for it.</param>
+/// <param name="IsRequired">Whether it must be there.</param>
+/// <param name="Default">The value where it is left out; null for none.</param>
+internal sealed record SceneKey(string Name, KeyKind Kind, string Meaning, bool IsRequired, object? Default = null)
+{
+    /// <summary>Which numbers are allowed.</summary>
+    public Limits Limits { get; init; } = Limits.None;
+
+    /// <summary>The texts to choose from.</summary>
+    public string[] Choices { get; init; } = [];
+
+    /// <summary>The keys of an object.</summary>
+    public IReadOnlyList<SceneKey> Members { get; init; } = [];
+}
+
+/// <summary>Which numbers a key takes.</summary>
+/// <param name="Least">No number is less.</param>
+/// <param name="Most">No number is greater.</param>
+/// <param name="IsOpen">Whether these two are themselves refused.</param>
+internal sealed record Limits(double Least, double Most, bool IsOpen)
+{
+    public static readonly Limits None = new(double.NegativeInfinity, double.PositiveInfinity, false) { Words = "a number" };
+    public static readonly Limits Positive = new(0, double.PositiveInfinity, true) { Words = "greater than 0" };
+    public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false) { Words = "at least 0" };
+    public static readonly Limits NotZero = new(double.NegativeInfinity, double.PositiveInfinity, false) { Words = "other than 0", IsZeroRefused = true };
+
+    /// <summary>Numbers between two that are refused themselves.</summary>
+    public static Limits Between(double least, double most) => new(least, most, true);
+
+    /// <summary>Numbers from one to another, both included.</summary>
+    public static Limits From(double least, double most) => new(least, most, false);
+
+    /// <summary>How a message says it: "must be …".</summary>
+    public string Words
+    {
+        get => field ?? FormattableString.Invariant(IsOpen ? $"greater than {Least} and less than {Most}" : (FormattableString)$"from {Least} to {Most}");
+        private init;
+    }
+
+    /// <summary>Whether 0 is refused although it lies between the limits.</summary>
+    public bool IsZeroRefused { get; private init; }
+
+    /// <summary>Whether a finite number is allowed.</summary>
+    public bool Allow(double number) =>
+        (IsOpen ? number > Least && number < Most : number >= Least && number <= Most) && !(IsZeroRefused && number == 0);
+}

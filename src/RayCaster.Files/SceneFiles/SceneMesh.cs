@@ -1,0 +1,48 @@
+namespace RayCaster.Files;
+
+/// <summary>Reads a model of type mesh: a file, and where its triangles go.</summary>
+internal static class SceneMesh
+{
+    private static readonly Mesh Nothing = new([], []);
+
+    /// <summary>Reads the keys and the file; a mesh of nothing where something is wrong.</summary>
+    public static Model Read(SceneObject o)
+    {
+        var file = o.Text("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.");
+        var placement = new MeshPlacement(
+            o.Factors("scale", "A factor for all axes, or one for each; none is 0, negative mirrors.", 1),
+            o.Vector("rotate", "Turns about the x, y and z axis, in this order, in degrees.", Vector3.Zero),
+            o.Vector("translate", "Where the mesh's origin goes, at last.", Vector3.Zero));
+        if (file is null || Load(o, file) is not { } data || !o.IsSound) return Nothing;
+
+        try
+        {
+            var mesh = placement.Place(data, out var dropped, o.Document!.Threads);
+            if (dropped > 0) o.Warn("file", $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
+            return mesh;
+        }
+        catch (OverflowException e)
+        {
+            o.Refuse("file", $": {e.Message}");
+            return Nothing;
+        }
+    }
+
+    private static MeshData? Load(SceneObject o, string file)
+    {
+        if (file.Contains('\0')) // which no file system takes
+        {
+            o.Refuse("file", $" must name a mesh file");
+            return null;
+        }
+        try
+        {
+            return o.Document!.Mesh(file);
+        }
+        catch (MeshFileException e)
+        {
+            o.Refuse("file", $": {e.Message}");
+            return null;
+        }
+    }
+}

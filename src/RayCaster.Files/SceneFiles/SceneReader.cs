@@ -1,0 +1,213 @@
+namespace RayCaster.Files;
+
+/// <summary>Makes a scene of a scene file (docs/scene-file.md), or says all that is wrong with it.</summary>
+public static class SceneReader
+{
+    /// <summary>The longest scene file, in bytes: some 400,000 models. Triangles without number belong into a mesh file.</summary>
+    public const int MostBytes = 1 << 26;
+
+    /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
+    /// <param name="path">The file; messages name it as it is given here.</param>
+    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+    /// <param name="look">Sees the text before it is read, right or wrong as it may be.</param>
+    public static SceneReading Read(string path, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
+    {
+        try
+        {
+            using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
+            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads, look);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException || (e is ArgumentException && !File.Exists(path)))
+        {
+            return Unreadable(path, File.Exists(path) ? $"the scene file cannot be read: {e.Message}" : NotFound(path));
+        }
+    }
+
+    /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
+    /// <param name="stream">The text, with or without a byte order mark.</param>
+    /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
+    /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+    /// <param name="look">Sees the text before it is read.</param>
+    /// <exception cref="IOException">The stream fails.</exception>
+    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
+    {
+        var known = stream.CanSeek ? stream.Length - stream.Position : 0;
+        if (known > MostBytes) return TooLong(displayName);
+        var bytes = new byte[known > 0 ? known + 1 : 1 << 16]; // one more than there should be, so that the end is met without growing
+        for (var length = 0; ;)
+        {
+            var count = stream.Read(bytes.AsSpan(length));
+            if (count == 0)
+            {
+                look?.Invoke(bytes.AsSpan(0, length));
+                return Parse(bytes.AsMemory(0, length), displayName, folder, threads);
+            }
+            length += count;
+            if (length > MostBytes) return TooLong(displayName);
+            if (length == bytes.Length) Array.Resize(ref bytes, Math.Min(2 * length, MostBytes + 1));
+        }
+    }
+
+    /// <summary>Reads a text.</summary>
+    /// <param name="utf8">The text, with or without a byte order mark.</param>
+    /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
+    /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+    public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, int? threads = null)
+    {
+        var files = Array.Empty<string>();
+        var scene = Parse(utf8, displayName, folder, "the scene", Read, out var problems, threads);
+        return new(scene, problems) { Files = files };
+
+        Scene? Read(SceneObject o)
+        {
+            var scene = ReadScene(o);
+            files = o.Document!.MeshFiles;
+            return scene;
+        }
+    }
+
+    /// <summary>Reads a text that is something else than a scene, in the same form.</summary>
+    /// <param name="utf8">The text.</param>
+    /// <param name="displayName">What messages call it.</param>
+    /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <param name="name">What the outermost object is called in a message.</param>
+    /// <param name="read">Reads that object.</param>
+    /// <param name="problems">All errors and warnings.</param>
+    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+    /// <returns>What was read, or null if there is an error.</returns>
+    internal static T? Parse<T>(ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,
+        int? threads = null) where T : class
+    {
+        var hasMark = utf8.Span.StartsWith(Encodings.Utf8Mark);
+        var document = new SceneDocument(new SourceText(displayName, utf8[(hasMark ? 3 : 0)..]), folder, threads);
+        var root = ReadRoot(document, name);
+        var result = root is null ? null : read(root);
+        problems = document.Problems();
+        return document.ErrorCount == 0 ? result : null;
+    }
+
+    private static SceneObject? ReadRoot(SceneDocument document, string name)
+    {
+        if (Encodings.MistakeIn(document.Text.Utf8) is { } encoding)
+        {
+            document.Add(true, encoding.Start, encoding.End, "", encoding.Message);
+            return null;
+        }
+        if (JsonTree.Parse(document.Text, out var mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name: name);
+        document.Add(true, mistake.Start, mistake.End, "", mistake.Message);
+        return null;
+    }
+
+    /// <summary>Reads the outermost object; null if there is an error in it.</summary>
+    internal static Scene? ReadScene(SceneObject o)
+    {
+        o.OptionalText("$schema", "Where editors find the schema of scene files; the program does not use it.");
+        var camera = o.Object("camera", "The camera: where the picture is taken from.") is { } c ? ReadCamera(c) : null;
+        var background = o.Color("background", "The colour of a pixel whose ray hits nothing.", Color.Black);
+        var models = new List<Model>();
+        foreach (var element in o.Objects("models", "What the world holds, an array of models; of two at the same distance the first shows."))
+            if (ReadModel(element) is { } model)
+                models.Add(model);
+        o.Close();
+        return o.IsSound ? new(camera!, models, background) : null;
+    }
+
+    private static Camera? ReadCamera(SceneObject o)
+    {
+        var position = o.Vector("position", "P, where the rays start.");
+        var target = o.Vector("target",
+            "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: at twice its distance all is black.");
+        var up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", new(0, 0, 1));
+        var fovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), 45);
+        var width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, 500);
+        var height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, 500);
+        var zNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, 0.01);
+        var zFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", 100);
+        var bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, 1e-6);
+        var clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+            "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth;
+        var sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+            "corner", "center") == "center" ? Sample.Center : Sample.Corner;
+        o.Close();
+
+        CheckView(o, position, target, up);
+        if (zFar <= zNear) RefuseDepths(o, zNear, zFar);
+        if ((long)width * height > Camera.MaxPixels) RefuseSize(o, width, height);
+        if (fovY is >= 0.2 and < 3) WarnOfRadians(o, fovY);
+        return o.IsSound ? new(position, target, up, fovY, width, height, zNear, zFar, bias, clip, sample) : null;
+    }
+
+    private static void CheckView(SceneObject o, Vector3 position, Vector3 target, Vector3 up)
+    {
+        var view = target - position;
+        if (view.Length == 0 || double.IsInfinity(view.Length)) RefuseTarget(o, position, target);
+        else if ((up % view.Normalized).Length <= 1e-12 * up.Length) RefuseUp(o, up);
+    }
+
+    private static void RefuseTarget(SceneObject o, Vector3 position, Vector3 target)
+    {
+        if ((target - position).Length == 0) o.Refuse("target", $" must differ from {o.PathOf("position")}, but both are {target}");
+        else o.Refuse("target", $" is too far from {o.PathOf("position")}: the distance is beyond the largest number");
+    }
+
+    private static void RefuseUp(SceneObject o, Vector3 up)
+    {
+        var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
+        o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{remedy}");
+    }
+
+    private static void RefuseDepths(SceneObject o, double zNear, double zFar)
+    {
+        if (!o.Has("zFar"))
+            o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
+        else
+            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
+    }
+
+    private static void RefuseSize(SceneObject o, int width, int height) =>
+        o.Refuse("height", $" times {o.PathOf("width")} must be at most {Camera.MaxPixels}, but is {height} x {width} = {(long)width * height}");
+
+    private static void WarnOfRadians(SceneObject o, double fovY) =>
+        o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");
+
+    /// <summary>Reads a model of any type; null if the type is unknown.</summary>
+    private static Model? ReadModel(SceneObject o)
+    {
+        var name = o.Choice("type", "What the model is.", PrimitiveList.Names);
+        foreach (var type in PrimitiveList.All)
+        {
+            if (type.Name != name) continue;
+            var model = ReadModel(o, type);
+            o.Close();
+            return model;
+        }
+        // Without its type we cannot know which keys are right, but a key that no type has is wrong.
+        o.Close(PrimitiveList.KeysOfAllTypes());
+        return null;
+    }
+
+    /// <summary>Reads a model of a known type, all keys but the type.</summary>
+    internal static Model ReadModel(SceneObject o, PrimitiveType type)
+    {
+        var model = type.Read(o);
+        model.Color = o.Color("color", "Its colour in full light, as [red, green, blue], 1 being full intensity, or as \"#rrggbb\".", Color.White);
+        model.Name = o.OptionalText("name", "A name for people; the picture does not depend on it.");
+        return model;
+    }
+
+    private static string NotFound(string path)
+    {
+        if (path.Length == 0) return "the name of the scene file is empty";
+        if (Directory.Exists(path)) return "this is a folder, not a scene file";
+        return $"file not found{FileNames.Hint(path, ".json")}";
+    }
+
+    private static SceneReading TooLong(string path) => Unreadable(path, FormattableString.Invariant(
+        $"the scene file has more than {MostBytes:N0} bytes, which is the limit; let mesh files hold what is large"));
+
+    private static SceneReading Unreadable(string path, string message) =>
+        new(null, [new Problem(true, path, 0, 0, "", message, "")]);
+}

@@ -1,0 +1,109 @@
+using System.Buffers;
+using System.Runtime.InteropServices;
+using System.Text;
+
+namespace RayCaster.Files;
+
+/// <summary>The text of a file, and where its bytes are seen in an editor.</summary>
+/// <param name="name">The file as the user named it.</param>
+/// <param name="utf8">The text, without a byte order mark.</param>
+internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
+{
+    private const int LongestExcerpt = 120;
+    private readonly ArraySegment<byte> bytes = MemoryMarshal.TryGetArray(utf8, out var array) ? array : utf8.ToArray();
+    private int[]? lineStarts;
+    private (int Offset, int Column) last = (0, 1); // the place asked for last: of a long line with many problems only the way from there is walked
+
+    /// <summary>The file as the user named it.</summary>
+    public string Name => name;
+
+    /// <summary>The text.</summary>
+    public ReadOnlySpan<byte> Utf8 => new(bytes.Array, bytes.Offset, bytes.Count);
+
+    /// <summary>A part of the text as written, shortened if it is long.</summary>
+    public string Quote(int start, int end)
+    {
+        var text = Encoding.UTF8.GetString(Utf8[start..Math.Min(end, start + 240)]);
+        var cut = text.AsSpan().IndexOfAny('\r', '\n') is >= 0 and var lineEnd ? lineEnd : text.Length;
+        cut = Math.Min(cut, 60);
+        return Printable(cut < text.Length || start + 240 < end ? string.Concat(text.AsSpan(0, cut), "…") : text);
+    }
+
+    /// <summary>The line of a byte, from 1, and its column, from 1, in UTF-16 units. LF, CR LF and CR end a line.</summary>
+    public (int Line, int Column) Locate(int offset)
+    {
+        var line = LineOf(offset);
+        var from = LineStarts[line - 1];
+        var column = 1;
+        if (last.Offset >= from && last.Offset <= offset) (from, column) = last;
+        column += Encoding.UTF8.GetCharCount(Utf8[from..offset]);
+        last = (offset, column);
+        return (line, column);
+    }
+
+    /// <summary>The line of a byte, from 1.</summary>
+    public int LineOf(int offset)
+    {
+        var found = Array.BinarySearch(LineStarts, offset);
+        return found >= 0 ? found + 1 : ~found;
+    }
+
+    /// <summary>The line in which a value starts, and the value underlined; of a long line only what is around the value's start.</summary>
+    public string Excerpt(int start, int end)
+    {
+        var line = LineOf(start);
+        var from = LineStarts[line - 1];
+        var ahead = Utf8.Slice(start, Math.Min(4 * LongestExcerpt, Utf8.Length - start)); // the whole text may be one line
+        var to = start + (ahead.IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? length : ahead.Length);
+        end = Math.Clamp(end, start, to);
+
+        var cutBefore = to - from > LongestExcerpt && start - from > LongestExcerpt / 2;
+        if (cutBefore) from = WholeCharacter(start - LongestExcerpt / 2);
+        var cutAfter = to - from > LongestExcerpt;
+        if (cutAfter) to = Math.Max(start, WholeCharacter(from + LongestExcerpt));
+        end = Math.Min(end, to);
+
+        var before = (cutBefore ? "…" : "") + Printable(Encoding.UTF8.GetString(Utf8[from..start]));
+        var value = Printable(Encoding.UTF8.GetString(Utf8[start..end]));
+        var after = Printable(Encoding.UTF8.GetString(Utf8[end..to])) + (cutAfter ? "…" : "");
+        var indent = string.Create(before.Length, before, (span, text) =>
+        {
+            for (var i = 0; i < span.Length; i++) span[i] = text[i] == '\t' ? '\t' : ' ';
+        });
+        return $"{line,5} | {before}{value}{after}".TrimEnd() + $"\n      | {indent}^{new string('~', Math.Max(0, value.Length - 1))}";
+    }
+
+    private int[] LineStarts => lineStarts ??= FindLineStarts();
+
+    private int[] FindLineStarts()
+    {
+        var ends = SearchValues.Create("\r\n"u8);
+        var starts = new List<int> { 0 };
+        for (var i = 0; Utf8[i..].IndexOfAny(ends) is >= 0 and var next;)
+        {
+            i += next + 1;
+            if (Utf8[i - 1] == '\r' && i < Utf8.Length && Utf8[i] == '\n') i++;
+            starts.Add(i);
+        }
+        return [.. starts];
+    }
+
+    /// <summary>The place itself, or up to three bytes before, where a character starts; what is not UTF-8 has no such place.</summary>
+    private int WholeCharacter(int offset)
+    {
+        for (var back = 0; back <= 3; back++)
+            if ((Utf8[offset - back] & 0xC0) != 0x80)
+                return offset - back;
+        return offset;
+    }
+
+    /// <summary>Without what could move a terminal's cursor.</summary>
+    public static string Printable(string text) => string.Create(text.Length, text, (span, from) =>
+    {
+        for (var i = 0; i < span.Length; i++)
+        {
+            var isSafe = from[i] == '\t' || !(char.IsControl(from[i]) || from[i] is >= '\u202A' and <= '\u202E' or >= '\u2066' and <= '\u2069');
+            span[i] = isSafe ? from[i] : '\uFFFD';
+        }
+    });
+}

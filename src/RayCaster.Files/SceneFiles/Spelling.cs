@@ -1,0 +1,79 @@
+namespace RayCaster.Files;
+
+/// <summary>Finds the word that somebody meant.</summary>
+public static class Spelling
+{
+    /// <summary>What other programs and other kinds of English call our words.</summary>
+    private static readonly (string Other, string Ours)[] Synonyms =
+    [
+        ("eye", "position"), ("from", "position"), ("origin", "position"), ("location", "position"), ("pos", "position"),
+        ("lookat", "target"), ("look_at", "target"), ("at", "target"), ("to", "target"), ("center", "target"), ("direction", "target"),
+        ("fov", "fovY"), ("fieldofview", "fovY"), ("angle", "fovY"), ("near", "zNear"), ("far", "zFar"), ("epsilon", "bias"),
+        ("r", "radius"), ("c", "center"), ("position", "center"), ("centre", "center"), ("n", "normal"), ("p", "point"), ("q", "point"),
+        ("position", "point"), ("position", "translate"), ("rotation", "rotate"), ("translation", "translate"), ("size", "scale"),
+        ("path", "file"), ("filename", "file"), ("kind", "type"), ("id", "name"),
+        ("objects", "models"), ("shapes", "models"), ("primitives", "models"), ("colour", "color"), ("backgroundcolor", "background"),
+        ("box", "aabb"), ("cube", "aabb"), ("cuboid", "aabb"), ("ball", "sphere"), ("disc", "circle"), ("disk", "circle"), ("tri", "triangle"),
+        ("obj", "mesh"), ("centre", "center"), ("middle", "center"),
+    ];
+
+    /// <summary>The word that is most likely meant, or null.</summary>
+    /// <param name="word">What was written.</param>
+    /// <param name="known">What there is.</param>
+    /// <remarks>
+    /// The same word but for its case; then what others call it; then the nearest by slips of the pen: letters missing, added, wrong or swapped
+    /// (Damerau–Levenshtein distance), one in a word of up to four letters, two in one of up to eight, else three.
+    /// </remarks>
+    public static string? Nearest(string word, IEnumerable<string> known)
+    {
+        foreach (var candidate in known)
+            if (candidate.Equals(word, StringComparison.OrdinalIgnoreCase))
+                return candidate;
+
+        foreach (var (other, ours) in Synonyms)
+            if (other.Equals(word, StringComparison.OrdinalIgnoreCase))
+                foreach (var candidate in known)
+                    if (candidate == ours)
+                        return candidate;
+
+        var least = word.Length switch { <= 1 => 0, <= 4 => 1, <= 8 => 2, _ => 3 } + 1;
+        string? nearest = null;
+        foreach (var candidate in known)
+        {
+            if (Math.Abs(candidate.Length - word.Length) >= least) continue;
+            var slips = Slips(word, candidate);
+            if (slips < least) (nearest, least) = (candidate, slips);
+        }
+        return nearest;
+    }
+
+    /// <summary>"; did you mean …?" for the end of a message, or nothing.</summary>
+    /// <param name="word">What was written.</param>
+    /// <param name="known">What there is.</param>
+    public static string DidYouMean(string word, IEnumerable<string> known)
+    {
+        if (Nearest(word, known) is not { } nearest) return "";
+        return $"; did you mean \"{nearest}\"?" + (nearest.Equals(word, StringComparison.OrdinalIgnoreCase) ? " (case matters)" : "");
+    }
+
+    /// <summary>How many letters must be added, left out, changed or swapped with their neighbour; upper and lower case are the same.</summary>
+    private static int Slips(string a, string b)
+    {
+        var slips = new int[a.Length + 1, b.Length + 1];
+        for (var i = 0; i <= a.Length; i++) slips[i, 0] = i;
+        for (var j = 0; j <= b.Length; j++) slips[0, j] = j;
+        for (var i = 1; i <= a.Length; i++)
+        {
+            for (var j = 1; j <= b.Length; j++)
+            {
+                var change = Same(a[i - 1], b[j - 1]) ? 0 : 1;
+                slips[i, j] = Math.Min(slips[i - 1, j - 1] + change, Math.Min(slips[i - 1, j], slips[i, j - 1]) + 1);
+                if (i > 1 && j > 1 && Same(a[i - 1], b[j - 2]) && Same(a[i - 2], b[j - 1]))
+                    slips[i, j] = Math.Min(slips[i, j], slips[i - 2, j - 2] + 1);
+            }
+        }
+        return slips[a.Length, b.Length];
+
+        static bool Same(char x, char y) => char.ToLowerInvariant(x) == char.ToLowerInvariant(y);
+    }
+}

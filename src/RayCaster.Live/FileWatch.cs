@@ -1,0 +1,114 @@
+namespace RayCaster.Live;
+
+/// <summary>
+/// Tells when one of some files may have changed. The system's notices come within a millisecond; where there are none, as on many network drives,
+/// the files' times and lengths are compared a few times a second.
+/// </summary>
+internal sealed class FileWatch : IDisposable
+{
+    private const int PollMilliseconds = 250;
+
+    private readonly SemaphoreSlim changes = new(0, 1);
+    private readonly Dictionary<string, FileSystemWatcher?> folders = [];
+    private readonly Timer poll;
+    private Dictionary<string, (DateTime, long)> stamps = [];
+
+    public FileWatch() => poll = new(_ => Poll(), null, PollMilliseconds, PollMilliseconds);
+
+    /// <summary>Says which files are watched from now on.</summary>
+    /// <param name="files">Full paths.</param>
+    public void Watch(IEnumerable<string> files)
+    {
+        lock (folders)
+        {
+            var wanted = new Dictionary<string, (DateTime, long)>();
+            foreach (var file in files) wanted[file] = stamps.TryGetValue(file, out var known) ? known : StampOf(file);
+            stamps = wanted;
+            var parents = wanted.Keys.Select(file => Path.GetDirectoryName(file)!).ToHashSet();
+            foreach (var gone in folders.Keys.Except(parents).ToArray())
+            {
+                folders[gone]?.Dispose();
+                folders.Remove(gone);
+            }
+            foreach (var folder in parents) folders.TryAdd(folder, Open(folder));
+        }
+    }
+
+    /// <summary>Waits until a file may have changed.</summary>
+    public Task WaitAsync(CancellationToken cancellation) => changes.WaitAsync(cancellation);
+
+    /// <summary>Waits for so long at most; tells whether a file may have changed.</summary>
+    public Task<bool> WaitAsync(int milliseconds, CancellationToken cancellation) => changes.WaitAsync(milliseconds, cancellation);
+
+    public void Dispose()
+    {
+        poll.Dispose();
+        lock (folders)
+            foreach (var watcher in folders.Values) watcher?.Dispose();
+    }
+
+    /// <summary>A folder that cannot be watched is only polled.</summary>
+    private FileSystemWatcher? Open(string folder)
+    {
+        try
+        {
+            var watcher = new FileSystemWatcher(folder)
+            {
+                NotifyFilter = NotifyFilters.FileName | NotifyFilters.LastWrite | NotifyFilters.Size | NotifyFilters.CreationTime,
+            };
+            watcher.Changed += (_, e) => Notice(e.FullPath);
+            watcher.Created += (_, e) => Notice(e.FullPath);
+            watcher.Deleted += (_, e) => Notice(e.FullPath);
+            watcher.Renamed += (_, e) => Notice(e.FullPath);
+            watcher.EnableRaisingEvents = true;
+            return watcher;
+        }
+        catch (Exception e) when (e is IOException or ArgumentException or UnauthorizedAccessException)
+        {
+            return null;
+        }
+    }
+
+    private void Notice(string file)
+    {
+        lock (folders)
+            if (!stamps.ContainsKey(file)) return;
+        Signal();
+    }
+
+    private void Poll()
+    {
+        var changed = false;
+        lock (folders)
+        {
+            foreach (var (file, known) in stamps.ToArray())
+            {
+                var stamp = StampOf(file);
+                if (stamp == known) continue;
+                stamps[file] = stamp;
+                changed = true;
+            }
+        }
+        if (changed) Signal();
+    }
+
+    private void Signal()
+    {
+        lock (changes)
+            if (changes.CurrentCount == 0) changes.Release();
+    }
+
+    /// <summary>A file that is not there has length −1.</summary>
+    public static (DateTime Time, long Length) StampOf(string file)
+    {
+        var info = new FileInfo(file);
+        try
+        {
+            return info.Exists ? (info.LastWriteTimeUtc, info.Length) : (default, -1);
+        }
+        catch (IOException)
+        {
+            return (default, -1);
+        }
+    }
+}

@@ -1,0 +1,36 @@
+namespace RayCaster.Live;
+
+/// <summary>A map as a picture, and what its colours mean.</summary>
+/// <param name="Kind">What it tells of each pixel.</param>
+/// <param name="Frame">The picture.</param>
+/// <param name="Range">The least and the greatest number; null for vectors, or where nothing is hit.</param>
+/// <param name="Models">How many models there are.</param>
+internal sealed record MapDrawing(MapKind Kind, Frame Frame, (float Least, float Greatest)? Range, int Models)
+{
+    private const int Steps = 33; // of the legend
+
+    /// <summary>Makes the map of a scene.</summary>
+    public static MapDrawing Of(Scene scene, MapKind kind)
+    {
+        var map = MapMaker.Make(scene, kind);
+        return new(kind, Frame.Of(MapPicture.Draw(map, kind)), map.Range, scene.Models.Count);
+    }
+
+    /// <summary>The colours by the map's own hand: those of a map in which each number stands once.</summary>
+    public byte[] Legend()
+    {
+        var isRamp = Kind is MapKind.T or MapKind.Depth && Range is not null;
+        var sample = new NumberMap(isRamp ? Steps : Math.Clamp(Models, 1, Messages.MostModels), 1, 1);
+        for (var i = 0; i < sample.Width; i++)
+            sample[i, 0][0] = isRamp ? Range!.Value.Least + (Range.Value.Greatest - Range.Value.Least) * i / (Steps - 1) : i;
+        var colors = MapPicture.Draw(sample, isRamp ? Kind : MapKind.Model);
+        return Messages.Of(new
+        {
+            Kind = "legend",
+            Map = Kind.Name(),
+            Least = isRamp ? Range!.Value.Least : 0,
+            Greatest = isRamp ? Range!.Value.Greatest : 0,
+            Colors = isRamp || Kind == MapKind.Model ? Enumerable.Range(0, sample.Width).Select(i => Messages.Hex(colors[i, 0])) : [],
+        });
+    }
+}

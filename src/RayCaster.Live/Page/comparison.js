@@ -1,0 +1,86 @@
+// The user's own picture beside the scene's: dropped, chosen, or a file that the program watches.
+import { $, show } from "./dom.js";
+import { lay } from "./picture.js";
+import { explain } from "./pixel.js";
+import { ask, on } from "./server.js";
+
+let middle = null;
+
+on("comparison", message => {
+  const name = message.name;
+  $("mine-said").textContent = message.problem ? `${name}: ${message.problem}` : name ? `${name} is compared: ${message.verdict}.` : "";
+  show($("compared"), Boolean(name) && !message.problem);
+  $("compare-text").textContent = message.text ?? "";
+  show($("diagnosis-text"), false);
+  middle = message.middle;
+  show($("mine-worst"), middle !== null && middle !== undefined);
+  for (const option of $("mine-show").options) option.disabled = !message.hasLayers && option.value !== "none";
+  if (!message.hasLayers) $("mine-show").value = "none";
+  lie();
+});
+
+on("diagnosis", message => {
+  $("diagnosis-text").textContent = message.text;
+  show($("diagnosis-text"), true);
+  $("diagnose").disabled = false;
+});
+
+on("frame", () => lie());
+on("closed", () => { $("diagnose").disabled = false; });
+
+$("mine-show").addEventListener("change", lie);
+$("mine-split").addEventListener("input", lie);
+$("mine-flip").addEventListener("click", () => {
+  if ($("mine-show").value === "mine") $("mine-show").value = "none";
+  else $("mine-show").value = "mine";
+  lie();
+});
+$("mine-forget").addEventListener("click", () => ask({ forgetMine: true }));
+$("mine-worst").addEventListener("click", () => {
+  explain(middle);
+  $("pixel").focus();
+});
+$("diagnose").addEventListener("click", () => {
+  $("diagnose").disabled = true;
+  $("diagnosis-text").textContent = "Drawing the scene with each known mistake …";
+  show($("diagnosis-text"), true);
+  ask({ diagnose: true });
+});
+$("hint").addEventListener("change", event => ask({ hint: event.target.value }));
+
+/** Lays what is chosen over the scene's picture, up to the border where there is one. */
+function lie() {
+  const shown = $("mine-show").value;
+  const slides = shown === "slider";
+  lay({ none: null, slider: "mine", mine: "mine", difference: "difference", objects: "objects" }[shown]);
+  const border = $("mine-split").value;
+  $("mine").style.clipPath = slides ? `inset(0 0 0 ${border}%)` : "";
+  $("split").style.left = `${border}%`;
+  show($("split"), slides && !$("mine").hidden);
+  show($("mine-split-line"), slides);
+}
+
+async function send(file) {
+  $("mine-said").textContent = `Reading ${file.name} …`;
+  try {
+    const answer = await fetch(`/mine?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+    if (!answer.ok) $("mine-said").textContent = `${file.name}: ${(await answer.text()).trim()}`;
+  } catch {
+    $("mine-said").textContent = `${file.name} cannot be sent: it is too large, or the program has ended.`;
+  }
+}
+
+$("mine-file").addEventListener("change", event => {
+  if (event.target.files[0]) send(event.target.files[0]);
+  event.target.value = ""; // so that the same file can be chosen again
+});
+addEventListener("dragover", event => {
+  event.preventDefault();
+  document.body.classList.add("dropping");
+});
+addEventListener("dragleave", event => { if (!event.relatedTarget) document.body.classList.remove("dropping"); });
+addEventListener("drop", event => {
+  event.preventDefault();
+  document.body.classList.remove("dropping");
+  if (event.dataTransfer.files[0]) send(event.dataTransfer.files[0]);
+});

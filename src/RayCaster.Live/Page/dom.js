@@ -1,0 +1,34 @@
+// Small helpers to build the page. Text only ever becomes text, never markup.
+
+export const $ = id => document.getElementById(id);
+
+/** An element: make("p", { class: "note" }, "text", child …). */
+export function make(name, attributes = {}, ...children) {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (key.startsWith("on")) element.addEventListener(key.slice(2), value);
+    else if (value === true) element.setAttribute(key, "");
+    else if (value !== false && value !== null && value !== undefined) element.setAttribute(key, value);
+  }
+  element.append(...children.filter(child => child !== null && child !== undefined));
+  return element;
+}
+
+/** Shows or hides, and touches the page only where that changes something. */
+export function show(element, visible) {
+  if (element.hidden === visible) element.hidden = !visible;
+}
+
+/** A number for people: six significant digits and a true minus sign, as the explanations write it. */
+export function digits(value, significant = 6) {
+  if (typeof value === "string") return { Infinity: "∞", "-Infinity": "−∞" }[value] ?? value; // what JSON has no number for
+  if (Array.isArray(value)) return `(${value.map(each => digits(each, significant)).join(", ")})`;
+  return String(Number(value.toPrecision(significant))).replace("-", "−");
+}
+
+/** A small square of a colour. */
+export function swatch(color) {
+  const square = make("span", { class: "swatch", "aria-hidden": "true" });
+  square.style.background = color;
+  return square;
+}

@@ -1,0 +1,136 @@
+// Drag, wheel, keys and touch. Only by how much the hand has moved is said; where the camera then is, the server computes.
+import { $ } from "./dom.js";
+import { pixelAt, size } from "./picture.js";
+import { ask } from "./server.js";
+
+const restAfter = 100;        // milliseconds without a move
+const click = 4;              // pixels that a click may wander
+const turnOfPicture = 2.5;    // radians for a drag over the picture's height
+const stepOfKey = 0.06;       // of the picture's height
+const stage = $("stage");
+const pointers = new Map();   // those that are down: where they were last
+let travelled = 0, wasMany = false;
+let pending = null;           // moves that wait for the next frame of the screen
+let timer = 0;
+let asked = 0;                // when the frame was asked for that has not come yet; 0 for none
+let divisor = 1, took = 16, taken = 0;
+const glide = 0.5;            // the part of a move that goes out with the next frame
+const longest = 250;          // milliseconds after which a frame is not waited for
+const still = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** Calls back where somebody clicks, points, or presses a key that steps. */
+export const hand = { onPoint: () => {}, onClick: () => {}, onStep: () => false, onLeave: () => {} };
+
+stage.addEventListener("pointerdown", event => {
+  if (event.button > 2) return;
+  stage.setPointerCapture(event.pointerId);
+  if (pointers.size === 0) [travelled, wasMany] = [0, false];
+  pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  wasMany ||= pointers.size > 1;
+});
+
+stage.addEventListener("pointermove", event => {
+  const before = pointers.get(event.pointerId);
+  if (!before) return hand.onPoint(pixelAt(event.clientX, event.clientY));
+  const height = stage.getBoundingClientRect().height;
+  const [dx, dy] = [(event.clientX - before.x) / height, (event.clientY - before.y) / height];
+  travelled += Math.abs(event.clientX - before.x) + Math.abs(event.clientY - before.y);
+  if (pointers.size === 2) pinch(event, before, height);
+  else if (travelled > click) {
+    if (event.buttons & 2 || event.shiftKey) move({ shift: [-dx, dy] });
+    else move({ turn: [-dx * turnOfPicture, dy * turnOfPicture] });
+  }
+  pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+});
+
+/** Two fingers: apart is nearer, side by side pans. */
+function pinch(event, before, height) {
+  const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
+  const distance = p => Math.max(1, Math.hypot(p.x - other.x, p.y - other.y));
+  const now = { x: event.clientX, y: event.clientY };
+  move({ approach: distance(before) / distance(now), shift: [-(now.x - before.x) / height / 2, (now.y - before.y) / height / 2] });
+}
+
+for (const name of ["pointerup", "pointercancel"])
+  stage.addEventListener(name, event => {
+    if (!pointers.delete(event.pointerId) || pointers.size > 0) return;
+    if (name === "pointerup" && travelled <= click && !wasMany && event.button === 0) {
+      const pixel = pixelAt(event.clientX, event.clientY);
+      if (pixel) hand.onClick(pixel);
+    } else if (travelled > click) rest();
+  });
+
+stage.addEventListener("pointerleave", () => hand.onLeave());
+stage.addEventListener("contextmenu", event => event.preventDefault());
+stage.addEventListener("wheel", event => {
+  event.preventDefault();
+  const lines = event.deltaMode === 0 ? event.deltaY / 100 : event.deltaY / 3;
+  move({ approach: Math.exp(Math.max(-1, Math.min(1, lines)) * 0.15) });
+}, { passive: false });
+
+stage.addEventListener("keydown", event => {
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+  if (arrow && event.shiftKey) move({ shift: [arrow[0] * stepOfKey, arrow[1] * stepOfKey] });
+  else if (arrow && hand.onStep(arrow)) { /* the pixel has moved, not the camera */ }
+  else if (arrow) move({ turn: [arrow[0] * stepOfKey * turnOfPicture / 2, arrow[1] * stepOfKey * turnOfPicture / 2] });
+  else if (event.key === "+" || event.key === "=") move({ approach: 1 / 1.1 });
+  else if (event.key === "-" || event.key === "−") move({ approach: 1.1 });
+  else if (event.key === "Enter") hand.onClick([size.width >> 1, size.height >> 1]);
+  else if (event.key === "Escape") hand.onClick(null);
+  else return;
+  event.preventDefault();
+});
+
+/** Adds a move to those that wait. */
+function move(wish) {
+  if (!pending) {
+    pending = { turn: [0, 0], shift: [0, 0], approach: 0 };
+    requestAnimationFrame(send);
+  }
+  for (const name of ["turn", "shift"])
+    if (wish[name]) pending[name] = pending[name].map((value, i) => value + wish[name][i]);
+  if (wish.approach) pending.approach += Math.log(wish.approach);
+  clearTimeout(timer);
+  timer = setTimeout(rest, restAfter);
+}
+
+/**
+ * Sends a part of what waits, with each frame of the screen, once the frame before has come: so the camera glides from one event of the mouse to the
+ * next. All at once where nothing is to glide.
+ */
+function send(isLast = false) {
+  if (!pending) return;
+  const now = performance.now();
+  if (isLast !== true && asked > 0 && now - asked < longest) return void requestAnimationFrame(send);
+  const left = Math.max(...pending.turn.map(Math.abs), ...pending.shift.map(Math.abs), Math.abs(pending.approach));
+  const part = isLast === true || left < 0.004 || still.matches ? 1 : glide;
+  const [turn, shift, approach] = [pending.turn.map(value => value * part), pending.shift.map(value => value * part), pending.approach * part];
+  const wishes = { divisor };
+  if (turn.some(Boolean)) wishes.turn = turn;
+  if (shift.some(Boolean)) wishes.shift = shift;
+  if (approach !== 0) wishes.approach = Math.exp(approach);
+  asked = now;
+  ask(wishes);
+  if (part === 1) pending = null;
+  else {
+    pending = { turn: pending.turn.map(value => value * (1 - part)), shift: pending.shift.map(value => value * (1 - part)), approach: pending.approach * (1 - part) };
+    requestAnimationFrame(send);
+  }
+}
+
+function rest() {
+  clearTimeout(timer);
+  send(true);
+  ask({ rest: true });
+}
+
+/** Chooses how small the frames are while the camera moves: as large as lets thirty come in a second. */
+stage.addEventListener("frame", event => {
+  if (event.detail.isFinal || asked === 0) return;
+  took += (performance.now() - asked - took) / 4; // of the last frames, the newest most
+  asked = 0;
+  if (++taken < 4) return;
+  if (took > 26 && divisor < 4) [divisor, taken] = [divisor + 1, 0];
+  else if (took < 9 && divisor > 1) [divisor, taken] = [divisor - 1, -12];
+});

@@ -1,0 +1,95 @@
+// Puts the page together: the picture, what is said of it, and the camera.
+import { $, digits, show } from "./dom.js";
+import { hand } from "./hand.js";
+import { explain, step } from "./pixel.js";
+import { setSize, size } from "./picture.js";
+import { count } from "./problems.js";
+import { ask, connect, on, remember } from "./server.js";
+import "./comparison.js";
+import "./models.js";
+
+let scene = null, camera = null;
+
+if (location.search) history.replaceState(null, "", location.pathname + location.hash); // the token is a cookie by now
+
+on("open", () => say("Connected."));
+on("closed", () => {
+  document.body.classList.add("apart");
+  say("The program has ended, or is being built again. This page goes on as soon as it is there; if it has another address by then, the terminal says which.");
+});
+
+on("scene", message => {
+  scene = message;
+  document.body.classList.remove("apart");
+  document.title = `${scene.path} – RayCaster live`;
+  $("title").textContent = scene.path;
+  if (scene.width > 0) setSize(scene.shownWidth, scene.shownHeight);
+  const smaller = scene.shownWidth !== scene.width ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
+  const errors = scene.problems.filter(problem => problem.isError).length;
+  say(scene.good
+    ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`
+    : `${count(errors, "mistake")} in ${scene.path}: ${scene.problems.find(problem => problem.isError)?.message ?? ""}`);
+  const picture = `The picture of ${scene.path}, ${scene.width} by ${scene.height} pixels, ${count(scene.modelCount, "model")}${scene.good ? "" : "; it is the last good one"}`;
+  for (const id of ["picture", "stage"]) $(id).setAttribute("aria-label", picture);
+});
+
+on("camera", message => {
+  camera = message;
+  const { position, target, fovY } = message;
+  $("camera-json").textContent = `"position": ${JSON.stringify(position)}, "target": ${JSON.stringify(target)}, "fovY": ${JSON.stringify(fovY)}`;
+  $("camera-write").disabled = $("camera-reset").disabled = !message.moved;
+  remember("camera", message.moved ? { position, target } : null);
+});
+
+on("written", message => {
+  $("camera-said").textContent = message.problem || "Written into the scene file.";
+});
+
+$("camera-copy").addEventListener("click", async () => {
+  try {
+    await navigator.clipboard.writeText($("camera-json").textContent);
+    $("camera-said").textContent = "Copied.";
+  } catch {
+    getSelection().selectAllChildren($("camera-json"));
+    $("camera-said").textContent = "The browser does not let the page copy: the text is marked, copy it by Ctrl + C.";
+  }
+});
+$("camera-write").addEventListener("click", () => ask({ write: scene.version }));
+$("camera-reset").addEventListener("click", () => ask({ camera: null }));
+
+on("hover", at => {
+  $("hover").textContent = `column ${at.column}, line ${at.line} (row ${at.row}): ${at.model}, t = ${digits(at.t)}, depth z = ${digits(at.depth)}, bytes ${at.bytes.join(" ")}`;
+});
+hand.onPoint = pixel => pixel && ask({ hover: pixel });
+hand.onClick = explain;
+hand.onStep = ([right, up]) => $("arrows-step").checked && step(right, -up);
+
+$("map-kind").addEventListener("change", event => {
+  const kind = event.target.value;
+  ask({ map: kind || null });
+  $("map-strength").disabled = !kind;
+  if (!kind) [$("map"), $("legend")].forEach(element => show(element, false));
+});
+$("map-strength").addEventListener("input", event => { $("map").style.opacity = event.target.value / 100; });
+
+on("legend", legend => {
+  show($("legend"), legend.colors.length > 0 && legend.map !== "model");
+  if (legend.map === "model" || legend.colors.length === 0) return;
+  $("legend-from").textContent = `${legend.map} = ${digits(legend.least)}`;
+  $("legend-to").textContent = digits(legend.greatest);
+  $("legend-bar").style.background = `linear-gradient(to right, ${legend.colors.join(", ")})`;
+});
+
+function say(text) {
+  if ($("status").textContent !== text) $("status").textContent = text;
+}
+
+/** A link that leads to a pixel: #pixel=250,350. */
+function followLink() {
+  const [, column, line] = /^#pixel=(\d+),(\d+)$/.exec(location.hash) ?? [];
+  if (column !== undefined && size.width > 1) explain([Math.min(Number(column), size.width - 1), Math.min(Number(line), size.height - 1)]);
+}
+addEventListener("hashchange", followLink);
+$("stage").addEventListener("frame", followLink, { once: true });
+
+connect();

@@ -1,0 +1,31 @@
+// What is wrong with the scene file, or with the code under "dotnet watch".
+import { $, make, show } from "./dom.js";
+import { on } from "./server.js";
+
+on("scene", scene => {
+  const list = $("problem-list");
+  list.replaceChildren(...scene.problems.map(entry));
+  if (scene.more > 0) list.append(make("li", {}, `and ${scene.more} more`));
+  const errors = scene.problems.filter(problem => problem.isError).length;
+  $("problems-title").textContent = errors > 0 ? `The scene file has ${count(errors, "mistake")}` : `The scene file has ${count(scene.problems.length, "warning")}`;
+  $("problems-about").textContent = scene.good ? "" : scene.width > 0 ? "The picture is the last good one." : "There is no picture yet.";
+  show($("problems"), scene.problems.length > 0);
+  document.body.classList.toggle("stale", !scene.good);
+});
+
+on("code", code => {
+  $("code-problem").textContent = code.problem;
+  show($("code"), code.problem !== "");
+});
+
+/** A mistake with its line and caret, and two ways to get to its place. */
+function entry(problem) {
+  return make("li", { class: problem.isError ? "error" : "warning" },
+    make("p", {}, make("strong", {}, problem.isError ? "Error: " : "Warning: "), problem.message),
+    problem.excerpt ? make("pre", { tabindex: 0, "aria-label": "Where it is" }, problem.excerpt) : null,
+    make("p", {}, make("a", { href: problem.link }, "Open in VS Code"), " or go to ", make("code", {}, problem.place)));
+}
+
+export function count(number, noun) {
+  return `${number} ${noun}${number === 1 ? "" : "s"}`;
+}

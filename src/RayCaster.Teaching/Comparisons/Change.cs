@@ -1,0 +1,98 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Teaching;
+
+/// <summary>A mistake that runs through a whole picture: what must be done to it so that it agrees with the right one.</summary>
+/// <param name="Turn">How the picture must be turned or mirrored.</param>
+/// <param name="Right">By how many pixels it must be moved to the right after that.</param>
+/// <param name="Down">By how many lines it must be moved down.</param>
+/// <param name="Colors">What was done to its colours and must be undone; null for nothing.</param>
+/// <param name="Bytes">By how many bytes all its bytes must be moved towards the end of the file.</param>
+/// <param name="SidesSwapped">Whether its bytes are in the right order, but width and height are swapped.</param>
+public sealed record Change(
+    Turn Turn = Turn.None, int Right = 0, int Down = 0, ColorChange? Colors = null, int Bytes = 0, bool SidesSwapped = false)
+{
+    /// <summary>How much must be said to describe it; of changes that do the same the simplest is told.</summary>
+    internal int Complexity =>
+        (Turn == Turn.None ? 0 : 100) + (Right == 0 && Down == 0 ? 0 : 100 + Math.Abs(Right) + Math.Abs(Down))
+        + (Colors is null ? 0 : 100) + (Bytes == 0 ? 0 : 100 + Math.Abs(Bytes));
+
+    /// <summary>What makes the picture agree, in words that follow "when".</summary>
+    public string Description
+    {
+        get
+        {
+            if (SidesSwapped)
+                return "its width and height are swapped and its bytes left as they are: the header names them the wrong way round";
+            if (Bytes < 0) return $"all bytes are moved by {-Bytes} towards the beginning: there is something too much after the header";
+            if (Bytes > 0) return $"all bytes are moved by {Bytes} towards the end: something after the header is missing";
+            List<string> parts = [];
+            if (Turn != Turn.None) parts.Add("it is " + Turning);
+            if (Right != 0 || Down != 0) parts.Add("it is moved " + Moving);
+            if (Colors is not null) parts.Add(Colors.Description);
+            return string.Join(" and ", parts);
+        }
+    }
+
+    private string Turning => Turn switch
+    {
+        Turn.TopBottom => "flipped top to bottom",
+        Turn.LeftRight => "mirrored left to right",
+        Turn.Half => "turned by 180°",
+        Turn.Transposed => "transposed (columns for lines)",
+        Turn.Clockwise => "turned by 90° clockwise",
+        Turn.CounterClockwise => "turned by 90° counter-clockwise",
+        _ => "transposed (columns for lines) and turned by 180°",
+    };
+
+    private string Moving
+    {
+        get
+        {
+            List<string> parts = [];
+            if (Right != 0) parts.Add($"{Count(Right, "pixel")} to the {(Right > 0 ? "right" : "left")}");
+            if (Down != 0) parts.Add($"{Count(Down, "line")} {(Down > 0 ? "down" : "up")}");
+            return string.Join(" and ", parts);
+        }
+    }
+
+    /// <summary>
+    /// Mends a picture. Where nothing moves to, and where a colour may come from the right one, the result is the reference's own.
+    /// </summary>
+    /// <param name="mine">The picture in question; its sides are those of the reference, or swapped where the change swaps them.</param>
+    /// <param name="reference">The one that it should be.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public Picture Undo(Picture mine, Picture reference)
+    {
+        var (width, height) = (reference.Width, reference.Height);
+        var mended = new Picture(width, height);
+        if (SidesSwapped || Bytes != 0)
+        {
+            reference.Rgb.CopyTo(mended.Rgb, 0);
+            mine.Rgb.AsSpan(Math.Max(0, -Bytes), mine.Rgb.Length - Math.Abs(Bytes)).CopyTo(mended.Rgb.AsSpan(Math.Max(0, Bytes)));
+            return mended;
+        }
+
+        var places = TurnedPlaces.Of(Turn, mine.Width, mine.Height);
+        var tones = Colors?.Tones ?? ToneTable.Same;
+        var (r, g, b) = Colors is null ? (0, 1, 2) : (Colors.PlaceOf(0), Colors.PlaceOf(1), Colors.PlaceOf(2));
+        for (var y = 0; y < height; y++)
+            for (var x = 0; x < width; x++)
+            {
+                var (fromX, fromY) = (x - Right, y - Down);
+                var to = (y * width + x) * 3;
+                if ((uint)fromX >= (uint)width || (uint)fromY >= (uint)height)
+                {
+                    reference.Rgb.AsSpan(to, 3).CopyTo(mended.Rgb.AsSpan(to));
+                    continue;
+                }
+                var from = (places.Start + fromX * places.Right + fromY * places.Down) * 3;
+                mended.Rgb[to] = tones.Undo(mine.Rgb[from + r], reference.Rgb[to]);
+                mended.Rgb[to + 1] = tones.Undo(mine.Rgb[from + g], reference.Rgb[to + 1]);
+                mended.Rgb[to + 2] = tones.Undo(mine.Rgb[from + b], reference.Rgb[to + 2]);
+            }
+        return mended;
+    }
+
+    private static string Count(int number, string what) => $"{Math.Abs(number)} {what}{(Math.Abs(number) == 1 ? "" : "s")}";
+}

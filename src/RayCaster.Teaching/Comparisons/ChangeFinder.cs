@@ -1,0 +1,183 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// Finds what was done to a whole picture. Thousands of changes are tried on a few hundred pixels, and the few that may be it on all.
+/// </summary>
+internal sealed class ChangeFinder
+{
+    /// <summary>How far a picture is looked for beside its place.</summary>
+    public const int MaxShift = 16;
+
+    private const int SampleCount = 384, Finalists = 6, Edge = 12;
+
+    private readonly Picture mine, reference;
+    private readonly PictureDifference? before;
+    private readonly IOutlines outlines;
+    private readonly List<(int X, int Y)> edges = [], anywhere = [];
+
+    /// <param name="mine">The picture in question.</param>
+    /// <param name="reference">The one that it should be.</param>
+    /// <param name="before">Their difference; null if the sizes differ.</param>
+    /// <param name="outlines">What tells pixels on outlines.</param>
+    private ChangeFinder(Picture mine, Picture reference, PictureDifference? before, IOutlines outlines)
+    {
+        (this.mine, this.reference, this.before, this.outlines) = (mine, reference, before, outlines);
+        var random = new Random(1);
+        for (var i = 0; i < SampleCount; i++) anywhere.Add((random.Next(reference.Width), random.Next(reference.Height)));
+        for (var i = 0; i < 50 * SampleCount && edges.Count < SampleCount; i++)
+        {
+            var (x, y) = (random.Next(reference.Width), random.Next(reference.Height));
+            if (IsEdge(x, y)) edges.Add((x, y));
+        }
+    }
+
+    /// <summary>The simplest change that makes the pictures agree, else the one that nearly does; null if there is none.</summary>
+    public static Recognition? Find(Picture mine, Picture reference, PictureDifference? before, IOutlines outlines)
+    {
+        // Whatever is done to a picture of one colour, it stays one: it agrees with none, and says nothing.
+        if (mine.IsOneColor || reference.IsOneColor) return null;
+        return new ChangeFinder(mine, reference, before, outlines).Find();
+    }
+
+    private Recognition? Find()
+    {
+        var candidates = new List<(Change Change, int Misses, int Number)>();
+        foreach (var turn in Enum.GetValues<Turn>())
+        {
+            if (TurnedPlaces.SwapsSides(turn) ? (mine.Height, mine.Width) != Size : (mine.Width, mine.Height) != Size) continue;
+            for (var down = -MaxShift; down <= MaxShift; down++)
+                for (var right = -MaxShift; right <= MaxShift; right++)
+                {
+                    Try(new(turn, right, down));
+                    foreach (var order in ChannelOrder.All) Try(new(turn, right, down, order));
+                    if (Math.Abs(right) > 1 || Math.Abs(down) > 1) continue;
+                    foreach (var tone in Tones(turn, right, down)) Try(new(turn, right, down, tone));
+                }
+        }
+        if ((mine.Width, mine.Height) == Size)
+            foreach (var bytes in (ReadOnlySpan<int>)[-1, 1, -2, 2, -4, 4]) candidates.Add((new(Bytes: bytes), 0, 0));
+        else if ((mine.Height, mine.Width) == Size) candidates.Add((new(SidesSwapped: true), 0, 0));
+
+        void Try(Change change)
+        {
+            if (change != new Change() && Misses(change) is { } misses) candidates.Add((change, misses, candidates.Count));
+        }
+
+        candidates.Sort((a, b) =>
+            (a.Misses, a.Change.Complexity, a.Number).CompareTo((b.Misses, b.Change.Complexity, b.Number)));
+        Recognition? best = null;
+        var fullTests = 0;
+        foreach (var (change, _, _) in candidates)
+        {
+            if (change.Bytes == 0 && !change.SidesSwapped && fullTests++ >= Finalists) continue;
+            var difference = new PictureDifference(change.Undo(mine, reference), reference);
+            var recognition = new Recognition(change, difference, VerdictOn(change, difference));
+            if (recognition.IsWorthTelling(before) && (best is null || Rank(recognition).CompareTo(Rank(best)) < 0)) best = recognition;
+        }
+        return best;
+    }
+
+    /// <summary>A formula that is guessed can undo rounding neither exactly nor a little wrong: its range of bytes includes truncation.</summary>
+    private Likeness VerdictOn(Change change, PictureDifference difference)
+    {
+        var verdict = Likenesses.Of(difference, outlines);
+        if (change.Colors is not Tone { IsInverted: false }) return verdict;
+        return verdict switch
+        {
+            Likeness.Identical => Likeness.WithinRounding,
+            Likeness.RoundedOtherwise => Likeness.Wrong,
+            _ => verdict,
+        };
+    }
+
+    private (int, int) Size => (reference.Width, reference.Height);
+
+    private static (bool, int, int) Rank(Recognition r) =>
+        (r.Likeness == Likeness.Wrong, r.Likeness == Likeness.Wrong ? r.Difference.Wrong : 0, r.Change.Complexity);
+
+    /// <summary>In how many samples the pictures differ after a change; null as soon as they are too many.</summary>
+    private int? Misses(Change change)
+    {
+        var places = TurnedPlaces.Of(change.Turn, mine.Width, mine.Height);
+        var onEdges = Misses(change, places, edges, edges.Count * 3 / 5);
+        if (onEdges is null) return null;
+        return onEdges + Misses(change, places, anywhere, anywhere.Count / 20);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private int? Misses(Change change, TurnedPlaces places, List<(int X, int Y)> samples, int limit)
+    {
+        var tones = change.Colors?.Tones ?? ToneTable.Same;
+        var (misses, beside) = (0, 0);
+        var (r, g, b) = change.Colors is { } colors ? (colors.PlaceOf(0), colors.PlaceOf(1), colors.PlaceOf(2)) : (0, 1, 2);
+        foreach (var (x, y) in samples)
+        {
+            if (PlaceIn(places, x - change.Right, y - change.Down) is not { } from)
+            {
+                if (++beside * 2 > samples.Count) return null;
+                continue;
+            }
+            var to = (y * reference.Width + x) * 3;
+            if (IsNear(from + r, to) && IsNear(from + g, to + 1) && IsNear(from + b, to + 2)) continue;
+            if (++misses > limit) return null;
+        }
+        return misses;
+
+        bool IsNear(int from, int to) =>
+            tones.Undo(mine.Rgb[from], reference.Rgb[to]) - reference.Rgb[to] is >= -1 and <= 1;
+    }
+
+    private int? PlaceIn(TurnedPlaces places, int x, int y) =>
+        (uint)x < (uint)reference.Width && (uint)y < (uint)reference.Height ? (places.Start + x * places.Right + y * places.Down) * 3 : null;
+
+    /// <summary>What formulas may have led from the reference's channels to those of a picture that was turned and moved like this.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private List<Tone> Tones(Turn turn, int right, int down)
+    {
+        var places = TurnedPlaces.Of(turn, mine.Width, mine.Height);
+        // Sums of least squares, over the channels that are neither black nor clamped: powers, factors, straight lines.
+        double logs = 0, logSquares = 0, n = 0, sumA = 0, sumB = 0, sumAA = 0, sumAB = 0;
+        foreach (var (x, y) in anywhere)
+        {
+            if (PlaceIn(places, x - right, y - down) is not { } from) continue;
+            var to = (y * reference.Width + x) * 3;
+            for (var channel = 0; channel < 3; channel++)
+            {
+                double a = reference.Rgb[to + channel], b = mine.Rgb[from + channel];
+                if (b is 0 or 255) continue;
+                (n, sumA, sumB, sumAA, sumAB) = (n + 1, sumA + a, sumB + b, sumAA + a * a, sumAB + a * b);
+                if (a is < 12 or > 250) continue;
+                var log = Math.Log(a / 255);
+                logs += log * Math.Log(b / 255);
+                logSquares += log * log;
+            }
+        }
+
+        List<Tone> tones = [Tone.Inverted, Tone.Srgb];
+        if (n == 0) return tones;
+        if (logs / logSquares is var exponent and (> 0.2 and < 0.97 or > 1.03 and < 5)) tones.Add(Tone.Power(Plain(exponent)));
+        if (sumAB / sumAA is var factor and (> 0.05 and < 0.98 or > 1.02 and < 20))
+        {
+            tones.Add(Tone.Linear(Math.Round(factor, 2), 0));
+            tones.Add(Tone.Linear(factor, 0));
+        }
+        if ((sumB - sumA) / n is var levels && Math.Abs(levels) is > 1.5 and < 200) tones.Add(Tone.Linear(1, Math.Round(levels) / 255));
+        var slope = (n * sumAB - sumA * sumB) / (n * sumAA - sumA * sumA);
+        if (slope is > 0.05 and < 20) tones.Add(Tone.Linear(slope, (sumB - slope * sumA) / n / 255));
+        return tones;
+    }
+
+    /// <summary>1/2.2 and the like instead of a number that is nearly so.</summary>
+    private static double Plain(double exponent)
+    {
+        foreach (var plain in (ReadOnlySpan<double>)[0.5, 1 / 2.2, 1 / 1.8, 1 / 2.4, 2, 2.2, 1.8, 2.4])
+            if (Math.Abs(exponent / plain - 1) < 0.02) return plain;
+        return exponent;
+    }
+
+    private bool IsEdge(int x, int y) =>
+        (x + 1 < reference.Width && PictureDifference.Levels(reference[x, y], reference[x + 1, y]) > Edge)
+        || (y + 1 < reference.Height && PictureDifference.Levels(reference[x, y], reference[x, y + 1]) > Edge);
+}

@@ -1,0 +1,155 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Teaching;
+
+/// <summary>What was done to the colours of a picture, the same in every pixel.</summary>
+public abstract record ColorChange
+{
+    private protected ColorChange()
+    {
+    }
+
+    /// <summary>What undoes it, in words that follow "when"; c is a channel of the right picture from 0 to 1.</summary>
+    public abstract string Description { get; }
+
+    /// <summary>The place, from 0, at which the changed colour has the original's channel.</summary>
+    internal virtual int PlaceOf(int channel) => channel;
+
+    /// <summary>The bytes from which a changed byte may come.</summary>
+    internal abstract ToneTable Tones { get; }
+}
+
+/// <summary>The channels stand in another order.</summary>
+/// <param name="Order">The letters of RGB in the order in which the changed colour has them.</param>
+public sealed record ChannelOrder(string Order) : ColorChange
+{
+    /// <summary>All orders but the right one.</summary>
+    internal static readonly ChannelOrder[] All = [new("BGR"), new("GRB"), new("RBG"), new("GBR"), new("BRG")];
+
+    /// <inheritdoc/>
+    public override string Description => Order switch
+    {
+        "BGR" => "red and blue are swapped",
+        "GRB" => "red and green are swapped",
+        "RBG" => "green and blue are swapped",
+        _ => $"its channels are moved round: the bytes of a pixel stand in the order {Order[0]}, {Order[1]}, {Order[2]}",
+    };
+
+    /// <inheritdoc/>
+    internal override int PlaceOf(int channel) => Order.IndexOf("RGB"[channel]);
+
+    /// <inheritdoc/>
+    internal override ToneTable Tones => ToneTable.Same;
+}
+
+/// <summary>Every channel goes through the same formula.</summary>
+public sealed record Tone : ColorChange
+{
+    private readonly ToneTable tones;
+
+    private Tone(string description, Func<double, double> formula) => (Description, tones) = (description, new(formula));
+
+    /// <summary>The negative.</summary>
+    public static Tone Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", c => 1 - c) { IsInverted = true };
+
+    /// <summary>What the standard sRGB does to light before it becomes bytes.</summary>
+    public static Tone Srgb { get; } =
+        new("the gamma of sRGB is taken off it: the bytes are to be linear",
+            c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055)
+        {
+            IsSrgb = true,
+        };
+
+    /// <inheritdoc/>
+    public override string Description { get; }
+
+    /// <summary>Whether it is <see cref="Inverted"/>.</summary>
+    public bool IsInverted { get; private init; }
+
+    /// <summary>Whether it is <see cref="Srgb"/>.</summary>
+    public bool IsSrgb { get; private init; }
+
+    /// <summary>The power to which c is raised; null for another formula.</summary>
+    public double? Exponent { get; private init; }
+
+    /// <summary>What c is multiplied by; null for another formula.</summary>
+    public double? Factor { get; private init; }
+
+    /// <summary>What is added to c · Factor, 1 being full intensity; null for another formula.</summary>
+    public double? Offset { get; private init; }
+
+    /// <inheritdoc/>
+    internal override ToneTable Tones => tones;
+
+    /// <summary>c to a power: gamma.</summary>
+    public static Tone Power(double exponent) => new(
+        FormattableString.Invariant($"gamma is undone: it shows c^{exponent:0.###} instead of c{Gamma(exponent)}"),
+        c => Math.Pow(c, exponent))
+    {
+        Exponent = exponent,
+    };
+
+    /// <summary>c · factor + offset, clamped.</summary>
+    public static Tone Linear(double factor, double offset) => new(
+        FormattableString.Invariant($"its brightness is mended: it shows {Times(factor)}{Plus(offset)} instead of c"),
+        c => factor * c + offset)
+    {
+        Factor = factor,
+        Offset = offset,
+    };
+
+    private static string Gamma(double exponent) =>
+        exponent < 1 ? FormattableString.Invariant($" (gamma {1 / exponent:0.##}; the bytes are to be linear)") : "";
+
+    private static string Times(double factor) => factor == 1 ? "c" : FormattableString.Invariant($"{factor:0.####} c");
+
+    private static string Plus(double offset) =>
+        offset == 0 ? "" : FormattableString.Invariant($" {(offset < 0 ? '−' : '+')} {Math.Abs(offset) * 255:0.#}/255");
+}
+
+/// <summary>For each changed byte the least and the greatest byte that it may come from, and a likely one.</summary>
+internal sealed class ToneTable
+{
+    private readonly byte[] least = new byte[256], greatest = new byte[256];
+
+    /// <param name="formula">What was done to a channel from 0 to 1, before rounding; it rises or falls all the way.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public ToneTable(Func<double, double> formula)
+    {
+        // A byte stands for channels half a level to either side of it, and is rounded or truncated after the change.
+        var (low, high) = (new int[256], new int[256]);
+        for (var before = 0; before < 256; before++)
+        {
+            var (a, b) = (Level(formula, before - 0.5), Level(formula, before + 0.5));
+            low[before] = (int)Math.Floor(Math.Min(a, b));
+            high[before] = (int)Math.Floor(Math.Max(a, b) + 0.5);
+        }
+        for (var after = 0; after < 256; after++)
+        {
+            var (first, last, nearest, distance) = (-1, -1, 0, int.MaxValue);
+            for (var before = 0; before < 256; before++)
+            {
+                var away = Math.Max(0, Math.Max(low[before] - after, after - high[before]));
+                if (away < distance) (nearest, distance) = (before, away);
+                if (away > 0) continue;
+                if (first < 0) first = before;
+                last = before;
+            }
+            (least[after], greatest[after]) = first < 0 ? ((byte)nearest, (byte)nearest) : ((byte)first, (byte)last);
+        }
+    }
+
+    private ToneTable()
+    {
+        for (var i = 0; i < 256; i++) least[i] = greatest[i] = (byte)i;
+    }
+
+    /// <summary>No change.</summary>
+    public static ToneTable Same { get; } = new();
+
+    /// <summary>The byte before the change: of those that it may be the one nearest to what is expected.</summary>
+    public byte Undo(byte after, byte expected) => Math.Clamp(expected, least[after], greatest[after]);
+
+    private static double Level(Func<double, double> formula, double before) =>
+        Math.Clamp(formula(Math.Clamp(before / 255, 0, 1)), 0, 1) * 255;
+}

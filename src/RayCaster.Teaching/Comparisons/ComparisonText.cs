@@ -1,0 +1,128 @@
+using System.Globalization;
+using System.Text;
+
+namespace RayCaster.Teaching;
+
+/// <summary>A comparison in words.</summary>
+public static class ComparisonText
+{
+    /// <summary>The verdict in a word or two.</summary>
+    public static string Of(Likeness verdict) => verdict switch
+    {
+        Likeness.Identical => "identical",
+        Likeness.WithinRounding => "within rounding",
+        Likeness.OutlinesOnly => "outlines only",
+        Likeness.RoundedOtherwise => "rounded otherwise",
+        _ => "wrong",
+    };
+
+    /// <summary>All that is to be said, in whole lines.</summary>
+    /// <param name="comparison">The comparison.</param>
+    /// <param name="mine">What the picture in question is called.</param>
+    /// <param name="reference">What the one that it should be is called.</param>
+    public static string Of(PictureComparison comparison, string mine, string reference)
+    {
+        var text = new StringBuilder();
+        if (comparison.Difference is not { } d)
+        {
+            var (a, b) = (comparison.Mine, comparison.Reference);
+            text.Append($"{mine} is wrong: it has {a.Width} x {a.Height} pixels, {reference} has {b.Width} x {b.Height}");
+            text.Append((a.Width, a.Height) == (b.Height, b.Width) ? ": width and height are swapped.\n" : ".\n");
+            AppendOneColor(text, comparison, mine);
+            AppendRecognition(text, comparison);
+            return text.ToString();
+        }
+
+        text.Append(comparison.Likeness switch
+        {
+            Likeness.Identical => $"{mine} and {reference} are identical: {Count(d.Pixels, "pixel")}.\n",
+            Likeness.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed in 1 % of them.\n",
+            Likeness.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n",
+            Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but it is allowed in 1 % of them only.\n",
+            _ => $"{mine} is wrong: {Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n",
+        });
+        if (comparison.Likeness == Likeness.OutlinesOnly && d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n");
+        if (comparison.Likeness == Likeness.RoundedOtherwise)
+        {
+            text.Append(Rounding(d));
+            if (d.Wrong > 0) text.Append($"  Besides, {Outlines(d)}, which is allowed.\n");
+        }
+        if (comparison.Likeness == Likeness.Wrong) AppendPlaces(text, comparison, d, mine);
+        return text.ToString();
+    }
+
+    /// <summary>The measures in one line.</summary>
+    public static string Of(Measures m) => string.Create(CultureInfo.InvariantCulture,
+        $"Measures, in levels of 255: maximum {m.Maximum}, MAE {m.MeanAbsoluteError:0.#####}, RMSE {m.RootMeanSquareError:0.#####}; " +
+        $"PSNR {(m.Maximum == 0 ? "infinite" : $"{m.PeakSignalToNoiseRatio.ToString("0.####", CultureInfo.InvariantCulture)} dB")}, " +
+        $"SSIM {m.StructuralSimilarity:0.######}\n");
+
+    private static void AppendPlaces(StringBuilder text, PictureComparison comparison, PictureDifference d, string mine)
+    {
+        var ((x, y), area) = (d.WrongMiddle!.Value, d.WrongArea!.Value);
+        var last = d.Mine.Height - 1;
+        text.Append($"  In the middle of the widest wrong place: column {x}, line {y} from the top (row {last - y} from the bottom): " +
+            $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n");
+        text.Append($"  All lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
+            $"(rows {last - area.Bottom} to {last - area.Top}).\n");
+        var (red, green, blue) = d.WrongByChannel;
+        text.Append($"  Red differs in {Number(red)} of them, green in {Number(green)}, blue in {Number(blue)}.\n");
+        if (d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}");
+        AppendOneColor(text, comparison, mine);
+        AppendRecognition(text, comparison);
+        if (comparison.ByModels is { } models) ModelsText.Append(text, comparison, models, mine);
+    }
+
+    private static void AppendOneColor(StringBuilder text, PictureComparison comparison, string mine)
+    {
+        if (comparison.Mine.IsOneColor) text.Append($"Every pixel of {mine} is {comparison.Mine[0, 0]}.\n");
+    }
+
+    private static void AppendRecognition(StringBuilder text, PictureComparison comparison)
+    {
+        if (comparison.Recognition is not { } r) return;
+        var when = $"when {r.Change.Description}";
+        var d = r.Difference;
+        text.Append(r.Likeness switch
+        {
+            Likeness.Identical => $"It becomes identical {when}.\n",
+            Likeness.WithinRounding => $"It becomes right within rounding {when}.\n",
+            Likeness.OutlinesOnly => $"It becomes right but for {Count(d.Wrong, "pixel")} on outlines {when}.\n",
+            Likeness.RoundedOtherwise => $"It becomes right but for rounding {when}; then {OffByOne(d)}.\n{Rounding(d)}",
+            _ => $"It becomes nearly right {when}: then {Part(d.Wrong, d.Pixels)} are wrong.\n",
+        });
+    }
+
+    private static string Rounding(PictureDifference d)
+    {
+        var lighter = d.OffByOne - d.OneDarker;
+        return lighter <= 0.01 * d.OffByOne
+                ? $"  {Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded?\n"
+            : d.OneDarker <= 0.01 * d.OffByOne
+                ? $"  {Share(lighter, d.Pixels)} of the pixels are one level lighter: rounded up, or times 256 instead of 255?\n"
+            : "";
+    }
+
+    private static string OffByOne(PictureDifference d) =>
+        $"{Part(d.OffByOne, d.Pixels)} {(d.OffByOne == 1 ? "is" : "are")} off by 1 level";
+
+    private static string Outlines(PictureDifference d) =>
+        $"{Part(d.Wrong, d.Pixels)} show{(d.Wrong == 1 ? "s" : "")} the other side of an outline";
+
+    /// <summary>"3 of 1,000 pixels (0.3 %)".</summary>
+    internal static string Part(int part, int whole) => $"{Number(part)} of {Count(whole, "pixel")} ({Share(part, whole)})";
+
+    /// <summary>"1 pixel", "1,000 pixels".</summary>
+    internal static string Count(int number, string what) => $"{Number(number)} {what}{(number == 1 ? "" : "s")}";
+
+    /// <summary>"1,000".</summary>
+    internal static string Number(int number) => number.ToString("N0", CultureInfo.InvariantCulture);
+
+    /// <summary>A share in percent; only what is all is "100 %", only what is nothing is "0 %".</summary>
+    internal static string Share(int part, int whole)
+    {
+        if (part == whole) return "100 %";
+        var percent = 100.0 * part / whole;
+        return percent is > 0 and < 0.01 ? "less than 0.01 %" : $"{Math.Min(percent, 99.99).ToString("0.##", CultureInfo.InvariantCulture)} %";
+    }
+}

@@ -1,0 +1,27 @@
+namespace RayCaster.Teaching;
+
+/// <summary>How a wrong picture shows one model, or the background.</summary>
+/// <param name="Model">The model's place in the scene; −1 for the background.</param>
+/// <param name="Name">What it is called in texts for people.</param>
+/// <param name="Pixels">How many pixels show it in the scene's own picture.</param>
+/// <param name="Wrong">How many of them are beyond rounding.</param>
+public sealed record ModelDifference(int Model, string Name, int Pixels, int Wrong)
+{
+    /// <summary>Whether nearly all of its pixels show what is seen without it.</summary>
+    public bool IsMissing { get; init; }
+
+    /// <summary>The colour that explains nearly all of its pixels in place of its own; null if there is none.</summary>
+    public Color? OtherColor { get; init; }
+
+    /// <summary>The colour that it has in the scene.</summary>
+    public Color Color { get; init; }
+
+    /// <summary>
+    /// What its wrong pixels show instead, the most frequent first: a model's place, or −1 for the background, and in how many pixels
+    /// surely that and nothing else. What another program may draw where there is nothing in the scene is not among it.
+    /// </summary>
+    public IReadOnlyList<(int Model, int Pixels)> Shows { get; init; } = [];
+
+    /// <summary>The share of its pixels that are wrong, 0 … 1.</summary>
+    public double Share => (double)Wrong / Pixels;
+}

@@ -1,0 +1,115 @@
+using System.Globalization;
+using System.Text;
+
+namespace RayCaster.Teaching;
+
+/// <summary>What a comparison says of a scene's models.</summary>
+internal static class ModelsText
+{
+    private const int MostSentences = 6, MostRows = 20;
+
+    /// <summary>Says which models are wrong and how, or why nothing can be said of them.</summary>
+    public static void Append(StringBuilder text, PictureComparison comparison, SceneDifference scene, string mine)
+    {
+        if (!scene.IsReferenceOwn)
+        {
+            var own = scene.ReferenceToOwn;
+            text.Append(scene.IsMineOwn
+                ? $"The scene's own picture is {mine}, not the reference: are the two swapped?\n"
+                : $"The reference is not the picture of this scene, from which {ComparisonText.Part(own.Wrong, own.Pixels)} differ; " +
+                    "so nothing is said of models.\n");
+            return;
+        }
+        // Where a change of the whole picture explains all, its models are not to blame.
+        if (comparison.Recognition is not null || comparison.Mine.IsOneColor) return;
+        foreach (var sentence in Sentences(comparison.Scene!, scene)) text.Append(sentence).Append('\n');
+        if (scene.ReferenceToOwn.Wrong > 0)
+            text.Append($"The reference itself differs from the picture of this scene in {ComparisonText.Count(scene.ReferenceToOwn.Wrong, "pixel")}.\n");
+        AppendTable(text, scene);
+    }
+
+    /// <summary>The models that are wrong somewhere, most wrong first.</summary>
+    private static void AppendTable(StringBuilder text, SceneDifference scene)
+    {
+        var width = 5;
+        foreach (var model in scene.Models) width = Math.Max(width, model.Name.Length);
+        text.Append($"\n  {"model".PadRight(width)}      pixels       wrong\n");
+        var (rows, right) = (0, 0);
+        foreach (var model in scene.Models)
+            if (model.Wrong == 0) right++;
+            else if (rows++ < MostRows)
+                text.Append($"  {model.Name.PadRight(width)}  {ComparisonText.Number(model.Pixels),10}  {ComparisonText.Number(model.Wrong),10}" +
+                    $"  {ComparisonText.Share(model.Wrong, model.Pixels)}\n");
+        if (rows > MostRows) text.Append($"  and {rows - MostRows} more\n");
+        if (right > 0) text.Append($"  {(right == 1 ? "the other" : $"the {right} others")}: none wrong\n");
+        text.Append('\n');
+    }
+
+    /// <summary>What is said of the models that are wrong, a sentence each.</summary>
+    public static IEnumerable<string> Sentences(Scene scene, SceneDifference all)
+    {
+        var (pixels, unexplained) = (0, 0);
+        foreach (var model in all.Models)
+        {
+            pixels += model.Pixels;
+            if (!model.IsMissing && model.OtherColor is null) unexplained += model.Wrong;
+        }
+        if (unexplained > pixels / 2) // what is behind a "missing" model may as well be a picture taken from elsewhere
+            return ["No single model explains it. Is the camera another one, or its target, which sets the light?"];
+        var meant = Meant(all);
+        var edges = all.Models.Sum(model => model.Wrong) - meant.Sum(model => model.Wrong);
+        var agree = meant.Count != 1 ? "" : edges == 0 ? "; all others agree" : $"; all others agree, but for {ComparisonText.Count(edges, "pixel")}";
+        return meant.Select(model => Sentence(scene, model) ?? (meant.Count == 1 ? $"{PartOf(model)} are wrong" : null))
+            .OfType<string>().Take(MostSentences).Select(sentence => $"{sentence}{agree}.");
+    }
+
+    /// <summary>The models that are to be spoken of: single pixels of one beside a wrong one are its edges, or where it ties.</summary>
+    public static IReadOnlyList<ModelDifference> Meant(SceneDifference all)
+    {
+        var most = all.Models.Select(model => model.Wrong).DefaultIfEmpty().Max();
+        return [.. all.Models.Where(model => model.Wrong > 0 && (model.Wrong >= 0.01 * most || model.Wrong >= 0.01 * model.Pixels))];
+    }
+
+    /// <summary>What can be said of a model beyond how much of it is wrong; null for nothing.</summary>
+    private static string? Sentence(Scene scene, ModelDifference model)
+    {
+        if (model.IsMissing)
+            return model.Shows is [var (other, pixels), ..] && pixels >= 0.99 * model.Wrong
+                ? $"{model.Name} is missing: {ComparisonText.Share(model.Wrong, model.Pixels)} of its pixels show {ModelName.Of(scene, other)}"
+                : $"{model.Name} is missing: its pixels show what lies behind it{Behind(scene, model)}";
+        if (model.OtherColor is { } color)
+            return color.ToBytes() == default ? $"{model.Name} is black"
+                : Factor(color, model.Color) is { } factor
+                    ? string.Create(CultureInfo.InvariantCulture,
+                        $"{model.Name} is {(factor < 1 ? "darker" : "brighter")}: {factor:0.##} times what it should be")
+                    : $"{model.Name} has another colour: {Name(color)} instead of {Name(model.Color)}";
+        if (model.Shows is not [var (most, count), ..] || count < 0.5 * model.Wrong) return null;
+        return count >= 0.95 * model.Wrong
+            ? $"{PartOf(model)} are wrong, they show {ModelName.Of(scene, most)}"
+            : $"{PartOf(model)} are wrong, {ComparisonText.Share(count, model.Wrong)} of these show {ModelName.Of(scene, most)}";
+    }
+
+    private static string PartOf(ModelDifference model) => $"{model.Name}: {ComparisonText.Share(model.Wrong, model.Pixels)} of its pixels";
+
+    /// <summary>By what a colour must be multiplied to give another; null if no number does.</summary>
+    private static double? Factor(Color to, Color from)
+    {
+        var (sumTo, sumFrom) = (to.R + to.G + to.B, from.R + from.G + from.B);
+        if (sumFrom == 0) return null;
+        var factor = sumTo / sumFrom;
+        return IsNear(to.R, from.R) && IsNear(to.G, from.G) && IsNear(to.B, from.B) ? factor : null;
+
+        bool IsNear(double a, double b) => Math.Abs(a - factor * b) < 0.02 * sumTo; // bytes are coarse
+    }
+
+    /// <summary>" (`wall` 70 %, the background 20 %)".</summary>
+    private static string Behind(Scene scene, ModelDifference model)
+    {
+        var parts = new List<string>();
+        for (var i = 0; i < Math.Min(3, model.Shows.Count); i++)
+            parts.Add($"{ModelName.Of(scene, model.Shows[i].Model)} {ComparisonText.Share(model.Shows[i].Pixels, model.Wrong)}");
+        return parts.Count == 0 ? "" : $" ({string.Join(", ", parts)})";
+    }
+
+    private static string Name(Color c) => string.Create(CultureInfo.InvariantCulture, $"({c.R:0.###}, {c.G:0.###}, {c.B:0.###})");
+}

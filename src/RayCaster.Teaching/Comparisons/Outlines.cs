@@ -1,0 +1,60 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Tells pixels that may show either side of an outline from wrong ones.</summary>
+internal interface IOutlines
+{
+    /// <summary>Whether all pixels beyond rounding are such.</summary>
+    bool HoldAllWrong(PictureDifference difference);
+}
+
+/// <summary>
+/// Judges by the pictures alone: a pixel may show the colour of one of its neighbours, in thin lines, and in a small part of all
+/// outlines only: half a pixel's shift changes about half of them.
+/// </summary>
+internal sealed class PictureOutlines : IOutlines
+{
+    /// <summary>How far the neighbour's colour may be from the one that its model has one pixel on: attenuation goes on.</summary>
+    private const int Shading = 2;
+
+    /// <summary>One of so many pixels on outlines may be turned.</summary>
+    private const int Rarity = 20;
+
+    public static readonly PictureOutlines Instance = new();
+
+    public bool HoldAllWrong(PictureDifference difference)
+    {
+        var (width, height) = (difference.Mine.Width, difference.Mine.Height);
+        if (difference.Wrong > width * height / Rarity) return false;
+        for (var y = 0; y < height; y++)
+            for (var x = 0; x < width; x++)
+                if (difference.LevelsAt(x, y) > 1 && (IsThick(difference, x, y) || !ShowsNeighbour(difference, x, y)))
+                    return false;
+        return (difference.Wrong - 1) * Rarity < OnOutlines(difference.Reference);
+    }
+
+    /// <summary>How many pixels differ from the one on their right or the one below.</summary>
+    private static int OnOutlines(Picture picture)
+    {
+        var count = 0;
+        for (var y = 0; y < picture.Height; y++)
+            for (var x = 0; x < picture.Width; x++)
+                if ((x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > Shading)
+                    || (y + 1 < picture.Height && PictureDifference.Levels(picture[x, y], picture[x, y + 1]) > Shading))
+                    count++;
+        return count;
+    }
+
+    /// <summary>Whether the pixel is the upper left one of four that are all beyond rounding.</summary>
+    private static bool IsThick(PictureDifference difference, int x, int y) =>
+        x + 1 < difference.Mine.Width && y + 1 < difference.Mine.Height
+        && difference.LevelsAt(x + 1, y) > 1 && difference.LevelsAt(x, y + 1) > 1 && difference.LevelsAt(x + 1, y + 1) > 1;
+
+    private static bool ShowsNeighbour(PictureDifference difference, int x, int y)
+    {
+        var (reference, shown) = (difference.Reference, difference.Mine[x, y]);
+        for (var j = Math.Max(0, y - 1); j <= Math.Min(reference.Height - 1, y + 1); j++)
+            for (var i = Math.Max(0, x - 1); i <= Math.Min(reference.Width - 1, x + 1); i++)
+                if (PictureDifference.Levels(shown, reference[i, j]) <= Shading) return true;
+        return false;
+    }
+}

@@ -1,0 +1,136 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Teaching;
+
+/// <summary>Where two pictures of the same size differ, and by how many levels: a level is 1 of the 255 of a channel.</summary>
+public sealed class PictureDifference
+{
+    private readonly byte[] levels;
+    private readonly int[] count = new int[256]; // of pixels by their levels
+
+    /// <summary>Compares all pixels.</summary>
+    /// <param name="mine">The picture in question.</param>
+    /// <param name="reference">The one that it should be.</param>
+    /// <exception cref="ArgumentException">The sizes differ.</exception>
+    public PictureDifference(Picture mine, Picture reference)
+    {
+        if ((mine.Width, mine.Height) != (reference.Width, reference.Height))
+            throw new ArgumentException(
+                $"a picture of {mine.Width} x {mine.Height} pixels beside one of {reference.Width} x {reference.Height}", nameof(mine));
+        (Mine, Reference) = (mine, reference);
+        levels = new byte[mine.Width * mine.Height];
+        var channels = new int[3];
+        for (var pixel = 0; pixel < levels.Length; pixel++) Look(pixel, channels);
+        WrongByChannel = (channels[0], channels[1], channels[2]);
+        Largest = Array.FindLastIndex(count, pixels => pixels > 0);
+    }
+
+    /// <summary>The picture in question.</summary>
+    public Picture Mine { get; }
+
+    /// <summary>The one that it should be.</summary>
+    public Picture Reference { get; }
+
+    /// <summary>How many pixels a picture has.</summary>
+    public int Pixels => levels.Length;
+
+    /// <summary>Pixels that differ by 1 level: rounding.</summary>
+    public int OffByOne => count[1];
+
+    /// <summary>Those of <see cref="OffByOne"/> in which no channel is lighter than it should be: truncating gives only such.</summary>
+    public int OneDarker { get; private set; }
+
+    /// <summary>Pixels in which a channel differs by more than 1 level.</summary>
+    public int Wrong => CountBeyond(1);
+
+    /// <summary>The same channel by channel.</summary>
+    public (int R, int G, int B) WrongByChannel { get; }
+
+    /// <summary>The largest difference of a channel anywhere.</summary>
+    public int Largest { get; }
+
+    /// <summary>
+    /// A pixel to look at: in the middle of the widest wrong area, as far from right pixels as any, so that it is not on an outline; null if none is
+    /// beyond rounding.
+    /// </summary>
+    public (int X, int Y)? WrongMiddle => WrongArea is null ? null : FindMiddle();
+
+    /// <summary>
+    /// The columns and the lines, counted from the top, between which all pixels beyond rounding lie, ends included; null if there are none.
+    /// </summary>
+    public (int Left, int Top, int Right, int Bottom)? WrongArea { get; private set; }
+
+    /// <summary>How many pixels differ by more than so many levels in a channel.</summary>
+    public int CountBeyond(int levels)
+    {
+        var pixels = 0;
+        for (var i = levels + 1; i < count.Length; i++) pixels += count[i];
+        return pixels;
+    }
+
+    /// <summary>The largest difference of a pixel's three channels.</summary>
+    /// <param name="x">The column.</param>
+    /// <param name="y">The line, from the top.</param>
+    public int LevelsAt(int x, int y) => levels[y * Mine.Width + x];
+
+    /// <summary>The same by the pixel's place in reading order.</summary>
+    internal int LevelsAt(int pixel) => levels[pixel];
+
+    /// <summary>The largest difference of two colours' three channels.</summary>
+    internal static int Levels((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
+        Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void Look(int pixel, int[] channels)
+    {
+        var a = Mine.Rgb.AsSpan(3 * pixel, 3);
+        var b = Reference.Rgb.AsSpan(3 * pixel, 3);
+        if (a.SequenceEqual(b))
+        {
+            count[0]++;
+            return;
+        }
+        var (dark, light) = (0, 0);
+        for (var channel = 0; channel < 3; channel++)
+        {
+            var difference = a[channel] - b[channel];
+            dark = Math.Max(dark, -difference);
+            light = Math.Max(light, difference);
+            if (difference is < -1 or > 1) channels[channel]++;
+        }
+        var largest = Math.Max(dark, light);
+        levels[pixel] = (byte)largest;
+        count[largest]++;
+        if (largest > 1) Surround(pixel % Mine.Width, pixel / Mine.Width);
+        else if (light == 0) OneDarker++;
+    }
+
+    /// <summary>The middle one of the pixels that are farthest from right ones, in steps that may be diagonal.</summary>
+    private (int X, int Y) FindMiddle()
+    {
+        var (width, height) = (Mine.Width, Mine.Height);
+        var away = new int[levels.Length];
+        for (var i = 0; i < away.Length; i++) away[i] = levels[i] > 1 ? 1 + Least(i, -1) : 0;
+        for (var i = away.Length - 1; i >= 0; i--) away[i] = Math.Min(away[i], 1 + Least(i, 1));
+        var farthest = away.Max();
+        int[] places = [.. Enumerable.Range(0, away.Length).Where(i => away[i] == farthest)];
+        var middle = places[places.Length / 2];
+        return (middle % width, middle / width);
+
+        // Of the four neighbours that come before a pixel, or after it; what is beyond the border counts as right.
+        int Least(int i, int step)
+        {
+            var (x, y) = (i % width, i / width);
+            if (x == 0 || x == width - 1 || y + step < 0 || y + step >= height) return 0;
+            var other = i + step * width;
+            return Math.Min(Math.Min(away[i + step], away[other]), Math.Min(away[other - 1], away[other + 1]));
+        }
+    }
+
+    private void Surround(int x, int y)
+    {
+        WrongArea = WrongArea is var (left, top, right, _)
+            ? (Math.Min(left, x), top, Math.Max(right, x), y)
+            : (x, y, x, y);
+    }
+}

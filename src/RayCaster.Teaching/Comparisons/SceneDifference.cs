@@ -1,0 +1,189 @@
+namespace RayCaster.Teaching;
+
+/// <summary>A wrong picture of a scene, model by model.</summary>
+public sealed class SceneDifference
+{
+    /// <summary>So many models at most are tried one by one as what a wrong pixel shows.</summary>
+    private const int MostTried = 32;
+
+    /// <summary>So many models at most are left out one by one, to see whether they are missing.</summary>
+    private const int MostLeftOut = 8;
+
+    /// <summary>The share of pixels that a claim must explain: on outlines nothing is certain.</summary>
+    private const double Nearly = 0.99;
+
+    private readonly Scene scene;
+    private readonly PictureDifference difference;
+    private readonly HitMap hits, others;
+    private readonly int? threads;
+
+    private SceneDifference(Scene scene, PictureDifference difference, HitMap hits, Picture own, int? threads)
+    {
+        (this.scene, this.difference, this.hits, this.threads) = (scene, difference, hits, threads);
+        ReferenceToOwn = new(difference.Reference, own);
+        var mineToOwn = new PictureDifference(difference.Mine, own);
+        IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
+        IsReferenceOwn = IsOwn(ReferenceToOwn) && !IsMineOwn;
+        others = new(hits.Width, hits.Height);
+        Models = IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
+    }
+
+    /// <summary>The reference beside the picture that the scene really gives.</summary>
+    public PictureDifference ReferenceToOwn { get; }
+
+    /// <summary>Whether the reference is the scene's picture but for outlines and the like: at most 2 % of its pixels are beyond rounding.</summary>
+    public bool IsReferenceOwn { get; }
+
+    /// <summary>Whether the picture in question is the scene's own, and the reference is not: they may have been swapped.</summary>
+    public bool IsMineOwn { get; }
+
+    /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not that picture.</summary>
+    public IReadOnlyList<ModelDifference> Models { get; }
+
+    /// <summary>The model that a pixel shows in the scene's own picture, by the pixel's place in reading order; −1 for the background.</summary>
+    internal int ModelAt(int pixel) => hits.Model[pixel];
+
+    /// <summary>Compares model by model.</summary>
+    /// <param name="scene">The scene, in any size.</param>
+    /// <param name="difference">The pictures.</param>
+    /// <param name="threads">How many threads cast rays; one per core if left out.</param>
+    public static SceneDifference Find(Scene scene, PictureDifference difference, int? threads = null)
+    {
+        scene = InSizeOf(scene, difference.Reference);
+        var hits = new Renderer(scene, threads).CastHits();
+        var own = new Picture(hits.Width, hits.Height);
+        for (var i = 0; i < difference.Pixels; i++) (own.Rgb[3 * i], own.Rgb[3 * i + 1], own.Rgb[3 * i + 2]) = BytesOf(scene, hits, i);
+        return new(scene, difference, hits, own, threads);
+    }
+
+    /// <summary>The scene in the size of a picture.</summary>
+    internal static Scene InSizeOf(Scene scene, Picture picture) =>
+        (scene.Camera.Width, scene.Camera.Height) == (picture.Width, picture.Height)
+            ? scene
+            : scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
+
+    private static bool IsOwn(PictureDifference d) => d.Wrong <= d.Pixels / 50;
+
+    private List<ModelDifference> FindModels()
+    {
+        var (pixels, wrong) = (new int[scene.Models.Count + 1], new int[scene.Models.Count + 1]);
+        for (var i = 0; i < difference.Pixels; i++)
+        {
+            var model = hits.Model[i] + 1;
+            pixels[model]++;
+            if (IsWrong(i)) wrong[model]++;
+        }
+        var models = new List<ModelDifference>();
+        for (var model = -1; model < scene.Models.Count; model++)
+            if (pixels[model + 1] > 0)
+                models.Add(new(model, ModelName.Of(scene, model), pixels[model + 1], wrong[model + 1])
+                {
+                    Color = model < 0 ? scene.Background : scene.Models[model].Color,
+                });
+        models.Sort((a, b) => (-a.Share, -a.Wrong, a.Model).CompareTo((-b.Share, -b.Wrong, b.Model)));
+
+        var shown = Shown(models);
+        var leftOut = 0;
+        for (var i = 0; i < models.Count && models[i].Wrong > 0; i++)
+        {
+            var model = models[i] with { Shows = Tally(models[i].Model, shown) };
+            if (model is { Model: >= 0, Share: >= Nearly / 2 } && leftOut++ < MostLeftOut)
+                model = model with { IsMissing = IsMissing(model) };
+            if (!model.IsMissing && model.Share >= Nearly / 2) model = model with { OtherColor = OtherColor(model) };
+            models[i] = model;
+        }
+        return models;
+    }
+
+    /// <summary>
+    /// What each wrong pixel shows, of all that has a hit there: a model's place plus 2, 1 for the background, 0 for nothing that is certain.
+    /// </summary>
+    private int[] Shown(List<ModelDifference> models)
+    {
+        var shown = new int[difference.Pixels];
+        var several = new bool[difference.Pixels];
+        var background = scene.Background.ToBytes();
+        for (var i = 0; i < shown.Length; i++)
+            if (IsWrong(i) && hits.Model[i] >= 0) Note(i, -1, background);
+
+        var byPixels = new List<ModelDifference>(models);
+        byPixels.RemoveAll(model => model.Model < 0);
+        byPixels.Sort((a, b) => b.Pixels.CompareTo(a.Pixels));
+        foreach (var model in byPixels[..Math.Min(MostTried, byPixels.Count)])
+        {
+            var alone = scene with { Models = [scene.Models[model.Model]] };
+            new Renderer(alone, threads).CastHits(others);
+            for (var i = 0; i < shown.Length; i++)
+                if (IsWrong(i) && others.Model[i] >= 0 && hits.Model[i] != model.Model) Note(i, model.Model, BytesOf(alone, others, i));
+        }
+        for (var i = 0; i < shown.Length; i++)
+            if (several[i]) shown[i] = 0;
+        return shown;
+
+        void Note(int pixel, int model, (byte, byte, byte) color)
+        {
+            if (PictureDifference.Levels(MineAt(pixel), color) > 1) return;
+            several[pixel] |= shown[pixel] != 0;
+            shown[pixel] = model + 2;
+        }
+    }
+
+    private List<(int Model, int Pixels)> Tally(int model, int[] shown)
+    {
+        var counts = new Dictionary<int, int>();
+        for (var i = 0; i < shown.Length; i++)
+            if (hits.Model[i] == model && IsWrong(i) && shown[i] > 0)
+                counts[shown[i] - 2] = counts.GetValueOrDefault(shown[i] - 2) + 1;
+        var tally = new List<(int Model, int Pixels)>();
+        foreach (var (other, count) in counts) tally.Add((other, count));
+        tally.Sort((a, b) => (-a.Pixels, a.Model).CompareTo((-b.Pixels, b.Model)));
+        return tally;
+    }
+
+    private bool IsMissing(ModelDifference model)
+    {
+        var rest = new List<Model>(scene.Models);
+        rest.RemoveAt(model.Model);
+        var without = scene with { Models = rest };
+        new Renderer(without, threads).CastHits(others);
+        var explained = 0;
+        for (var i = 0; i < difference.Pixels; i++)
+            if (hits.Model[i] == model.Model && PictureDifference.Levels(MineAt(i), BytesOf(without, others, i)) <= 1) explained++;
+        return explained >= Nearly * model.Pixels;
+    }
+
+    /// <summary>The colour that, in the light that falls on each of the model's pixels, gives the bytes that are there.</summary>
+    private Color? OtherColor(ModelDifference model)
+    {
+        var channels = (ReadOnlySpan<double>)[Channel(model, 0), Channel(model, 1), Channel(model, 2)];
+        var color = new Color(channels[0], channels[1], channels[2]);
+        var explained = 0;
+        for (var i = 0; i < difference.Pixels; i++)
+            if (hits.Model[i] == model.Model && PictureDifference.Levels(MineAt(i), (LightAt(i, model.Model) * color).ToBytes()) <= 1)
+                explained++;
+        return explained >= Nearly * model.Pixels ? color : null;
+    }
+
+    /// <summary>The sum of a channel's bytes by the sum of the light, which rounding hardly moves.</summary>
+    private double Channel(ModelDifference model, int channel)
+    {
+        double bytes = 0, light = 0;
+        for (var i = 0; i < difference.Pixels; i++)
+        {
+            if (hits.Model[i] != model.Model || difference.Mine.Rgb[3 * i + channel] == 255) continue;
+            bytes += difference.Mine.Rgb[3 * i + channel];
+            light += 255 * LightAt(i, model.Model);
+        }
+        return light > 0 ? bytes / light : 1;
+    }
+
+    private double LightAt(int pixel, int model) => model < 0 ? 1 : scene.Attenuation<Scalar>(hits.T[pixel]);
+
+    private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > 1;
+
+    private (byte R, byte G, byte B) MineAt(int pixel) =>
+        (difference.Mine.Rgb[3 * pixel], difference.Mine.Rgb[3 * pixel + 1], difference.Mine.Rgb[3 * pixel + 2]);
+
+    private static (byte R, byte G, byte B) BytesOf(Scene scene, HitMap hits, int pixel) =>
+        scene.Shade(hits.T[pixel], hits.Model[pixel] < 0 ? null : scene.Models[hits.Model[pixel]]).ToBytes();
+}

@@ -1,0 +1,43 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Draws two pictures and the heat map of their difference beside each other.</summary>
+public static class SideBySide
+{
+    /// <summary>Pixels of grey between two pictures.</summary>
+    public const int Gap = 2;
+
+    private const byte Grey = 128;
+
+    /// <summary>Mine, the reference, the heat map, from left to right; without the heat map where the sizes differ.</summary>
+    /// <exception cref="PictureFileException">It would be larger than a picture can be.</exception>
+    public static Picture Draw(PictureComparison comparison)
+    {
+        var (mine, reference) = (comparison.Mine, comparison.Reference);
+        var width = mine.Width + (long)Gap + reference.Width + (comparison.Difference is null ? 0 : Gap + (long)mine.Width);
+        var height = Math.Max(mine.Height, reference.Height);
+        PictureFile.CheckSize(width, height);
+        var picture = new Picture((int)width, height);
+        Array.Fill(picture.Rgb, Grey);
+        Put(mine, picture, 0);
+        Put(reference, picture, mine.Width + Gap);
+        if (comparison.Difference is { } difference) Put(Heat(difference), picture, 2 * (mine.Width + Gap));
+        return picture;
+    }
+
+    /// <summary>The heat map alone.</summary>
+    public static Picture Heat(PictureDifference difference)
+    {
+        var colors = new (byte, byte, byte)[256];
+        for (var levels = 0; levels < 256; levels++) colors[levels] = HeatMap.Of(levels);
+        var picture = new Picture(difference.Mine.Width, difference.Mine.Height);
+        for (var y = 0; y < picture.Height; y++)
+            for (var x = 0; x < picture.Width; x++) picture[x, y] = colors[difference.LevelsAt(x, y)];
+        return picture;
+    }
+
+    private static void Put(Picture part, Picture whole, int left)
+    {
+        for (var y = 0; y < part.Height; y++)
+            part.Rgb.AsSpan(y * part.Width * 3, part.Width * 3).CopyTo(whole.Rgb.AsSpan((y * whole.Width + left) * 3));
+    }
+}

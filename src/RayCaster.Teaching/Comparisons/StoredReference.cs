@@ -1,0 +1,40 @@
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// Finds out whether this build still draws a scene as its stored reference picture shows it. A build whose course library was changed may not, and then its judgement of other
+/// pictures is worth nothing.
+/// </summary>
+public static class StoredReference
+{
+    /// <summary>Rays times shapes, some seconds.</summary>
+    private const long MostWork = 100_000_000;
+
+    /// <summary>A message if this build's own picture of a scene is not the stored one; null if it is, or if there is none.</summary>
+    /// <param name="path">The scene's file. The reference of <c>scenes/room.json</c> is <c>tests/References/room.png</c>.</param>
+    /// <param name="scene">The scene as it was read.</param>
+    /// <exception cref="PictureFileException">The reference cannot be read.</exception>
+    public static string? Contradiction(string path, Scene scene)
+    {
+        if (!ScalarRenderer.IsChanged || Find(path) is not { } file) return null;
+        var camera = scene.Camera;
+        var shapes = scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
+        if ((long)camera.Width * camera.Height * shapes > MostWork) return null;
+        var comparison = new PictureComparison(ScalarRenderer.Render(scene), PictureFile.Read(file));
+        return comparison.Likeness.IsSame() ? null
+            : $"The judge has been edited: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}. What follows may be wrong.";
+    }
+
+    /// <summary>The reference of a scene in a folder "scenes", whose neighbour is "tests/References".</summary>
+    private static string? Find(string path)
+    {
+        var full = Path.GetFullPath(path);
+        for (var folder = Path.GetDirectoryName(full); folder is not null; folder = Path.GetDirectoryName(folder))
+        {
+            if (Path.GetFileName(folder) != "scenes") continue;
+            var name = Path.ChangeExtension(Path.GetRelativePath(folder, full), ".png");
+            var reference = Path.Combine(folder, "..", "tests", "References", name);
+            return File.Exists(reference) ? Path.GetFullPath(reference) : null;
+        }
+        return null;
+    }
+}

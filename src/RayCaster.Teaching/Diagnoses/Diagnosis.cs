@@ -1,0 +1,228 @@
+namespace RayCaster.Teaching;
+
+/// <summary>What a diagnosis comes to.</summary>
+public enum Finding
+{
+    /// <summary>The picture is the scene's, but for rounding and single pixels on outlines.</summary>
+    Matches,
+
+    /// <summary>Some kinds of shape are not drawn yet, and what is drawn is right.</summary>
+    Unfinished,
+
+    /// <summary>One mistake of the catalogue, or two, explain the picture; some kinds of shape may be missing besides.</summary>
+    Mistake,
+
+    /// <summary>The picture is wrong, and no mistake of the catalogue explains it.</summary>
+    NoneOfThese,
+}
+
+/// <summary>One mistake, or two at once, that may have made a picture.</summary>
+/// <param name="Mistakes">The mistakes, the one that explains more first.</param>
+/// <param name="Unexplained">In about how many pixels the picture looks otherwise nevertheless, by more than rounding.</param>
+/// <param name="OtherSample">Whether the picture is also sampled at the other place in its pixels than the scene says: centres for corners.</param>
+/// <param name="Twins">Mistakes that give the same picture of this scene, so that nothing can tell them apart.</param>
+/// <param name="NotYet">What is not drawn yet besides, as in <see cref="Diagnosis.NotYet"/>.</param>
+public sealed record Suspect(
+    IReadOnlyList<Mistake> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet);
+
+/// <summary>
+/// Finds out what makes a wrong picture: draws some of the scene's pixels as programs do that are not finished, with each mistake of the
+/// catalogue, and with pairs of them, and sees which comes nearest.
+/// </summary>
+/// <remarks>
+/// A picture of somebody else's program never agrees to the last bit: a channel may be off by two levels, and the pixels may be sampled
+/// at their centres instead of their corners. Nearness is the number of pixels that look otherwise, which small faults and
+/// foreign algebra survive better than a mean of differences.
+/// </remarks>
+public sealed class Diagnosis
+{
+    /// <summary>In <see cref="NotYet"/>: no model grows darker with its distance.</summary>
+    public const string Attenuation = "attenuation";
+
+    /// <summary>In <see cref="NotYet"/>: zNear and zFar are not asked; only what lies behind the camera is left out.</summary>
+    public const string Clipping = "clipping";
+
+    /// <summary>How many pixels are drawn with each mistake, at most.</summary>
+    private const int Pixels = 6000;
+
+    /// <summary>What may be left unexplained, as a share of the wrong pixels, for a cause to be certain.</summary>
+    private const double Explained = 0.05;
+
+    /// <summary>The share that one mistake may leave without asking whether a number of the scene explains more.</summary>
+    private const double Certain = 0.01;
+
+    /// <summary>The share of the wrong pixels that unfinished programs may leave for the rest to be right.</summary>
+    private const double Nearly = 0.001;
+
+    /// <summary>The share of the wrong pixels that one mistake may leave before it is taken for chance; of more than one, less.</summary>
+    private const double Foreign = 0.35, ForeignPair = 0.2;
+
+    /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all.</summary>
+    private const double Idle = 0.8;
+
+    /// <summary>As many models are left out, one at a time, to see whether one is missing.</summary>
+    private const int MostMissing = 32;
+
+    private readonly SceneDiagnosis prepared;
+    private readonly Evidence evidence;
+
+    internal Diagnosis(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done)
+    {
+        this.prepared = prepared;
+        var (scene, right) = (prepared.Scene, prepared.Right);
+        var most = (int)Math.Clamp(Pixels * 500L / Math.Max(1, scene.Models.Count), 300, Pixels); // the time stays
+        evidence = new(scene, right, picture, most, !TooManyModels);
+        if (evidence.WrongCount < evidence.OutlineCount && evidence.OutlineCount > SceneFitness.LeastPixels)
+        {
+            var strict = new Evidence(scene, right, picture, most, forgiveOutlines: false);
+            if (prepared.Known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
+        }
+        ProvesNothing = right.IsOneColor;
+        PixelCount = evidence.PixelCount;
+        WrongCount = evidence.WrongCount;
+        OutlineCount = evidence.OutlineCount;
+        DarkerShare = evidence.DarkerShare;
+        if (WrongCount == 0 || (TooManyModels && evidence.IsOnlyOutlines))
+        {
+            Finding = Finding.Matches;
+            return;
+        }
+        Finding = Finding.NoneOfThese;
+        if (TooManyModels) return;
+
+        MissingModel = FindMissingModel();
+        var ranked = new DiagnosisSearch(scene, prepared.Known, evidence, prepared.Threads)
+            .Run(Unfinished.Ways(scene, done), () => Unfinished.ByColors(scene, right, picture, done));
+        Answer(ranked, picture, done);
+    }
+
+    /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
+    public bool TooManyModels => prepared.TooManyModels;
+
+    /// <summary>What might be in the picture but takes too long to try: the scene has too many triangles for it.</summary>
+    public IReadOnlyList<Mistake> NotTried => prepared.NotTried;
+
+    /// <summary>
+    /// What the program does not do yet, as far as the picture shows it: kinds of shape as a scene file calls them, "attenuation", "clipping". With
+    /// <see cref="Finding.Unfinished"/> all else is right, otherwise there are mistakes besides.
+    /// </summary>
+    public IReadOnlyList<string> NotYet { get; private set; } = [];
+
+    /// <summary>What sort of difference it is where no mistake explains it: sentences, the most telling first.</summary>
+    public IReadOnlyList<string> Likely { get; private set; } = [];
+
+    /// <summary>The model without which the scene gives the picture, as texts call it; null where none does.</summary>
+    public string? MissingModel { get; }
+
+    /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches says little.</summary>
+    public bool ProvesNothing { get; }
+
+    /// <summary>What it comes to.</summary>
+    public Finding Finding { get; private set; }
+
+    /// <summary>What may have made the picture, the most likely first.</summary>
+    public IReadOnlyList<Suspect> Suspects { get; private set; } = [];
+
+    /// <summary>The nearest of what did not make the picture, where none of these did.</summary>
+    public Suspect? Nearest { get; private set; }
+
+    /// <summary>How many pixels the picture has.</summary>
+    public int PixelCount { get; }
+
+    /// <summary>In how many pixels it differs from the scene's picture by more than rounding.</summary>
+    public int WrongCount { get; }
+
+    /// <summary>In how many pixels more it shows what the scene shows a thousandth of a pixel away, where the last bits decide.</summary>
+    public int OutlineCount { get; }
+
+    /// <summary>The share of pixels that are right but for a channel that is one level darker: rounding instead of truncating.</summary>
+    public double DarkerShare { get; }
+
+    /// <summary>What share of the picture so many pixels are.</summary>
+    public double Share(double pixels) => pixels / PixelCount;
+
+    /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
+    /// <param name="scene">The scene that it is meant to show, at the picture's size.</param>
+    /// <param name="picture">The picture; its size is the scene's, or that turned by a quarter.</param>
+    /// <param name="threads">How many threads draw; one per core if left out.</param>
+    /// <exception cref="ArgumentException">The picture has another size.</exception>
+    public static Diagnosis Of(Scene scene, Picture picture, int? threads = null) => new SceneDiagnosis(scene, threads).Judge(picture);
+
+    /// <summary>What the trials come to, the best of which stands first.</summary>
+    private void Answer(List<WrongProgram> ranked, Picture picture, IReadOnlyCollection<string> done)
+    {
+        var best = ranked[0];
+        var left = best.Misfit.Unexplained / WrongCount;
+        var isNamed = left <= Explained
+            || (MissingModel is null && left <= (best.Wordings.Count + best.Base.Kinds.Count() > 1 ? ForeignPair : Foreign));
+        var doubtful = left > (best.Named.Count > 1 ? Nearly : Certain);
+        if (doubtful && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
+        {
+            var byModels = SceneDifference.Find(prepared.Scene, new(picture, prepared.Right), prepared.Threads);
+            if (LikelyCause.Certain(prepared, byModels, evidence, left) is { } certain) (isNamed, Likely) = (false, [certain]);
+            else if (!isNamed) Likely = [.. LikelyCause.Hints(prepared.Scene, byModels, picture, prepared.Right)];
+        }
+        if (!isNamed)
+        {
+            if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
+            else if (left < Idle && Likely.Count == 0) Nearest = AsSuspect(best);
+            return;
+        }
+        NotYet = best.Base.NotYet;
+        if (best.Wordings.Count == 0 && best.Base.Kinds.Any() && left > (best.OtherSample ? Certain : Nearly)
+            && !IsRestRight([.. best.Base.Kinds], picture, done)) return;
+        Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
+        var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= Foreign * WrongCount);
+        if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
+            named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
+        WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named)).Take(5)];
+        Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(AsSuspect)];
+    }
+
+    /// <summary>Beside shapes that are missing a small mistake counts for little: what is drawn is judged once more by itself.</summary>
+    private bool IsRestRight(string[] kinds, Picture picture, IReadOnlyCollection<string> done)
+    {
+        var drawn = prepared.Scene with { Models = [.. prepared.Scene.Models.Where(model => !kinds.Contains(model.Kind))] };
+        var rest = new SceneDiagnosis(drawn, prepared.Threads).Judge(picture, done);
+        if (rest.Finding == Finding.Matches) return true;
+        NotYet = [.. kinds, .. rest.NotYet];
+        (Finding, Suspects, Likely) = (rest.Finding, rest.Suspects, rest.Likely);
+        return false;
+    }
+
+    private bool SameSize(Picture picture) => (picture.Width, picture.Height) == (prepared.Right.Width, prepared.Right.Height);
+
+    private string? FindMissingModel()
+    {
+        if (prepared.Scene.Models.Count > MostMissing) return null;
+        for (var i = 0; i < prepared.Scene.Models.Count; i++)
+        {
+            var without = new Lab(prepared.Scene with { Models = [.. prepared.Scene.Models.Where((_, place) => place != i)] });
+            if (Explains(without, 0.1) && Explains(without, 1)) return ModelName.Of(prepared.Scene, i);
+        }
+        return null;
+
+        bool Explains(Lab lab, double share) => evidence.Misfit(lab, share).Unexplained <= Explained * WrongCount;
+    }
+
+    /// <summary>
+    /// Whether a mistake is all that is wrong, outlines too: a box that loses its edge to 0 · ∞ is not forgiven. A mistake of the camera may by
+    /// chance be the last bits of another program.
+    /// </summary>
+    private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Concerns & Concerns.Camera) == 0
+        && mistake.Wordings.Any(wording => ((double[])[0.1, 1]).All(share =>
+            strict.Misfit(new Lab(prepared.Scene, wording), share).Unexplained <= Explained * strict.WrongCount));
+
+    private Suspect AsSuspect(WrongProgram trial)
+    {
+        Mistake[] twins = [];
+        var own = trial.Draw(prepared.Scene);
+        if (trial.Named is [var named] && !own.Scatters)
+        {
+            var way = trial.Wordings.Count > 0 ? trial.Base : Unfinished.Nothing;
+            twins = [.. prepared.Known.Where(other => other != named &&
+                other.Wordings.Any(wording => evidence.AreAlike(own, new WrongProgram(way, [wording], trial.OtherSample).Draw(prepared.Scene))))];
+        }
+        return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet);
+    }
+}

@@ -1,0 +1,245 @@
+using System.Globalization;
+using System.Text;
+using System.Text.Json;
+
+namespace RayCaster.Teaching;
+
+/// <summary>A <see cref="Diagnosis"/> in words for a student, and as JSON for tools.</summary>
+public static class DiagnosisReport
+{
+    private const int Width = 96;
+
+    /// <summary>Lines of text.</summary>
+    /// <param name="diagnosis">What was found.</param>
+    /// <param name="picture">What the picture is called.</param>
+    /// <param name="scene">What the scene is called.</param>
+    /// <param name="level">How much is told.</param>
+    public static string Text(Diagnosis diagnosis, string picture, string scene, HintLevel level = HintLevel.Question)
+    {
+        var text = new StringBuilder();
+        if (diagnosis.Finding == Finding.Matches)
+        {
+            AppendMatch(text, diagnosis, picture, scene);
+            return text.ToString();
+        }
+        text.AppendLine($"{picture} is not the picture of {scene}: {Pixels(diagnosis.WrongCount)} of {diagnosis.PixelCount:N0} ({Percent(diagnosis.Share(diagnosis.WrongCount))}) differ.");
+        text.AppendLine();
+        if (diagnosis.NotYet.Count > 0)
+            Wrap(text, "", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(diagnosis.Finding == Finding.Unfinished ? " The rest is right." : "")}");
+        else if (diagnosis.MissingModel is { } missing)
+            text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
+        foreach (var likely in diagnosis.Likely) Wrap(text, "", likely);
+        if (diagnosis.Finding == Finding.NoneOfThese) AppendNone(text, diagnosis);
+        else if (diagnosis.Finding == Finding.Unfinished) AppendLost(text, diagnosis);
+        else AppendSuspects(text, diagnosis, level);
+        return text.ToString();
+    }
+
+    private static void AppendMatch(StringBuilder text, Diagnosis diagnosis, string picture, string scene)
+    {
+        if (diagnosis.ProvesNothing)
+            text.AppendLine($"The picture of {scene} is of one colour, as that of an empty world: it proves nothing.");
+        text.AppendLine($"{picture} matches: it is the picture of {scene}{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {Pixels(outlines)} on outlines" : "")}.");
+        if (diagnosis.DarkerShare > 0.05)
+            text.AppendLine($"{Percent(diagnosis.DarkerShare)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, where truncating takes 255 x.");
+    }
+
+    /// <summary>After "matches": the mistakes that the scene would not show, so that a right picture is not taken for a right program.</summary>
+    public static string HiddenText(IReadOnlyList<Mistake> hidden)
+    {
+        if (hidden.Count == 0) return "";
+        var text = new StringBuilder();
+        Wrap(text, "", $"This scene cannot show {hidden.Count} of the {MistakeCatalog.All.Count} known mistakes: {string.Join(", ", hidden.Select(mistake => mistake.Id))}. \"check\" says why.");
+        return text.ToString();
+    }
+
+    private static void AppendNone(StringBuilder text, Diagnosis diagnosis)
+    {
+        if (diagnosis.MissingModel is not null)
+        {
+            text.AppendLine("No known mistake loses just that. Is it in your scene, and in the list that your program casts rays at?");
+            return;
+        }
+        if (diagnosis.TooManyModels)
+        {
+            text.AppendLine(string.Create(CultureInfo.InvariantCulture,
+                $"The known mistakes were not tried: the scene has more than {Lab.MostModels:N0} models. Make a smaller one."));
+            return;
+        }
+        Wrap(text, "", diagnosis.Likely.Count > 0
+            ? "None of the known mistakes makes this picture. Is it of this scene?"
+            : "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
+                "not scaled, cropped or compressed on its way?");
+        Wrap(text, "", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
+            "colours; \"explain\" shows how a pixel should come about.");
+        if (diagnosis.Nearest is { } nearest)
+            text.AppendLine($"The nearest, though not near: {Names(nearest)} would leave {Rest(diagnosis, nearest)}.");
+        AppendNotTried(text, diagnosis);
+    }
+
+    /// <summary>Some mistakes lose a shape as well as not having written it.</summary>
+    private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
+    {
+        if (diagnosis.Suspects.Count > 0)
+            Wrap(text, "", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
+    }
+
+    private static void AppendSuspects(StringBuilder text, Diagnosis diagnosis, HintLevel level)
+    {
+        var suspects = diagnosis.Suspects;
+        AppendSuspect(text, diagnosis, suspects[0], level);
+        if (suspects.Count > 1)
+        {
+            text.AppendLine();
+            text.AppendLine("If not that, then, ever less likely:");
+            foreach (var suspect in suspects.Skip(1))
+                text.AppendLine($"  {Names(suspect),-16} would leave {Rest(diagnosis, suspect)}");
+        }
+        AppendNotTried(text, diagnosis);
+        if (level < HintLevel.Answer)
+        {
+            text.AppendLine();
+            text.AppendLine($"More help: --hint {(level == HintLevel.Symptom ? "question, or --hint answer" : "answer")}");
+        }
+    }
+
+    /// <summary>Everything, the answers too.</summary>
+    /// <param name="diagnosis">What was found.</param>
+    /// <param name="picture">The picture's size; left out if null.</param>
+    /// <param name="scene">The size that the scene's picture should have.</param>
+    /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
+    public static string Json(Diagnosis diagnosis, (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null)
+    {
+        using var bytes = new MemoryStream();
+        using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
+        {
+            json.WriteStartObject();
+            json.WriteString("finding", diagnosis.Finding switch { Finding.Matches => "matches", Finding.Unfinished => "unfinished", Finding.Mistake => "mistake", _ => "none of these" });
+            WriteSize(json, "mine", picture);
+            WriteSize(json, "scene", scene);
+            json.WriteNumber("pixels", diagnosis.PixelCount);
+            json.WriteNumber("wrong", diagnosis.WrongCount);
+            json.WriteNumber("darkerByOne", diagnosis.DarkerShare);
+            if (diagnosis.MissingModel is { } missing) json.WriteString("missing", missing);
+            WriteStrings(json, "notYet", diagnosis.NotYet);
+            WriteStrings(json, "likely", diagnosis.Likely);
+            if (hidden is not null) WriteStrings(json, "cannotShow", hidden.Select(mistake => mistake.Id));
+            json.WriteStartArray("suspects");
+            foreach (var suspect in diagnosis.Suspects) WriteSuspect(json, suspect);
+            json.WriteEndArray();
+            if (diagnosis.Nearest is { } nearest)
+            {
+                json.WritePropertyName("nearest");
+                WriteSuspect(json, nearest);
+            }
+            json.WriteEndObject();
+        }
+        return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
+    }
+
+    /// <summary>Where nothing could be diagnosed: the same object, with what was in the way.</summary>
+    public static string Json(string error)
+    {
+        using var bytes = new MemoryStream();
+        using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
+        {
+            json.WriteStartObject();
+            json.WriteString("finding", "could not tell");
+            json.WriteString("error", error);
+            json.WriteEndObject();
+        }
+        return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
+    }
+
+    private static void WriteSize(Utf8JsonWriter json, string name, (int Width, int Height)? size)
+    {
+        if (size is not var (width, height)) return;
+        json.WriteStartObject(name);
+        json.WriteNumber("width", width);
+        json.WriteNumber("height", height);
+        json.WriteEndObject();
+    }
+
+    private static void WriteStrings(Utf8JsonWriter json, string name, IEnumerable<string> values)
+    {
+        json.WriteStartArray(name);
+        foreach (var value in values) json.WriteStringValue(value);
+        json.WriteEndArray();
+    }
+
+    private static void WriteSuspect(Utf8JsonWriter json, Suspect suspect)
+    {
+        json.WriteStartObject();
+        json.WriteStartArray("mistakes");
+        foreach (var mistake in suspect.Mistakes)
+        {
+            json.WriteStartObject();
+            json.WriteString("id", mistake.Id);
+            json.WriteString("cause", mistake.Cause);
+            json.WriteString("symptom", mistake.Hint.Symptom);
+            json.WriteString("question", mistake.Hint.Question);
+            json.WriteString("answer", mistake.Hint.Answer);
+            json.WriteString("slide", mistake.Slide);
+            json.WriteEndObject();
+        }
+        json.WriteEndArray();
+        json.WriteNumber("unexplained", Math.Round(suspect.Unexplained));
+        json.WriteBoolean("otherSample", suspect.OtherSample);
+        WriteStrings(json, "twins", suspect.Twins.Select(twin => twin.Id));
+        WriteStrings(json, "notYet", suspect.NotYet);
+        json.WriteEndObject();
+    }
+
+    private static void AppendSuspect(StringBuilder text, Diagnosis diagnosis, Suspect suspect, HintLevel level)
+    {
+        text.AppendLine($"Most likely: {Names(suspect)}{(suspect.Mistakes.Count > 1 ? ", both at once" : "")}");
+        foreach (var mistake in suspect.Mistakes)
+        {
+            if (suspect.Mistakes.Count > 1) text.AppendLine($"  {mistake.Id}");
+            Wrap(text, "  Symptom:  ", mistake.Hint.Symptom);
+            if (level >= HintLevel.Question) Wrap(text, "  Question: ", mistake.Hint.Question);
+            if (level < HintLevel.Answer) continue;
+            Wrap(text, "  Cause:    ", mistake.Cause);
+            Wrap(text, "  Answer:   ", mistake.Hint.Answer);
+            Wrap(text, "  Slide:    ", mistake.Slide);
+        }
+        text.AppendLine($"  It would leave {Rest(diagnosis, suspect)}.");
+        if (suspect.OtherSample)
+            Wrap(text, "  Besides:  ", "the rays pass through another place of each pixel than the scene says (\"sample\": corner or center).");
+        if (suspect.Twins.Count > 0)
+            Wrap(text, "  Twins:    ", $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} the same picture; \"check\" tells which scene would tell them apart.");
+    }
+
+    private static void AppendNotTried(StringBuilder text, Diagnosis diagnosis)
+    {
+        if (diagnosis.NotTried.Count > 0)
+            Wrap(text, "", $"Not tried, since the scene has too many triangles: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
+    }
+
+    private static string Names(Suspect suspect) => string.Join(" + ", suspect.Mistakes.Select(mistake => mistake.Id));
+
+    private static string Rest(Diagnosis diagnosis, Suspect suspect) => suspect.Unexplained < 0.5
+        ? "nothing unexplained"
+        : $"{Percent(diagnosis.Share(suspect.Unexplained))} of the pixels unexplained";
+
+    private static string Pixels(int count) => count == 1 ? "1 pixel" : string.Create(CultureInfo.InvariantCulture, $"{count:N0} pixels");
+
+    private static string Percent(double share) => share is > 0 and < 0.0001
+        ? "less than 0.01 %"
+        : string.Create(CultureInfo.InvariantCulture, $"{100 * share:0.##} %");
+
+    private static void Wrap(StringBuilder text, string head, string words)
+    {
+        var line = new StringBuilder(head);
+        foreach (var word in words.Split(' '))
+        {
+            if (line.Length + word.Length > Width)
+            {
+                text.AppendLine(line.ToString().TrimEnd());
+                line.Clear().Append(' ', head.Length);
+            }
+            line.Append(word).Append(' ');
+        }
+        text.AppendLine(line.ToString().TrimEnd());
+    }
+}

@@ -1,0 +1,155 @@
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// What speaks for and against a mistake: some pixels of the picture to be diagnosed. Half of them are where it differs from the right
+/// picture and half where it does not, spread evenly, so that a small fault counts although most of the picture is right.
+/// </summary>
+internal sealed class Evidence
+{
+    /// <summary>What a channel may be off by without being wrong: a level for truncating, and one for the last bits of a float.</summary>
+    public const int Tolerance = 2;
+
+    /// <summary>As many triangles as are tried in all where a ray must try every triangle of a mesh.</summary>
+    public const int MostTests = 10_000_000;
+
+    /// <summary>What part of a pixel is left unexplained that a mistake explains only because its pixels may lie anywhere.</summary>
+    private const double Chance = 0.3;
+
+    /// <summary>The share of pixels that may be off by more than <see cref="OutlineCount"/> forgives.</summary>
+    private const double StrayPixels = 1e-4;
+
+    /// <summary>The share of pixels on outlines, at most; where more are wrong, these do not matter.</summary>
+    private const double FewPixels = 0.03;
+
+    private readonly Picture picture, right;
+    private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
+
+    /// <param name="scene">The scene.</param>
+    /// <param name="right">Its own picture; may have another size, then everything is wrong.</param>
+    /// <param name="picture">The picture to be diagnosed.</param>
+    /// <param name="most">How many pixels are looked at, at most.</param>
+    /// <param name="forgiveOutlines">Whether the pixels of <see cref="OutlineCount"/> are left out.</param>
+    public Evidence(Scene scene, Picture right, Picture picture, int most, bool forgiveOutlines = true)
+    {
+        (this.picture, this.right) = (picture, right);
+        var sameSize = (right.Width, right.Height) == (picture.Width, picture.Height);
+        var difference = sameSize ? new PictureDifference(picture, right) : null;
+        List<int> wrong = [], other = [];
+        for (var i = 0; i < PixelCount; i++) (difference is null || difference.LevelsAt(i) > Tolerance ? wrong : other).Add(i);
+        DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
+        if (forgiveOutlines && sameSize && wrong.Count <= FewPixels * PixelCount)
+        {
+            var nudged = Nudged(scene);
+            OutlineCount = wrong.RemoveAll(i => At(i) is var (x, y) && nudged.Any(lab => IsNear(lab[x, y], picture[x, y])));
+            var outlines = new SceneOutlines(scene); // of models at the same distance any may show
+            if (outlines.CanJudge(wrong.Count)) OutlineCount += wrong.RemoveAll(i => At(i) is var (x, y) && outlines.MayShow(picture[x, y], x, y));
+        }
+        WrongCount = wrong.Count;
+        IsOnlyOutlines = sameSize && WrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(i => ShowsNeighbour(right, i));
+        wrongPixels = Spread(wrong, most / 2);
+        otherPixels = Spread(other, most / 2);
+    }
+
+    /// <summary>How many pixels the picture has.</summary>
+    public int PixelCount => picture.Width * picture.Height;
+
+    /// <summary>In how many pixels the picture is wrong.</summary>
+    public int WrongCount { get; }
+
+    /// <summary>
+    /// In how many pixels more the picture is what the scene shows a thousandth of a pixel away. There the last bits decide, of doubles or of
+    /// floats: that is not wrong, and it must not be evidence, since a mistake that changes a camera's number by its last bit would explain it.
+    /// </summary>
+    public int OutlineCount { get; }
+
+    /// <summary>The share of pixels whose channels are right or one level darker, at least one of them darker.</summary>
+    public double DarkerShare { get; }
+
+    /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
+    public bool IsOnlyOutlines { get; }
+
+    /// <summary>Whether two labs draw the same picture, but for one pixel in two thousand.</summary>
+    public bool AreAlike(Lab a, Lab b)
+    {
+        if ((a.Width, a.Height) != (b.Width, b.Height)) return false;
+        var left = (wrongPixels.Length + otherPixels.Length) / 2000;
+        foreach (var pixels in (ReadOnlySpan<int[]>)[wrongPixels, otherPixels])
+        {
+            foreach (var pixel in pixels)
+            {
+                var (x, y) = At(pixel);
+                if (!IsNear(a[x, y], b[x, y]) && --left < 0) return false;
+            }
+        }
+        return true;
+    }
+
+    /// <summary>The number of pixels that a mistake leaves unexplained, told from those that are looked at.</summary>
+    /// <param name="lab">Draws with the mistake.</param>
+    /// <param name="share">What share of the chosen pixels is looked at; few are enough to see that a mistake is far off.</param>
+    public Misfit Misfit(Lab lab, double share = 1)
+    {
+        if ((lab.Width, lab.Height) != (picture.Width, picture.Height)) return RayCaster.Teaching.Misfit.Complete(PixelCount);
+        if (lab.Scatters && (right.Width, right.Height) != (picture.Width, picture.Height)) return RayCaster.Teaching.Misfit.Complete(PixelCount);
+        return Misfit(lab, wrongPixels, WrongCount, share) + Misfit(lab, otherPixels, PixelCount - WrongCount, share);
+    }
+
+    private Misfit Misfit(Lab lab, int[] pixels, int stoodFor, double share)
+    {
+        var count = (int)Math.Ceiling(pixels.Length * share);
+        if (lab.TrianglesTried > 0) count = (int)Math.Min(count, MostTests / lab.TrianglesTried);
+        if (count == 0) return default;
+        var (unexplained, error) = (0.0, 0.0);
+        for (var k = 0; k < count; k++)
+        {
+            var (x, y) = At(pixels[k]);
+            var difference = PictureDifference.Levels(lab[x, y], picture[x, y]);
+            if (lab.Scatters)
+            {
+                var toRight = PictureDifference.Levels(right[x, y], picture[x, y]);
+                if (toRight > Tolerance && difference <= Tolerance) unexplained += Chance;
+                difference = Math.Min(difference, toRight);
+            }
+            if (difference > Tolerance) unexplained++;
+            error += difference / 255.0;
+        }
+        return new Misfit(unexplained, error) * ((double)stoodFor / count);
+    }
+
+    /// <summary>The definition, its rays moved by a thousandth of a pixel towards each corner.</summary>
+    private static Lab[] Nudged(Scene scene)
+    {
+        const double nudge = 1e-3;
+        return
+        [
+            .. from dc in (double[])[-nudge, nudge]
+               from dr in (double[])[-nudge, nudge]
+               select new Lab(scene, new Mistake("nudge", Concerns.Camera, Slides.PixelTranslation, "rays a thousandth of a pixel off",
+                   lab => lab.Sample.Becomes(sample => (c, r) => sample(c + dc, r + dr)), "", "", "")),
+        ];
+    }
+
+    /// <summary>Where a pixel is.</summary>
+    private (int X, int Y) At(int pixel) => (pixel % picture.Width, pixel / picture.Width);
+
+    private static bool IsNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) => PictureDifference.Levels(a, b) <= Tolerance;
+
+    private bool ShowsNeighbour(Picture right, int pixel)
+    {
+        var (x, y) = At(pixel);
+        for (var ny = Math.Max(0, y - 1); ny <= Math.Min(y + 1, right.Height - 1); ny++)
+            for (var nx = Math.Max(0, x - 1); nx <= Math.Min(x + 1, right.Width - 1); nx++)
+                if (IsNear(picture[x, y], right[nx, ny])) return true;
+        return false;
+    }
+
+    /// <summary>Takes so many of a list that any beginning of what is taken is spread over the whole: steps of the golden section.</summary>
+    private static int[] Spread(List<int> all, int most)
+    {
+        var taken = new int[Math.Min(all.Count, most)];
+        if (taken.Length == 0) return taken;
+        var place = new GoldenSteps(all.Count);
+        for (var k = 0; k < taken.Length; k++) taken[k] = all[place[k]];
+        return taken;
+    }
+}

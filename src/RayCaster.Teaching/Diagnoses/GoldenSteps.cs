@@ -1,0 +1,28 @@
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// An order of so many places in which any beginning is spread evenly over all of them: steps of the golden section, round and round. Each
+/// place comes once.
+/// </summary>
+internal readonly struct GoldenSteps
+{
+    private readonly int count;
+    private readonly long step;
+
+    /// <param name="count">How many places, at least 1.</param>
+    public GoldenSteps(int count)
+    {
+        this.count = count;
+        step = Math.Max(1, (long)(count * 0.618033988749895));
+        while (!AreCoprime(step, count)) step++;
+    }
+
+    /// <summary>The k-th place.</summary>
+    public int this[int k] => (int)(k * step % count);
+
+    private static bool AreCoprime(long a, long b)
+    {
+        while (b != 0) (a, b) = (b, a % b);
+        return a == 1;
+    }
+}

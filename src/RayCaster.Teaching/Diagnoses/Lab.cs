@@ -1,0 +1,313 @@
+using Crossed = RayCaster.Crossings<RayCaster.Scalar>;
+
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// The definition of a picture with its steps laid open, in the order of the way of the data. Each step is the definition's own until a
+/// <see cref="Mistake"/> changes it; without a mistake every byte is that of <see cref="ScalarRenderer"/>. After its construction a lab
+/// no longer changes, so several threads may ask it for pixels.
+/// </summary>
+internal sealed class Lab
+{
+    /// <summary>Sets up the program of a student who has made these mistakes, in this order; none for the definition.</summary>
+    public Lab(Scene scene, params ReadOnlySpan<Mistake> mistakes)
+    {
+        (Scene, models) = (scene, [.. scene.Models]);
+        var camera = Camera;
+        (P, T, Width, Height) = (camera.Position, camera.Target, camera.Width, camera.Height);
+        var clip = camera.ClipRange;
+        var isDepth = camera.Clip == Clip.Depth;
+        var half = camera.Sample == RayCaster.Sample.Center ? 0.5 : 0;
+
+        AxisW = new((p, t) => -Unit(t - p));
+        AxisU = new((up, w) => Unit(Cross.Do(up, w)));
+        AxisV = new((w, u) => Cross.Do(w, u));
+        PlaneHeight = new(fovY => 2 * Tan.Do(fovY * Math.PI / 180 / 2));
+        PlaneWidth = new(h => h * camera.Width / camera.Height);
+        Sample = new((c, r) => (c + half, r + half));
+        Uc = new(c => w * c / camera.Width - w / 2);
+        Ur = new(r => h * r / camera.Height - h / 2);
+        Towards = new((uc, ur) => uc * U + ur * V - W);
+        Direction = new(Unit);
+
+        Plane = new((plane, d) => plane.Cross(RayOf(d)));
+        Sphere = new((sphere, d) => sphere.Cross(RayOf(d)));
+        Box = new((box, d) => box.Cross(RayOf(d)));
+        Circle = new((circle, d) => circle.Cross(RayOf(d)));
+        Triangle = new((triangle, d) => triangle.Cross(RayOf(d)));
+
+        Ahead = new(t => clip.IsAhead(t));
+        Near = new((t, depth) => clip.IsBeyondNear(isDepth ? depth : t));
+        Far = new((t, depth) => clip.IsWithinFar(isDepth ? depth : t));
+        Clipped = new((t, depth) => Near.Do(t, depth) && Far.Do(t, depth));
+        Depth = new((t, d) => t * -(d * W));
+        First = new((crossed, d) => Counts(crossed.Near, d) ? crossed.Near : Counts(crossed.Far, d) ? crossed.Far : null);
+        Hit = new(HitOf);
+
+        Norm = new(a => Length.Do(a));
+        Reach = new(() => Length.Do(2 * (T - P)));
+        Attenuation = new(t => 1 - t / reach);
+        Row = new(y => camera.Height - 1 - y);
+        Shown = new((x, y) => Cast(Column.Do(x), Row.Do(y)));
+
+        foreach (var mistake in mistakes) mistake.Deviate(this);
+
+        W = AxisW.Do(P, T);
+        U = AxisU.Do(camera.Up, W);
+        V = AxisV.Do(W, U);
+        h = PlaneHeight.Do(camera.FovY);
+        w = PlaneWidth.Do(h);
+        reach = Reach.Do();
+    }
+
+    /// <summary>As many models as a ray may try; with more a scene's mistakes are not tried at all.</summary>
+    public const int MostModels = 10_000;
+
+    /// <summary>As many triangles as a ray may try one by one; with more a mistake is not tried at all.</summary>
+    public const int MostTriangles = 20_000;
+
+    private Model[] models;
+    private readonly double h, w, reach;
+
+    /// <summary>What is drawn.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>Its camera, whose numbers the steps take; its axes and its plane are computed here once more.</summary>
+    public Camera Camera => Scene.Camera;
+
+    /// <summary>P.</summary>
+    public Vector3 P { get; }
+
+    /// <summary>T.</summary>
+    public Vector3 T { get; }
+
+    /// <summary>To the right.</summary>
+    public Vector3 U { get; }
+
+    /// <summary>Upwards.</summary>
+    public Vector3 V { get; }
+
+    /// <summary>Backwards.</summary>
+    public Vector3 W { get; }
+
+    /// <summary>width / height of the picture.</summary>
+    public double Wide => (double)Camera.Width / Camera.Height;
+
+    /// <summary>height / width of the picture.</summary>
+    public double Tall => (double)Camera.Height / Camera.Width;
+
+    /// <summary>Pixels in a line of the file.</summary>
+    public int Width { get; private set; }
+
+    /// <summary>Lines of the file.</summary>
+    public int Height { get; private set; }
+
+    // ---- The steps: vectors ----
+
+    /// <summary>a → |a|.</summary>
+    public Step<Func<Vector3, double>> Length { get; } = new(a => a.Length);
+
+    /// <summary>a → |a|, by which a is divided to be normalised.</summary>
+    public Step<Func<Vector3, double>> Norm { get; }
+
+    /// <summary>(a, b) → a × b.</summary>
+    public Step<Func<Vector3, Vector3, Vector3>> Cross { get; } = new((a, b) => a % b);
+
+    // ---- The camera ----
+
+    /// <summary>(P, T) → W.</summary>
+    public Step<Func<Vector3, Vector3, Vector3>> AxisW { get; }
+
+    /// <summary>(up, W) → U.</summary>
+    public Step<Func<Vector3, Vector3, Vector3>> AxisU { get; }
+
+    /// <summary>(W, U) → V.</summary>
+    public Step<Func<Vector3, Vector3, Vector3>> AxisV { get; }
+
+    /// <summary>An angle → its tangent.</summary>
+    public Step<Func<double, double>> Tan { get; } = new(Math.Tan);
+
+    /// <summary>fovY in degrees → h.</summary>
+    public Step<Func<double, double>> PlaneHeight { get; }
+
+    /// <summary>h → w.</summary>
+    public Step<Func<double, double>> PlaneWidth { get; }
+
+    /// <summary>(c, r) → the place in the picture, in pixels, that the ray passes.</summary>
+    public Step<Func<double, double, (double C, double R)>> Sample { get; }
+
+    /// <summary>c → uc.</summary>
+    public Step<Func<double, double>> Uc { get; }
+
+    /// <summary>r → ur.</summary>
+    public Step<Func<double, double>> Ur { get; }
+
+    /// <summary>(uc, ur) → d before it is normalised.</summary>
+    public Step<Func<double, double, Vector3>> Towards { get; }
+
+    /// <summary>That → d.</summary>
+    public Step<Func<Vector3, Vector3>> Direction { get; }
+
+    // ---- The crossings of a ray with a shape ----
+
+    /// <summary>(plane, d) → its crossing.</summary>
+    public Step<Func<Plane, Vector3, Crossed>> Plane { get; }
+
+    /// <summary>(sphere, d) → its crossings.</summary>
+    public Step<Func<Sphere, Vector3, Crossed>> Sphere { get; }
+
+    /// <summary>(box, d) → its crossings.</summary>
+    public Step<Func<Aabb, Vector3, Crossed>> Box { get; }
+
+    /// <summary>(circle, d) → its crossing.</summary>
+    public Step<Func<Circle, Vector3, Crossed>> Circle { get; }
+
+    /// <summary>(triangle, d) → its crossing; those of a mesh too.</summary>
+    public Step<Func<Triangle, Vector3, Crossed>> Triangle { get; }
+
+    /// <summary>Whether triangles are hit outside of themselves, so that nothing can be said about a mesh by its bounds.</summary>
+    public bool TrianglesReachOut { get; set; }
+
+    /// <summary>Whether the last bits decide for each pixel if the mistake shows there: some pixels are the lab's, the others the definition's.</summary>
+    public bool Scatters { get; set; }
+
+    // ---- Which crossing counts ----
+
+    /// <summary>(t, d) → how far t is along the view direction.</summary>
+    public Step<Func<double, Vector3, double>> Depth { get; }
+
+    /// <summary>t → whether it is ahead: t &gt; bias.</summary>
+    public Step<Func<double, bool>> Ahead { get; }
+
+    /// <summary>(t, depth) → whether it is not nearer than zNear, which measures one of both.</summary>
+    public Step<Func<double, double, bool>> Near { get; }
+
+    /// <summary>(t, depth) → whether it is not beyond zFar, which measures one of both.</summary>
+    public Step<Func<double, double, bool>> Far { get; }
+
+    /// <summary>(t, depth) → whether it is between both.</summary>
+    public Step<Func<double, double, bool>> Clipped { get; }
+
+    /// <summary>(crossings, d) → the first that counts; null for none.</summary>
+    public Step<Func<Crossed, Vector3, double?>> First { get; }
+
+    /// <summary>(model, d) → the t at which it is hit; null for none. A t that is no number is a hit too.</summary>
+    public Step<Func<Model, Vector3, double?>> Hit { get; }
+
+    // ---- Which hit shows ----
+
+    /// <summary>→ the best t before the first hit.</summary>
+    public Step<Func<double>> Start { get; } = new(() => double.PositiveInfinity);
+
+    /// <summary>(t, best t) → whether t takes its place.</summary>
+    public Step<Func<double, double, bool>> Better { get; } = new((t, best) => t < best);
+
+    /// <summary>(t, depth) → whether the hit that was chosen shows.</summary>
+    public Step<Func<double, double, bool>> Kept { get; } = new((_, _) => true);
+
+    // ---- The colour ----
+
+    /// <summary>(t, d) → what the attenuation measures.</summary>
+    public Step<Func<double, Vector3, double>> Distance { get; } = new((t, _) => t);
+
+    /// <summary>→ 2 |T − P|, the distance at which all light is gone.</summary>
+    public Step<Func<double>> Reach { get; }
+
+    /// <summary>The distance → the attenuation.</summary>
+    public Step<Func<double, double>> Attenuation { get; }
+
+    /// <summary>That → the same, not below 0.</summary>
+    public Step<Func<double, double>> Dark { get; } = new(attenuation => Math.Max(0, attenuation));
+
+    /// <summary>A channel → the same between 0 and 1.</summary>
+    public Step<Func<double, double>> Clamp { get; } = new(channel => Math.Min(Math.Max(channel, 0), 1));
+
+    /// <summary>That → its byte.</summary>
+    public Step<Func<double, byte>> Byte { get; } = new(channel => (byte)(channel * 255 + 0.5)); // no number becomes 0
+
+    // ---- The file ----
+
+    /// <summary>The column x of the file → c.</summary>
+    public Step<Func<int, int>> Column { get; } = new(x => x);
+
+    /// <summary>The line y of the file, 0 = top → r, 0 = bottom.</summary>
+    public Step<Func<int, int>> Row { get; }
+
+    /// <summary>(x, y) → what the file shows there.</summary>
+    public Step<Func<int, int, (byte R, byte G, byte B)>> Shown { get; }
+
+    /// <summary>Leaves out all models of a kind.</summary>
+    /// <param name="kind">As a scene file calls it.</param>
+    public void LeaveOut(string kind) => models = [.. models.Where(model => model.Kind != kind)];
+
+    /// <summary>Swaps the file's width and height.</summary>
+    public void SwapSides() => (Width, Height) = (Height, Width);
+
+    // ---- The way through the steps ----
+
+    /// <summary>The pixel at column x, line y (0 = top) of the file.</summary>
+    public (byte R, byte G, byte B) this[int x, int y] => Shown.Do(x, y);
+
+    /// <summary>The whole file.</summary>
+    public Picture Render()
+    {
+        var picture = new Picture(Width, Height);
+        for (var y = 0; y < Height; y++)
+            for (var x = 0; x < Width; x++) picture[x, y] = this[x, y];
+        return picture;
+    }
+
+    /// <summary>a / |a|.</summary>
+    public Vector3 Unit(Vector3 a) => a / Norm.Do(a);
+
+    /// <summary>Whether a crossing counts.</summary>
+    public bool Counts(double t, Vector3 d) => Ahead.Do(t) && Clipped.Do(t, Depth.Do(t, d));
+
+    /// <summary>How many triangles of meshes each ray must try, one by one.</summary>
+    public long TrianglesTried => TrianglesReachOut ? models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount) : 0;
+
+    /// <summary>The ray from the camera in a direction.</summary>
+    public Ray<Scalar> RayOf(Vector3 d) => new(P, d);
+
+    /// <summary>The crossings of a ray with a model, nearest first; null for a mesh, and for a model that chooses among them by itself.</summary>
+    public Crossed? CrossingsOf(Model model, Vector3 d) => model switch
+    {
+        Model<Plane> plane => Plane.Do(plane.Primitive, d),
+        Model<Sphere> sphere => Sphere.Do(sphere.Primitive, d),
+        Model<Aabb> box => Box.Do(box.Primitive, d),
+        Model<Circle> circle => Circle.Do(circle.Primitive, d),
+        Model<Triangle> triangle => Triangle.Do(triangle.Primitive, d),
+        _ => model.Cross(RayOf(d)),
+    };
+
+    private (byte R, byte G, byte B) Cast(int column, int row)
+    {
+        var (c, r) = Sample.Do(column, row);
+        var d = Direction.Do(Towards.Do(Uc.Do(c), Ur.Do(r)));
+        Model? hit = null;
+        var best = Start.Do();
+        for (var i = 0; i < models.Length; i++)
+        {
+            if (Hit.Do(models[i], d) is { } t && Better.Do(t, best)) (hit, best) = (models[i], t);
+        }
+        if (hit is null || !Kept.Do(best, Depth.Do(best, d))) return Bytes(Scene.Background);
+        return Bytes(Dark.Do(Attenuation.Do(Distance.Do(best, d))) * hit.Color);
+    }
+
+    private double? HitOf(Model model, Vector3 d) => model switch
+    {
+        Mesh mesh => TriangleTree.Of(mesh).Nearest(this, d),
+        // Most rays pass a triangle by, which its bounds say sooner than its formula.
+        Model<Triangle> { Primitive: var triangle } when !TrianglesReachOut
+            && TriangleTree.Misses(triangle.Bounds, this, TriangleTree.Inverse(d)) => null,
+        _ => CrossingsOf(model, d) is { } crossed ? First.Do(crossed, d) : model.Intersect(WholeRay(d)),
+    };
+
+    /// <summary>A ray for a model that chooses among its crossings by itself.</summary>
+    private Ray WholeRay(Vector3 d) =>
+        new(P, d) { Clip = Camera.ClipRange, ZPerT = Camera.Clip == Clip.Depth ? -(d * W) : 1 };
+
+    private (byte R, byte G, byte B) Bytes(Color color) => (ToByte(color.R), ToByte(color.G), ToByte(color.B));
+
+    private byte ToByte(double channel) => Byte.Do(Clamp.Do(channel));
+}

@@ -1,0 +1,250 @@
+using System.Collections.Concurrent;
+
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// What a scene is fit for as a test: which mistakes of the catalogue its picture cannot show, which it cannot tell apart, and which of its
+/// pixels depend on the last bits. Several scenes are judged as a set: what one hides another may show.
+/// </summary>
+public sealed class SceneFitness
+{
+    /// <summary>As many pixels as must look otherwise for a mistake to be seen.</summary>
+    public const int LeastPixels = 20;
+
+    /// <summary>As many models as a scene may have for mistakes to be tried on it.</summary>
+    public const int MostModels = Lab.MostModels;
+
+    /// <summary>A larger picture is judged by a smaller one of the same shape.</summary>
+    private const int MostPixels = 1_000_000;
+
+    /// <summary>How many pixels of each picture tell most mistakes apart; the others need a second look.</summary>
+    private const int Samples = 4096;
+
+    /// <summary>How many pixels the second look takes: at a mistake, and at each of its other wordings.</summary>
+    private const int SecondLook = 60_000, ThirdLook = 15_000;
+
+    private SceneFitness(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
+    {
+        Scenes = [.. scenes.Select(Judged)];
+        Reduced = !Scenes.SequenceEqual(scenes);
+        Asked = asked;
+        var (known, views) = Look(Scenes, asked, threads);
+        NotTried = [.. asked.Except(known)];
+        Hidden = HiddenOf(known, views);
+        HiddenAtFirst = [.. known.Except(Hidden).Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))];
+        WithinRounding = [.. Hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))];
+        Twins = Groups(views, [.. known.Except(Hidden)]);
+        ShowsNothing = views.All(view => view.IsOfOneColor);
+        FragilePixels = views.Sum(view => FragilePixelsOf(view.Scene, threads));
+        PixelCount = Scenes.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height);
+    }
+
+    private static (Mistake[] Known, View[] Views) Look(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
+    {
+        Mistake[] known = [.. asked.Where(mistake => scenes.All(scene => new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles))];
+        View[] views = [.. scenes.Select(scene => new View(scene))];
+        var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
+        foreach (var view in views) Parallel.ForEach(known, options, view.Look);
+        return (known, views);
+    }
+
+    private static Mistake[] HiddenOf(Mistake[] known, View[] views) => [.. known.Where(mistake => !views.Any(view => view.Shows(mistake)))];
+
+    /// <summary>The mistakes of the catalogue that a scene's picture cannot show.</summary>
+    internal static IReadOnlyList<Mistake> HiddenIn(Scene scene, int? threads)
+    {
+        var (known, views) = Look([Judged(scene)], [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads);
+        return HiddenOf(known, views);
+    }
+
+    /// <summary>The mistakes that the scenes were judged for.</summary>
+    public IReadOnlyList<Mistake> Asked { get; }
+
+    /// <summary>What was judged, with the sizes of picture that were.</summary>
+    public IReadOnlyList<Scene> Scenes { get; }
+
+    /// <summary>Whether a picture was too large and a smaller one was judged instead.</summary>
+    public bool Reduced { get; }
+
+    /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
+    public IReadOnlyList<Mistake> Hidden { get; }
+
+    /// <summary>The mistakes that show in another wording only than the catalogue's first: a program may well have them, and its picture be right.</summary>
+    public IReadOnlyList<Mistake> HiddenAtFirst { get; }
+
+    /// <summary>Those of the hidden ones that do change pixels, by a level: a comparison shows them, the eye does not.</summary>
+    public IReadOnlyList<Mistake> WithinRounding { get; }
+
+    /// <summary>Those that take too long to try: a scene has too many triangles for them.</summary>
+    public IReadOnlyList<Mistake> NotTried { get; }
+
+    /// <summary>Mistakes that are seen, but give the same pictures, in groups.</summary>
+    public IReadOnlyList<IReadOnlyList<Mistake>> Twins { get; }
+
+    /// <summary>Whether every picture is of one colour.</summary>
+    public bool ShowsNothing { get; }
+
+    /// <summary>How many pixels show another model when a number of the camera is moved by its last bit.</summary>
+    public int FragilePixels { get; }
+
+    /// <summary>How many pixels the pictures have together.</summary>
+    public long PixelCount { get; }
+
+    /// <summary>Judges a set of scenes.</summary>
+    /// <param name="scenes">At least one, each fit for <see cref="CanJudge"/>.</param>
+    /// <param name="threads">How many threads draw; one per core if left out.</param>
+    /// <param name="asked">The mistakes that they should show; all of the catalogue if left out.</param>
+    public static SceneFitness Of(IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? asked = null) =>
+        new(scenes, asked ?? MistakeCatalog.All, threads);
+
+    /// <summary>Whether a scene has so few models that mistakes can be tried on it.</summary>
+    public static bool CanJudge(Scene scene) => scene.Models.Count <= MostModels;
+
+    private static Scene Judged(Scene scene)
+    {
+        var camera = scene.Camera;
+        var most = Math.Clamp(MostPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MostPixels); // the time stays
+        var shrink = Math.Sqrt((double)camera.Width * camera.Height / most);
+        if (shrink <= 1) return scene;
+        return scene with { Camera = camera.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink))) };
+    }
+
+    /// <summary>The groups of mistakes that no picture tells apart.</summary>
+    private static List<IReadOnlyList<Mistake>> Groups(View[] views, List<Mistake> seen)
+    {
+        var groups = new List<IReadOnlyList<Mistake>>();
+        while (seen is [var first, ..])
+        {
+            Mistake[] group = [.. seen.Where(other => other == first || views.All(view => view.AreAlike(first, other)))];
+            seen.RemoveAll(group.Contains);
+            if (group.Length > 1) groups.Add(group);
+        }
+        return groups;
+    }
+
+    /// <summary>A scene's picture with each mistake, as far as it is needed.</summary>
+    private sealed class View(Scene scene)
+    {
+        private readonly int count = scene.Camera.Width * scene.Camera.Height;
+        private readonly GoldenSteps places = new(scene.Camera.Width * scene.Camera.Height); // of samples
+        private readonly Picture right = Renderer.Render(scene);
+        private readonly ConcurrentDictionary<Mistake, byte[]> samples = [];
+        private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [], byALevel = [];
+
+        public Scene Scene => scene;
+
+        public bool IsOfOneColor => right.IsOneColor;
+
+        /// <summary>Whether the picture shows a mistake, in any of its wordings.</summary>
+        public bool Shows(Mistake mistake) => shown.GetValueOrDefault(mistake);
+
+        /// <summary>The same for its first wording.</summary>
+        public bool ShowsFirst(Mistake mistake) => shownFirst.GetValueOrDefault(mistake);
+
+        public bool ShowsByALevel(Mistake mistake) => byALevel.GetValueOrDefault(mistake);
+
+        /// <summary>Draws samples of the picture, and more of it where they do not show the mistake.</summary>
+        public void Look(Mistake mistake)
+        {
+            var lab = new Lab(scene, mistake);
+            var most = lab.TrianglesTried == 0 ? Samples : Math.Min(Samples, Evidence.MostTests / lab.TrianglesTried);
+            var pixels = new byte[3 * Math.Min(most, count)];
+            for (var k = 0; k < pixels.Length / 3; k++) Put(lab, places[k], pixels, 3 * k);
+            samples[mistake] = pixels;
+            shownFirst[mistake] = SizeOf(lab) != (right.Width, right.Height) || CountSamples(pixels) >= LeastPixels
+                || (mistake.Touches(scene) && Changes(mistake, SecondLook));
+            shown[mistake] = shownFirst[mistake]
+                || (mistake.Touches(scene) && mistake.Wordings.Skip(1).Any(wording => Changes(wording, ThirdLook)));
+        }
+
+        /// <summary>Whether a wording changes enough pixels of a part of the picture.</summary>
+        private bool Changes(Mistake wording, int most)
+        {
+            var lab = new Lab(scene, wording);
+            // Triangles that reach out of themselves change large parts of a picture: the samples would have shown it.
+            if (SizeOf(lab) != (right.Width, right.Height)) return true;
+            if (lab.TrianglesTried > 0) return false;
+            most = Math.Min(most, count);
+            var least = (int)Math.Ceiling((double)LeastPixels * most / count);
+            var (changed, pixel) = (0, new byte[3]);
+            for (var k = 0; k < most && changed < least; k++)
+            {
+                Put(lab, places[k], pixel, 0);
+                var difference = Difference(pixel, 0, right.Rgb, 3 * places[k]);
+                if (difference > Evidence.Tolerance) changed++;
+                if (difference > 0) byALevel[wording] = true;
+            }
+            return changed >= least;
+        }
+
+        /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
+        public bool AreAlike(Mistake a, Mistake b)
+        {
+            var (one, other) = (new Lab(scene, a), new Lab(scene, b));
+            if (SizeOf(one) != SizeOf(other)) return false;
+            var different = 0;
+            for (var k = 0; k < Math.Min(samples[a].Length, samples[b].Length) && different < LeastPixels; k += 3)
+                if (Difference(samples[a], k, samples[b], k) > Evidence.Tolerance) different++;
+            if (different >= LeastPixels) return false;
+            if (one.TrianglesTried + other.TrianglesTried > 0) return different == 0;
+            different = 0;
+            var (p, q) = (new byte[3], new byte[3]);
+            for (var i = 0; i < count && different < LeastPixels; i++)
+            {
+                Put(one, i, p, 0);
+                Put(other, i, q, 0);
+                if (Difference(p, 0, q, 0) > Evidence.Tolerance) different++;
+            }
+            return different < LeastPixels;
+        }
+
+        private int CountSamples(byte[] pixels)
+        {
+            var different = 0;
+            for (var k = 0; k < pixels.Length / 3; k++)
+                if (Difference(pixels, 3 * k, right.Rgb, 3 * places[k]) > Evidence.Tolerance) different++;
+            return different;
+        }
+
+        private static (int, int) SizeOf(Lab lab) => (lab.Width, lab.Height);
+
+        private static void Put(Lab lab, int i, byte[] pixels, int at)
+        {
+            var (y, x) = Math.DivRem(i, lab.Width);
+            (pixels[at], pixels[at + 1], pixels[at + 2]) = lab[x, y];
+        }
+
+        private static int Difference(byte[] a, int i, byte[] b, int j) =>
+            PictureDifference.Levels((a[i], a[i + 1], a[i + 2]), (b[j], b[j + 1], b[j + 2]));
+    }
+
+    /// <summary>Moves each number of the camera by its last bit, up and down, and counts the pixels that ever show another model.</summary>
+    private static int FragilePixelsOf(Scene scene, int? threads)
+    {
+        var right = new Renderer(scene, threads).CastHits();
+        var fragile = new bool[right.Model.Length];
+        foreach (var camera in Nudged(scene.Camera))
+        {
+            var hits = new Renderer(scene with { Camera = camera }, threads).CastHits();
+            for (var i = 0; i < fragile.Length; i++) fragile[i] |= hits.Model[i] != right.Model[i];
+        }
+        return fragile.Count(pixel => pixel);
+    }
+
+    private static IEnumerable<Camera> Nudged(Camera camera)
+    {
+        foreach (var nudge in (Func<double, double>[])[Math.BitIncrement, Math.BitDecrement])
+        {
+            foreach (var P in Nudged(camera.Position, nudge)) yield return With(P, camera.Target, camera.Up, camera.FovY);
+            foreach (var T in Nudged(camera.Target, nudge)) yield return With(camera.Position, T, camera.Up, camera.FovY);
+            foreach (var up in Nudged(camera.Up, nudge)) yield return With(camera.Position, camera.Target, up, camera.FovY);
+            yield return With(camera.Position, camera.Target, camera.Up, nudge(camera.FovY));
+        }
+
+        Camera With(Vector3 P, Vector3 T, Vector3 up, double fovY) => new(
+            P, T, up, fovY, camera.Width, camera.Height, camera.ZNear, camera.ZFar, camera.Bias, camera.Clip, camera.Sample);
+    }
+
+    private static Vector3[] Nudged(Vector3 v, Func<double, double> nudge) =>
+        [v with { X = nudge(v.X) }, v with { Y = nudge(v.Y) }, v with { Z = nudge(v.Z) }];
+}

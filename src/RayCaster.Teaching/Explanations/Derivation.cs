@@ -1,0 +1,102 @@
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// A number that writes down what it computes. With it a formula explains one pixel, from the very code that draws it: the values are
+/// those of <see cref="Scalar"/>, to the bit.
+/// </summary>
+internal readonly struct Derivation : IReal<Derivation>
+{
+    private readonly Term? term;
+
+    private Derivation(Term term) => this.term = term;
+
+    private Derivation(Operation operation, double value, params ReadOnlySpan<Derivation> from) : this(new Term(operation, value,
+        from[0].Term, from.Length > 1 ? from[1].Term : null, from.Length > 2 ? from[2].Term : null))
+    {
+    }
+
+    /// <summary>How it came about.</summary>
+    public Term Term => term ?? new(Operation.Constant, 0);
+
+    /// <summary>What came out.</summary>
+    public double Value => term?.Value ?? 0;
+
+    /// <inheritdoc/>
+    public static implicit operator Derivation(double value) => new(new Term(Operation.Constant, value));
+
+    /// <inheritdoc/>
+    public static Derivation operator +(Derivation a, Derivation b) => new(Operation.Add, a.Value + b.Value, a, b);
+
+    /// <inheritdoc/>
+    public static Derivation operator -(Derivation a, Derivation b) => new(Operation.Subtract, a.Value - b.Value, a, b);
+
+    /// <inheritdoc/>
+    public static Derivation operator -(Derivation a) => new(Operation.Negate, -a.Value, a);
+
+    /// <inheritdoc/>
+    public static Derivation operator *(Derivation a, Derivation b) => new(Operation.Multiply, a.Value * b.Value, a, b);
+
+    /// <inheritdoc/>
+    public static Derivation operator /(Derivation a, Derivation b) => new(Operation.Divide, a.Value / b.Value, a, b);
+
+    /// <inheritdoc/>
+    public static Derivation operator <(Derivation a, Derivation b) => new(Operation.Less, Mask(a.Value < b.Value), a, b);
+
+    /// <inheritdoc/>
+    public static Derivation operator >(Derivation a, Derivation b) => new(Operation.Greater, Mask(a.Value > b.Value), a, b);
+
+    /// <inheritdoc/>
+    public static Derivation operator <=(Derivation a, Derivation b) => new(Operation.LessOrEqual, Mask(a.Value <= b.Value), a, b);
+
+    /// <inheritdoc/>
+    public static Derivation operator >=(Derivation a, Derivation b) => new(Operation.GreaterOrEqual, Mask(a.Value >= b.Value), a, b);
+
+    /// <inheritdoc/>
+    public static Derivation operator &(Derivation a, Derivation b) => new(Operation.And, Mask(a.Value != 0 && b.Value != 0), a, b);
+
+    /// <inheritdoc/>
+    public static Derivation operator |(Derivation a, Derivation b) => new(Operation.Or, Mask(a.Value != 0 || b.Value != 0), a, b);
+
+    /// <inheritdoc/>
+    public static Derivation Sqrt(Derivation x) => new(Operation.SquareRoot, Math.Sqrt(x.Value), x);
+
+    /// <inheritdoc/>
+    public static Derivation Min(Derivation a, Derivation b) => new(Operation.Min, Math.Min(a.Value, b.Value), a, b);
+
+    /// <inheritdoc/>
+    public static Derivation Max(Derivation a, Derivation b) => new(Operation.Max, Math.Max(a.Value, b.Value), a, b);
+
+    /// <inheritdoc/>
+    public static Derivation Select(Derivation mask, Derivation a, Derivation b) =>
+        new(Operation.Select, mask.Value != 0 ? a.Value : b.Value, mask, a, b);
+
+    /// <inheritdoc/>
+    public static Derivation If(Derivation mask, Derivation value) =>
+        new(Operation.If, mask.Value != 0 ? value.Value : double.NaN, mask, value);
+
+    /// <inheritdoc/>
+    public static Derivation Or(Derivation value, Derivation instead) =>
+        new(Operation.Instead, double.IsNaN(value.Value) ? instead.Value : value.Value, value, instead);
+
+    /// <inheritdoc/>
+    public static Derivation Named(Derivation value, string name, string formula)
+    {
+        var step = new StepName(name, formula);
+        var named = value.Called(step);
+        step.Terms = [named.Term];
+        return named;
+    }
+
+    /// <inheritdoc/>
+    public static Vector3<Derivation> Named(Vector3<Derivation> value, string name, string formula)
+    {
+        var step = new StepName(name, formula);
+        var named = new Vector3<Derivation>(value.X.Called(step), value.Y.Called(step), value.Z.Called(step));
+        step.Terms = [named.X.Term, named.Y.Term, named.Z.Term];
+        return named;
+    }
+
+    private Derivation Called(StepName step) => new(new Term(Operation.Name, Value, Term) { Step = step });
+
+    private static double Mask(bool holds) => holds ? 1 : 0;
+}

@@ -1,0 +1,40 @@
+using System.Globalization;
+
+namespace RayCaster.Teaching;
+
+/// <summary>Numbers for people: six significant digits, a true minus sign.</summary>
+internal static class Digits
+{
+    /// <summary>A number.</summary>
+    public static string Of(double value) => Of(value, 6);
+
+    /// <summary>A vector, or a number where there is only one.</summary>
+    public static string Of(IReadOnlyList<double> values) =>
+        values is [var only] ? Of(only) : $"({string.Join(", ", values.Select(value => Of(value)))})";
+
+    /// <summary>A vector.</summary>
+    public static string Of(Vector3 v) => Of([v.X, v.Y, v.Z]);
+
+    /// <summary>Two numbers that are not equal, with as many digits as it takes to see it.</summary>
+    public static (string A, string B) Apart(double a, double b)
+    {
+        for (var digits = 6; digits < 17; digits++)
+            if (Of(a, digits) is var left && Of(b, digits) is var right && left != right)
+                return (left, right);
+        return (Of(a, 17), Of(b, 17));
+    }
+
+    private static string Of(double value, int digits)
+    {
+        if (double.IsNaN(value)) return "NaN";
+        if (double.IsInfinity(value)) return value > 0 ? "∞" : "−∞";
+        var text = value.ToString("G" + digits.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+        if (text == "-0") text = "0";
+        if (text.IndexOf('E') is var e and > 0)
+        {
+            var exponent = int.Parse(text.AsSpan(e + 1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
+            text = string.Create(CultureInfo.InvariantCulture, $"{text[..e]}e{exponent}");
+        }
+        return text.StartsWith('-') ? $"−{text[1..]}" : text;
+    }
+}

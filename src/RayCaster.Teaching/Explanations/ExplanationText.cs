@@ -1,0 +1,215 @@
+using System.Text;
+
+namespace RayCaster.Teaching;
+
+/// <summary>An explanation for people.</summary>
+internal sealed class ExplanationText
+{
+    private const int Width = 100;
+
+    private readonly StringBuilder text = new();
+
+    /// <summary>The whole of it, in lines.</summary>
+    /// <param name="pixel">The pixel.</param>
+    /// <param name="reference">What another picture has there; null for none.</param>
+    public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null)
+    {
+        var writer = new ExplanationText();
+        writer.Pixel(pixel);
+        writer.Camera(pixel);
+        writer.Ray(pixel);
+        writer.Models(pixel);
+        writer.Color(pixel);
+        if (reference is not null) writer.Reference(reference);
+        return writer.text.ToString();
+    }
+
+    private void Pixel(PixelExplanation pixel)
+    {
+        var camera = pixel.Scene.Camera;
+        var (r, g, b) = pixel.Bytes;
+        Line(0, $"Column {pixel.Column}, line {pixel.Line} from the top (row r = {pixel.Row} from the bottom) of {camera.Width} × {camera.Height} pixels:");
+        Line(0, $"{pixel.NameOf(pixel.Winner)}{(pixel.Winner is null ? "" : $" at t = {Digits.Of(pixel.Ray.HitParameter)}")}, bytes {r} {g} {b}");
+        foreach (var note in pixel.Notes) Line(0, $"Note: {note}.");
+    }
+
+    private void Camera(PixelExplanation pixel)
+    {
+        Section("Camera", "the same for every pixel");
+        Steps(2, pixel.CameraSteps);
+    }
+
+    private void Ray(PixelExplanation pixel)
+    {
+        var camera = pixel.Scene.Camera;
+        Section("Ray", camera.Sample == Sample.Corner ? "through the pixel's lower left corner" : "through the pixel's middle");
+        Steps(2, pixel.RaySteps);
+        Line(2, $"X(t) = P + t d = {Digits.Of(pixel.Ray.Origin)} + t · {Digits.Of(pixel.Ray.Direction)}");
+        Line(2, camera.Clip == Clip.Depth ? $"z = t · (−d·W) = t · {Digits.Of(pixel.Ray.ZPerT)}" : "z = t");
+        var least = camera.Bias == 0 ? "t ≥ 0" : $"t > bias = {Digits.Of(camera.Bias)}";
+        Line(2, $"A crossing counts where {least} and zNear = {Digits.Of(camera.ZNear)} ≤ z ≤ zFar = {Digits.Of(camera.ZFar)}");
+    }
+
+    private void Models(PixelExplanation pixel)
+    {
+        var (many, count) = (pixel.Others.Count > 0, pixel.Scene.Models.Count);
+        Section("Models", many ? $"{pixel.Models.Count} of {count}: what shows and what nearly does" : count == 0 ? "none" : "in the scene's order");
+        foreach (var model in pixel.Models) Model(model);
+        if (many) Line(2, Others(pixel.Others));
+    }
+
+    private void Model(ModelExplanation model)
+    {
+        Line(2, $"{model.Name} ({model.Type}): {model.Reason}");
+        if (model.Beside is { } beside) Line(6, $"It shows in the next pixel: {beside}.");
+        if (model.Mesh is { } mesh) Line(6, Mesh(mesh));
+        Slabs(model.Slabs);
+        Steps(6, model.Slabs.Count == 0 ? model.Steps : [.. model.Steps.Where(step => step.Name is not ("t0" or "t1"))]);
+        if (model.Weights is [var w, var u, var v])
+            Line(6, $"of w + u + v: w = {Digits.Of(w)}, u = {Digits.Of(u)}, v = {Digits.Of(v)}");
+        foreach (var crossing in model.Crossings) Crossing(model, crossing);
+    }
+
+    private void Crossing(ModelExplanation model, CrossingExplanation crossing)
+    {
+        if (double.IsNaN(crossing.T))
+        {
+            if (crossing.Untested is { } untested) Line(6, $"→ no crossing; the test fails at t = {Digits.Of(untested)}");
+            return;
+        }
+        var t = $"t = {(crossing.Numbers.Length == 0 ? "" : $"{crossing.Numbers} = ")}{Digits.Of(crossing.T)}";
+        Line(6, $"→ {t}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Verdict) : crossing.Reason)}");
+    }
+
+    private void Slabs(IReadOnlyList<SlabExplanation> slabs)
+    {
+        if (slabs.Count == 0) return;
+        var rows = new List<string[]> { new[] { "slab", "lo", "hi", "t0 = (lo − P) / d", "t1 = (hi − P) / d", "enters", "leaves", "" } };
+        foreach (var slab in slabs)
+            rows.Add(
+            [
+                slab.Axis.ToString(), Digits.Of(slab.Lo), Digits.Of(slab.Hi), Digits.Of(slab.T0), Digits.Of(slab.T1), Digits.Of(slab.Enters),
+                Digits.Of(slab.Leaves), (slab.DecidesEntry, slab.DecidesExit) switch
+                {
+                    (true, true) => "t_min, t_max",
+                    (true, false) => "t_min",
+                    (false, true) => "t_max",
+                    _ => "",
+                },
+            ]);
+        var widths = Enumerable.Range(0, 8).Select(column => rows.Max(row => row[column].Length)).ToArray();
+        foreach (var row in rows)
+            Line(6, string.Join("  ", row.Select((cell, i) => i is 0 or 7 ? cell.PadRight(widths[i]) : cell.PadLeft(widths[i]))).TrimEnd());
+    }
+
+    private void Color(PixelExplanation pixel)
+    {
+        Section("Colour", pixel.Winner is { } index ? $"of {pixel.NameOf(index)}, {Digits.Of(Channels(pixel.Scene.Models[index].Color))}" : "of the background");
+        Steps(2, pixel.AttenuationSteps);
+        Steps(2, pixel.ColorSteps);
+        var (r, g, b) = pixel.Bytes;
+        Line(2, $"The bytes are the levels without their fractions: {r} {g} {b}");
+    }
+
+    private void Reference(ReferenceExplanation reference)
+    {
+        Section("The other picture", "");
+        var ((r, g, b), difference) = (reference.Bytes, reference.Difference);
+        var verdict = difference == (0, 0, 0) ? "the same" : reference.Agrees ? "the same but for rounding" : "different";
+        Line(2, $"It has {r} {g} {b} here: {verdict}");
+        if (difference != (0, 0, 0)) Line(2, $"difference (its bytes less these): {Signed(difference.R)} {Signed(difference.G)} {Signed(difference.B)}");
+        if (reference.Agrees) return;
+        foreach (var cause in reference.Causes) Line(2, $"Perhaps: {cause}.");
+        if (reference.Causes.Count == 0) Line(2, "No crossing of this ray gives that colour.");
+    }
+
+    private static double[] Channels(Color color) => [color.R, color.G, color.B];
+
+    private static string Signed(int difference) => difference > 0 ? $"+{difference}" : Digits.Of(difference);
+
+    private static string Word(Verdict verdict) => verdict switch
+    {
+        Verdict.Shows => "shows",
+        Verdict.Hidden => "counts, but is hidden",
+        Verdict.Missed => "no crossing",
+        _ => "does not count",
+    };
+
+    private static string Mesh(MeshExplanation mesh)
+    {
+        var parts = new List<string>();
+        Add(mesh.Missed, "passed by");
+        Add(mesh.Behind, "behind the camera");
+        Add(mesh.UnderBias, "under the bias");
+        Add(mesh.BeforeNear, "nearer than zNear");
+        Add(mesh.BeyondFar, "beyond zFar");
+        Add(mesh.Counting, "hit");
+        var which = mesh.Triangle is { } triangle ? $"; number {triangle}, from 0, is {(mesh.Counting > 0 ? "the nearest" : "the one that comes nearest")}:" : "";
+        return $"{mesh.Triangles} {(mesh.Triangles == 1 ? "triangle" : "triangles")} tried: {string.Join(", ", parts)}{which}";
+
+        void Add(int count, string what)
+        {
+            if (count > 0) parts.Add($"{count} {what}");
+        }
+    }
+
+    private static string Others(OtherModels others)
+    {
+        var parts = new List<string>();
+        Add(others.Hidden, "hidden by a nearer one");
+        Add(others.Behind, "behind the camera");
+        Add(others.UnderBias, "under the bias");
+        Add(others.BeforeNear, "nearer than zNear");
+        Add(others.BeyondFar, "beyond zFar");
+        Add(others.Missed, "passed by");
+        return $"{others.Count} other {(others.Count == 1 ? "model" : "models")}: {string.Join(", ", parts)}";
+
+        void Add(int count, string what)
+        {
+            if (count > 0) parts.Add($"{count} {what}");
+        }
+    }
+
+    /// <summary>Steps under each other, their equals signs too.</summary>
+    private void Steps(int indent, IReadOnlyList<FormulaStep> steps)
+    {
+        var longest = steps.Count == 0 ? 0 : steps.Max(step => step.Name.Length);
+        foreach (var step in steps)
+        {
+            var value = step.IsTest ? step.Value != 0 ? "true" : "false" : Digits.Of(step.Values);
+            string[] parts = step.Formula == step.Numbers || step.Numbers == value ? [step.Formula, value] : [step.Formula, step.Numbers, value];
+            text.Append(' ', indent).Append(step.Name.PadRight(longest));
+            var column = indent + longest;
+            foreach (var part in parts)
+            {
+                if (column > indent + longest && column + 3 + part.Length > Width)
+                {
+                    column = indent + longest;
+                    text.Append('\n').Append(' ', column);
+                }
+                text.Append(step.IsTest && ReferenceEquals(part, value) ? " is " : " = ").Append(part);
+                column += 3 + part.Length;
+            }
+            text.Append('\n');
+        }
+    }
+
+    private void Section(string title, string about)
+    {
+        text.Append('\n');
+        Line(0, about.Length == 0 ? title : $"{title}: {about}");
+    }
+
+    /// <summary>A line, broken between words where it is too long.</summary>
+    private void Line(int indent, string line)
+    {
+        var first = true;
+        for (var rest = line; rest.Length > 0; first = false)
+        {
+            var room = Width - indent - (first ? 0 : 4);
+            var cut = rest.Length <= room ? rest.Length : rest.LastIndexOf(' ', room) is var space and > 0 ? space : rest.Length;
+            text.Append(' ', first ? indent : indent + 4).Append(rest.AsSpan(0, cut)).Append('\n');
+            rest = rest[cut..].TrimStart();
+        }
+    }
+}

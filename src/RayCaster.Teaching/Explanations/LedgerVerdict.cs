@@ -1,0 +1,145 @@
+using System.Globalization;
+
+namespace RayCaster.Teaching;
+
+/// <summary>What a ledger says in words: what is odd, why that is likely, and what to change.</summary>
+internal static class LedgerVerdict
+{
+    /// <summary>Of more models that do not show only these are named.</summary>
+    private const int MostNamed = 10;
+
+    public static IEnumerable<string> Of(HitLedger ledger)
+    {
+        if (ledger.Models.Count == 0) return ["The scene holds no models: every pixel shows the background."];
+        var sentences = new List<string>();
+        if (ledger.Hits == 0) OfNoHits(ledger, sentences);
+        else
+        {
+            OfLight(ledger, sentences);
+            OfHiddenModels(ledger, sentences);
+        }
+        OfNoNumbers(ledger, sentences);
+        if (sentences.Count == 0) sentences.Add("Nothing odd: every model shows.");
+        return sentences;
+    }
+
+    private static void OfNoHits(HitLedger ledger, List<string> sentences)
+    {
+        var groups = new SortedDictionary<Outcome, List<LedgerEntry>>();
+        foreach (var entry in ledger.Models)
+        {
+            var reason = entry.Reason == Outcome.PassesBy ? Outcome.Outside : entry.Reason; // the same to the eye
+            if (!groups.TryGetValue(reason, out var group)) groups[reason] = group = [];
+            group.Add(entry);
+        }
+        var parts = new List<string>();
+        foreach (var (reason, group) in groups)
+            parts.Add(group.Count == 1 ? $"{group[0].Label} {Phrase(reason, true)}" : Text($"{group.Count:N0} models {Phrase(reason, false)}"));
+        sentences.Add(Text($"0 of {ledger.Rays:N0} rays hit anything: {string.Join(", ", parts)}."));
+        foreach (var (reason, group) in groups)
+            if (Remedy(ledger, reason, group) is { } remedy)
+                sentences.Add(remedy);
+    }
+
+    /// <summary>What to change where a reason is a model's, or several models'.</summary>
+    private static string? Remedy(HitLedger ledger, Outcome reason, List<LedgerEntry> group)
+    {
+        var camera = ledger.Scene.Camera;
+        switch (reason)
+        {
+            case Outcome.Behind:
+                return OfLookingAway(ledger.Scene);
+            case Outcome.UnderBias:
+                return Text($"bias is {camera.Bias:G7}: only t > bias is a hit. Make it smaller; 1e-6 is usual.");
+            case Outcome.BeforeNear:
+                var greatest = double.NegativeInfinity;
+                foreach (var entry in group) greatest = Math.Max(greatest, entry.GreatestBeforeNear);
+                return Text($"zNear is {camera.ZNear:G7}, but their crossings lie at z = {greatest:G7} and less. Make zNear smaller, or move the camera back.");
+            case Outcome.BeyondFar:
+                var least = double.PositiveInfinity;
+                foreach (var entry in group) least = Math.Min(least, entry.LeastBeyondFar);
+                return Text($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {least:G7} and more. Make zFar greater.");
+            case Outcome.Outside:
+                return HitsOf(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
+                    ? Text($"They lie beside the picture: aim target at them (it is {camera.Target}), or make fovY greater (it is {camera.FovY:G7} degrees).")
+                    : Text($"The camera looks past them: it stands at {camera.Position} and looks towards {camera.Target}. Is target where the models are?");
+            default:
+                return null;
+        }
+    }
+
+    /// <summary>Tries what the words propose before they propose it.</summary>
+    private static string OfLookingAway(Scene scene)
+    {
+        var (position, target) = (scene.Camera.Position, scene.Camera.Target);
+        if (HitsOf(scene, target, position, scene.Camera.FovY) is > 0 and var swapped)
+            return Text($"Are position and target swapped? From {target} towards {position} {swapped * 100.0 / (Side * Side):0} % of the rays hit something.");
+        var other = 2 * position - target;
+        return HitsOf(scene, position, other, scene.Camera.FovY) is > 0 and var turned
+            ? Text($"The camera looks away from them: towards target = {other} {turned * 100.0 / (Side * Side):0} % of the rays hit something.")
+            : Text($"The camera stands at {position} and looks towards {target}: is the sign of a coordinate wrong?");
+    }
+
+    private const int Side = 32;
+
+    /// <summary>How many rays of a small picture hit something from another place.</summary>
+    private static int HitsOf(Scene scene, Vector3 position, Vector3 target, double fovY)
+    {
+        var c = scene.Camera;
+        var camera = new Camera(position, target, c.Up, fovY, Side, Side, c.ZNear, c.ZFar, c.Bias, c.Clip, c.Sample);
+        var hits = 0;
+        foreach (var model in new Renderer(scene with { Camera = camera }, 1).CastHits().Model)
+            if (model >= 0)
+                hits++;
+        return hits;
+    }
+
+    private static void OfLight(HitLedger ledger, List<string> sentences)
+    {
+        var (camera, color) = (ledger.Scene.Camera, ledger.OnlyColor);
+        if (ledger.Unlit > ledger.Hits / 2)
+        {
+            var share = ledger.Unlit == ledger.Hits ? Text($"All {ledger.Hits:N0} hits") : Text($"{ledger.Unlit:N0} of {ledger.Hits:N0} hits");
+            sentences.Add(Text($"{share} are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}."));
+            sentences.Add("target sets the light, which ends at twice its distance: move it away along the line of sight.");
+        }
+        else if (color is (0, 0, 0)) sentences.Add("All that is hit is black: the models' own color is [0, 0, 0], or nearly so.");
+        else if (color is (255, 255, 255)) sentences.Add("All that is hit is white: color times attenuation is 1 or more in each channel, and is clamped.");
+        else if (color is { } only && ledger.Hits == ledger.Rays) sentences.Add($"All pixels have the colour {only}: the camera sees a single surface, and from so near that its light does not change.");
+        if (color is { } shown && ledger.Hits < ledger.Rays && shown == ledger.Scene.Background.ToBytes())
+            sentences.Add("The background has the same colour: choose another one, and the models' outline shows.");
+    }
+
+    private static void OfHiddenModels(HitLedger ledger, List<string> sentences)
+    {
+        var missing = 0;
+        foreach (var entry in ledger.Models)
+        {
+            if (entry[Outcome.Shows] > 0 || missing++ >= MostNamed) continue;
+            sentences.Add(entry.Hits > 0
+                ? Text($"{entry.Label} does not show: it is hit by {entry.Hits:N0} {(entry.Hits == 1 ? "ray" : "rays")}, but something nearer hides it there.")
+                : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}.");
+        }
+        if (missing > MostNamed) sentences.Add(Text($"Nor do {missing - MostNamed:N0} more."));
+    }
+
+    private static void OfNoNumbers(HitLedger ledger, List<string> sentences)
+    {
+        foreach (var entry in ledger.Models)
+            if (entry[Outcome.NoNumber] > ledger.Rays / 2)
+                sentences.Add(Text($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of {ledger.Rays:N0} rays: are its numbers far out of range, or is infinity taken from infinity?"));
+    }
+
+    private static string Phrase(Outcome reason, bool one) => reason switch
+    {
+        Outcome.Behind => one ? "lies behind the camera" : "lie behind the camera",
+        Outcome.UnderBias => one ? "is crossed only at t <= bias" : "are crossed only at t <= bias",
+        Outcome.BeforeNear => one ? "lies nearer than zNear" : "lie nearer than zNear",
+        Outcome.BeyondFar => one ? "lies beyond zFar" : "lie beyond zFar",
+        Outcome.Along => one ? "is seen edge on" : "are seen edge on",
+        Outcome.NoNumber => one ? "gives no number (NaN)" : "give no number (NaN)",
+        _ => one ? "lies beside every ray" : "lie beside every ray",
+    };
+
+    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+}

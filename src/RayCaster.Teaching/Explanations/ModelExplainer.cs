@@ -1,0 +1,124 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Explains models for one ray, by their own formulas over numbers that write down what they compute.</summary>
+/// <param name="scene">The scene.</param>
+/// <param name="cast">The ray, come back with the nearest hit.</param>
+/// <param name="shown">The place of the model that the pixel shows; null for none.</param>
+internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
+{
+    private readonly Ray<Derivation> ray = new(
+        ((Vector3<Derivation>)cast.Origin).As("P", ""), ((Vector3<Derivation>)cast.Direction).As("d", ""));
+
+    /// <summary>Explains a model.</summary>
+    public ModelExplanation Explain(Trial trial)
+    {
+        var part = trial.Mesh is { } mesh ? mesh.Triangle : 0;
+        var shape = part is { } i && trial.Model is Mesh triangles ? Model.Of(triangles[i]) : trial.Model;
+        IReadOnlyList<FormulaStep> steps = [];
+        IReadOnlyList<CrossingExplanation> crossings = [];
+        if (part is null || shape.Cross(ray) is not { } derived)
+            crossings = trial.Mesh is null ? [Plain(trial)] : [];
+        else
+        {
+            var corners = Corners(shape);
+            var slabs = Slabs(shape, FormulaStep.LeadingTo(derived.Near));
+            var writer = new TermText(corners.SelectMany(step => step.Values).Concat(slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])).ToHashSet());
+            steps = [.. corners, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
+            crossings = Crossings(trial, shape, derived, steps, writer);
+        }
+
+        var (verdict, reason) = Sum(trial, crossings);
+        return new ModelExplanation(trial.Index, ModelName.Plain(scene, trial.Index), trial.Model.Kind, verdict, reason, steps, crossings)
+        {
+            Slabs = Slabs(shape, steps),
+            Weights = shape is Model<Triangle> ? Reasons.Weights(steps) : null,
+            Mesh = trial.Mesh,
+        };
+    }
+
+    private (Verdict Verdict, string Reason) Sum(Trial trial, IReadOnlyList<CrossingExplanation> crossings)
+    {
+        if (trial.Hit is { } t) return Hit(trial, t);
+        if (crossings.Count == 0) return (Verdict.Missed, "the ray passes all its triangles by");
+        var reasons = crossings.Select(crossing => crossing.Reason).Distinct();
+        return (trial.Refusal is Refusal.NoNumber ? Verdict.Missed : Verdict.Refused, string.Join("; ", reasons));
+    }
+
+    private (Verdict Verdict, string Reason) Hit(Trial trial, double t)
+    {
+        if (trial.Index == shown) return (Verdict.Shows, "the nearest that counts: the pixel shows it");
+        var name = ModelName.Plain(scene, shown!.Value);
+        return (Verdict.Hidden, t == cast.HitParameter
+            ? $"a tie: {name} has the same t and stands earlier in the scene"
+            : $"hidden by {name}, whose {Nearer(cast.HitParameter, t)}");
+    }
+
+    private static string Nearer(double nearest, double t)
+    {
+        var (a, b) = Digits.Apart(nearest, t);
+        return $"t = {a} < {b}";
+    }
+
+    private List<CrossingExplanation> Crossings(Trial trial, Model shape, Crossings<Derivation> derived,
+        IReadOnlyList<FormulaStep> steps, TermText writer)
+    {
+        var crossings = new List<CrossingExplanation>();
+        var isHit = false;
+        foreach (var crossing in (Derivation[])[derived.Near, derived.Far])
+        {
+            var (t, term) = (crossing.Value, crossing.Term);
+            if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed once, or the same reason once more
+            var refusal = cast.Clip.Refuse(t, cast.ZPerT);
+            var (verdict, reason) = refusal switch
+            {
+                Refusal.None when isHit => (Verdict.NotNeeded, "the crossing before it counts already"),
+                Refusal.None => Hit(trial, t),
+                Refusal.NoNumber => (Verdict.Missed, Reasons.NoCrossing(shape, steps, term)),
+                _ => (Verdict.Refused, Reasons.Of(refusal, t, t * cast.ZPerT, scene.Camera)),
+            };
+            isHit |= refusal is Refusal.None;
+            crossings.Add(new(t, t * cast.ZPerT, verdict, refusal, reason, IsStep(term) ? "" : writer.Of(term), Untested(term)));
+        }
+        return crossings;
+    }
+
+    /// <summary>
+    /// A triangle's corners as they are seen along the ray. Its own formula does not name them: one name more there, and the compiler
+    /// no longer inlines the formula's operators where it draws.
+    /// </summary>
+    private IReadOnlyList<FormulaStep> Corners(Model shape)
+    {
+        if (shape is not Model<Triangle> { Primitive: var (A, B, C) }) return [];
+        var along = new AlongRay<Derivation>(ray);
+        var (a, b, c) = (along.See(A).As("a", "along.See(A)"), along.See(B).As("b", "along.See(B)"), along.See(C).As("c", "along.See(C)"));
+        return FormulaStep.LeadingTo(a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z);
+    }
+
+    private static bool IsStep(Term term) => term.Chosen.Operation is Operation.Name;
+
+    /// <summary>The t of "a crossing here, if …" where the test failed.</summary>
+    private static double? Untested(Term term) =>
+        double.IsNaN(term.Value) && term.Operation is Operation.If && double.IsFinite(term.B.Value) ? term.B.Value : null;
+
+    private CrossingExplanation Plain(Trial trial)
+    {
+        var (t, z) = (trial.Near, trial.Near * cast.ZPerT);
+        var refusal = trial.Hit is null ? cast.Clip.Refuse(t, cast.ZPerT) : Refusal.None;
+        var (verdict, reason) = trial.Hit is { } hit ? Hit(trial, hit)
+            : refusal is Refusal.NoNumber ? (Verdict.Missed, "its Intersect finds no crossing")
+            : (Verdict.Refused, refusal is Refusal.None ? "its Intersect gives no hit, though this t counts" : Reasons.Of(refusal, t, z, scene.Camera));
+        return new(t, z, verdict, refusal, reason, "", null);
+    }
+
+    private static IReadOnlyList<SlabExplanation> Slabs(Model shape, IReadOnlyList<FormulaStep> steps)
+    {
+        if (shape is not Model<Aabb> { Primitive: var box }) return [];
+        var (t0, t1) = (Reasons.Values(steps, "t0"), Reasons.Values(steps, "t1"));
+        if ((t0.Length, t1.Length) is not (3, 3)) return [];
+        var (enters, leaves) = Reasons.Slabs(t0, t1);
+        var (entry, exit) = (Array.IndexOf(enters, enters.Max()), Array.IndexOf(leaves, leaves.Min()));
+        double[] lo = [box.Min.X, box.Min.Y, box.Min.Z], hi = [box.Max.X, box.Max.Y, box.Max.Z];
+        return [.. Enumerable.Range(0, 3).Select(i =>
+            new SlabExplanation("xyz"[i], lo[i], hi[i], t0[i], t1[i], enters[i], leaves[i], i == entry, i == exit))];
+    }
+}

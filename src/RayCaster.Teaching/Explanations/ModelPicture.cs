@@ -1,0 +1,55 @@
+namespace RayCaster.Teaching;
+
+/// <summary>How one model is looked at.</summary>
+public enum Look
+{
+    /// <summary>Like all others.</summary>
+    Plain,
+
+    /// <summary>It is lit, all others are dark.</summary>
+    Lit,
+
+    /// <summary>It shows where it is behind others, too.</summary>
+    Behind,
+}
+
+/// <summary>Pictures in which one model stands out.</summary>
+public static class ModelPicture
+{
+    private const int Stripe = 4; // pixels
+
+    /// <summary>Draws the scene with one model lit and the others dark, or with the model showing through those before it.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="look">How the model stands out.</param>
+    /// <param name="model">Its place; −1 for none, which leaves all dark.</param>
+    /// <param name="cancellation">Ends the work between its steps.</param>
+    public static Picture Draw(Scene scene, Look look, int model, CancellationToken cancellation)
+    {
+        var hits = new Renderer(scene).CastHits();
+        cancellation.ThrowIfCancellationRequested();
+        var picture = new Picture(hits.Width, hits.Height);
+        for (var i = 0; i < hits.T.Length; i++)
+            picture[i % hits.Width, i / hits.Width] = hits.Model[i] == model ? ColorOf(scene, hits, i) : Dark(ColorOf(scene, hits, i));
+        if (look != Look.Behind || model < 0) return picture;
+
+        var alone = scene with { Models = [scene.Models[model]] };
+        var own = new Renderer(alone).CastHits();
+        cancellation.ThrowIfCancellationRequested();
+        for (var i = 0; i < own.T.Length; i++)
+        {
+            var (x, y) = (i % own.Width, i / own.Width);
+            if (own.Model[i] == 0 && hits.Model[i] != model && (x + y) / Stripe % 2 == 0) picture[x, y] = ColorOf(alone, own, i);
+        }
+        return picture;
+    }
+
+    private static (byte R, byte G, byte B) ColorOf(Scene scene, HitMap hits, int pixel) =>
+        scene.Shade(hits.T[pixel], hits.Model[pixel] < 0 ? null : scene.Models[hits.Model[pixel]]).ToBytes();
+
+    /// <summary>A quarter of the light, and grey, so that the shapes are still seen.</summary>
+    private static (byte, byte, byte) Dark((byte R, byte G, byte B) color)
+    {
+        var grey = (byte)((color.R + 2 * color.G + color.B) / 16);
+        return (grey, grey, grey);
+    }
+}

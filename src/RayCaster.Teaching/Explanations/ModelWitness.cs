@@ -1,0 +1,105 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Says what becomes of rays and one model.</summary>
+/// <param name="model">The model.</param>
+/// <param name="origin">Where all rays start.</param>
+internal sealed class ModelWitness(Model model, Vector3 origin)
+{
+    private const int TrianglesOfBlock = 32;
+
+    /// <summary>Of a mesh the bounds of triangles that follow each other, seen from the origin, for most rays pass by most of them.</summary>
+    private readonly Bounds[] blocks = model is Mesh mesh ? BlocksOf(mesh, origin) : [];
+
+    /// <summary>How many formulas, or looks at bounds, a ray costs.</summary>
+    public int Cost => Math.Max(1, blocks.Length);
+
+    /// <summary>What becomes of a ray.</summary>
+    /// <param name="ray">The ray.</param>
+    /// <param name="t">The t that counts, or of a refused crossing; NaN if there is none.</param>
+    /// <returns><see cref="Outcome.Shows"/> for a hit, whatever else is in the scene.</returns>
+    public Outcome Judge(Ray ray, out double t) =>
+        blocks.Length > 0 ? JudgeMesh(ray, out t)
+        : model.Cross(new Ray<Scalar>(ray.Origin, ray.Direction)) is { } crossings ? JudgeShape(ray, crossings, out t)
+        : JudgeByAsking(ray, out t);
+
+    private Outcome JudgeShape(Ray ray, Crossings<Scalar> crossings, out double t)
+    {
+        t = ray.Clip.First(crossings, (Scalar)ray.ZPerT);
+        if (!double.IsNaN(t)) return Outcome.Shows;
+
+        // Of two crossings the far one comes nearest to counting: the near one would, if that were only too near.
+        t = double.IsFinite(crossings.Far) ? crossings.Far : crossings.Near;
+        if (double.IsFinite(t)) return Refused(ray, t);
+        var witness = model.Cross(new Ray<Witness>(ray.Origin, ray.Direction))!.Value.Near.Loss;
+        return witness == Outcome.Shows ? Outcome.NoNumber : witness;
+    }
+
+    /// <summary>A mesh is hit if one of its triangles is; else the crossing tells that lies in front of the camera.</summary>
+    private Outcome JudgeMesh(Ray ray, out double t)
+    {
+        var along = new AlongRay<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
+        var (outcome, nearest) = (Outcome.PassesBy, double.NaN);
+        for (var block = 0; block < blocks.Length; block++)
+        {
+            if (!Crosses(blocks[block], ray.Direction)) continue;
+            var end = Math.Min(((Mesh)model).TriangleCount, (block + 1) * TrianglesOfBlock);
+            for (var part = block * TrianglesOfBlock; part < end; part++)
+            {
+                double crossing = ((Mesh)model)[part].Cross(along).Near;
+                if (!double.IsFinite(crossing)) continue;
+                var other = ray.Counts(crossing) ? Outcome.Shows : Refused(ray, crossing);
+                if (outcome == Outcome.Shows ? other != Outcome.Shows || crossing >= nearest
+                    : other != Outcome.Shows && outcome != Outcome.PassesBy && crossing <= nearest) continue;
+                (outcome, nearest) = (other, crossing);
+            }
+        }
+        t = nearest;
+        return outcome;
+    }
+
+    /// <summary>A model without a formula only answers whether it is hit. So it is asked again without clip planes, and about the way back.</summary>
+    private Outcome JudgeByAsking(Ray ray, out double t)
+    {
+        t = model.Intersect(ray) ?? double.NegativeInfinity;
+        if (ray.Counts(t)) return Outcome.Shows;
+        if (double.IsNaN(t) || double.IsPositiveInfinity(t)) return Outcome.NoNumber;
+        t = model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN;
+        if (double.IsFinite(t)) return Refused(ray, t);
+        t = -(model.Intersect(new Ray(ray.Origin, -ray.Direction)) ?? double.NaN);
+        return double.IsFinite(t) ? Outcome.Behind : Outcome.PassesBy;
+    }
+
+    private static Outcome Refused(Ray ray, double t) => ray.Clip.Refuse(t, ray.ZPerT) switch
+    {
+        Refusal.Behind => Outcome.Behind,
+        Refusal.UnderBias => Outcome.UnderBias,
+        Refusal.BeforeNear => Outcome.BeforeNear,
+        Refusal.BeyondFar => Outcome.BeyondFar,
+        _ => Outcome.NoNumber,
+    };
+
+    private static Bounds[] BlocksOf(Mesh mesh, Vector3 origin)
+    {
+        var blocks = new Bounds[(mesh.TriangleCount + TrianglesOfBlock - 1) / TrianglesOfBlock];
+        Array.Fill(blocks, Bounds.Empty);
+        for (var i = 0; i < mesh.TriangleCount; i++) blocks[i / TrianglesOfBlock] = blocks[i / TrianglesOfBlock].With(mesh[i].Bounds);
+        return Array.ConvertAll(blocks, bounds => bounds.PaddedFrom(origin));
+    }
+
+    /// <summary>Whether the line of a ray, on both sides of the camera, may cross padded bounds. A NaN, from a line within a face, drops nothing.</summary>
+    private static bool Crosses(in Bounds bounds, Vector3 d)
+    {
+        var (least, most) = (double.NegativeInfinity, double.PositiveInfinity);
+        Slab(bounds.Min.X / d.X, bounds.Max.X / d.X, ref least, ref most);
+        Slab(bounds.Min.Y / d.Y, bounds.Max.Y / d.Y, ref least, ref most);
+        Slab(bounds.Min.Z / d.Z, bounds.Max.Z / d.Z, ref least, ref most);
+        return least <= most;
+
+        static void Slab(double t0, double t1, ref double least, ref double most)
+        {
+            if (t0 > t1) (t0, t1) = (t1, t0);
+            if (t0 > least) least = t0;
+            if (t1 < most) most = t1;
+        }
+    }
+}

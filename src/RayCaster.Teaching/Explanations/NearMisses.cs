@@ -1,0 +1,39 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Of many models those that have to do with a pixel.</summary>
+internal static class NearMisses
+{
+    private const int OfEachKind = 3;
+
+    /// <summary>
+    /// The winner; the nearest of the hidden; those whose crossing fails by least; those that the ray passes so close by that they show
+    /// in the next pixel. In the scene's order.
+    /// </summary>
+    public static IEnumerable<Trial> Of(IReadOnlyList<Trial> trials, int? winner, IReadOnlyList<Neighbour> neighbours, Ray ray, Camera camera)
+    {
+        var chosen = new HashSet<int>();
+        if (winner is { } index) chosen.Add(index);
+        chosen.UnionWith(trials.Where(trial => trial.Hit is not null && trial.Index != winner)
+            .OrderBy(trial => trial.Hit).Take(OfEachKind).Select(trial => trial.Index));
+        chosen.UnionWith(trials.Where(trial => trial.Refusal is not (Refusal.None or Refusal.NoNumber))
+            .OrderBy(trial => Lacking(trial, ray, camera)).Take(OfEachKind).Select(trial => trial.Index));
+        foreach (var neighbour in neighbours)
+            if (neighbour.Model is { } model) chosen.Add(model);
+        return trials.Where(trial => chosen.Contains(trial.Index));
+    }
+
+    /// <summary>How far a crossing is from counting.</summary>
+    private static double Lacking(Trial trial, Ray ray, Camera camera)
+    {
+        return Math.Min(Distance(trial.Near), Distance(trial.Far));
+
+        double Distance(double t) => ray.Clip.Refuse(t, ray.ZPerT) switch
+        {
+            Refusal.Behind => -t,
+            Refusal.UnderBias => camera.Bias - t,
+            Refusal.BeforeNear => camera.ZNear - t * ray.ZPerT,
+            Refusal.BeyondFar => t * ray.ZPerT - camera.ZFar,
+            _ => double.PositiveInfinity,
+        };
+    }
+}

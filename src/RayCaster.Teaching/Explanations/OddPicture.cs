@@ -1,0 +1,31 @@
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// Watches the lines of a picture go by and knows at the end whether it looks like a mistake: one single colour, or nothing but background and
+/// black. It looks no further than the third colour, so a usual picture costs it nothing.
+/// </summary>
+/// <param name="background">The scene's background.</param>
+public sealed class OddPicture(Color background)
+{
+    private const int Black = 0;
+
+    private readonly List<int> seen = new(3); // red, green and blue in one number
+
+    /// <summary>Whether the lines so far are odd.</summary>
+    public bool IsOdd => seen.Count <= 1 || (seen.Count == 2 && seen.Contains(Black) && seen.Contains(Number(background.ToBytes())));
+
+    /// <summary>Takes the next lines.</summary>
+    /// <param name="rgb">Whole lines of red, green and blue.</param>
+    public void Take(ReadOnlySpan<byte> rgb)
+    {
+        if (rgb.IsEmpty || seen.Count > 2) return;
+        var isOneColor = rgb[3..].SequenceEqual(rgb[..^3]); // each pixel is like its left neighbour
+        for (var i = 0; i < (isOneColor ? 3 : rgb.Length) && seen.Count <= 2; i += 3)
+        {
+            var pixel = Number((rgb[i], rgb[i + 1], rgb[i + 2]));
+            if (!seen.Contains(pixel)) seen.Add(pixel);
+        }
+    }
+
+    private static int Number((byte R, byte G, byte B) pixel) => pixel.R << 16 | pixel.G << 8 | pixel.B;
+}

@@ -1,0 +1,152 @@
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// How one pixel got its colour: the ray, each model's formula with this pixel's numbers, what becomes of each crossing, and the colour.
+/// It is derived by the code that draws, so it cannot disagree with the picture.
+/// </summary>
+public sealed class PixelExplanation
+{
+    /// <summary>With more models than this only those that have to do with the pixel are explained one by one.</summary>
+    public const int ManyModels = 12;
+
+    private PixelExplanation(Scene scene, int column, int line)
+    {
+        (Scene, Column, Line) = (scene, column, line);
+        Ray = ScalarRenderer.Cast(scene, column, Row);
+        Trials = [.. scene.Models.Select((model, i) => new Trial(model, i, Ray))];
+        Winner = Ray.HitModel is { } hit ? IndexOf(hit) : null;
+        Neighbours = FindNeighbours();
+        Models = Explain();
+        Others = Count(Trials.Where(trial => Models.All(model => model.Index != trial.Index)));
+        (CameraSteps, RaySteps) = (CameraExplanation.Axes(scene.Camera), CameraExplanation.RaySteps(scene.Camera, column, Row));
+        (AttenuationSteps, ColorSteps, Color) = ColorExplanation.Of(scene, Ray);
+        Notes = PixelNotes.Of(this);
+    }
+
+    /// <summary>Explains a pixel.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="column">c, from the left, from 0.</param>
+    /// <param name="line">The picture's line, from the top, from 0: row r = Height − 1 − line of the formulas.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The picture has no such pixel.</exception>
+    public static PixelExplanation Of(Scene scene, int column, int line)
+    {
+        ArgumentOutOfRangeException.ThrowIfNegative(column);
+        ArgumentOutOfRangeException.ThrowIfNegative(line);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(column, scene.Camera.Width);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(line, scene.Camera.Height);
+        return new(scene, column, line);
+    }
+
+    /// <summary>The scene.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>c, from the left, from 0.</summary>
+    public int Column { get; }
+
+    /// <summary>The picture's line, from the top, from 0.</summary>
+    public int Line { get; }
+
+    /// <summary>r, from the bottom, from 0.</summary>
+    public int Row => Scene.Camera.Height - 1 - Line;
+
+    /// <summary>W, U, V, h and w: the same for all pixels.</summary>
+    public IReadOnlyList<FormulaStep> CameraSteps { get; }
+
+    /// <summary>uc, ur, the direction before and after normalising.</summary>
+    public IReadOnlyList<FormulaStep> RaySteps { get; }
+
+    /// <summary>The ray, come back with the nearest hit.</summary>
+    public Ray Ray { get; }
+
+    /// <summary>The models in the scene's order; of more than <see cref="ManyModels"/> those that have to do with the pixel.</summary>
+    public IReadOnlyList<ModelExplanation> Models { get; }
+
+    /// <summary>The models that are not among <see cref="Models"/>.</summary>
+    public OtherModels Others { get; }
+
+    /// <summary>The place in the scene of the model that the pixel shows; null for the background.</summary>
+    public int? Winner { get; }
+
+    /// <summary>What the pixels beside it show.</summary>
+    public IReadOnlyList<Neighbour> Neighbours { get; }
+
+    /// <summary>How the light that is left came about; empty for the background, which is not attenuated.</summary>
+    public IReadOnlyList<FormulaStep> AttenuationSteps { get; }
+
+    /// <summary>Each channel, and its level from 0 to 255 plus a half, of which the byte is the whole part.</summary>
+    public IReadOnlyList<FormulaStep> ColorSteps { get; }
+
+    /// <summary>The colour before it is clamped.</summary>
+    public Color Color { get; }
+
+    /// <summary>The pixel's bytes in the picture.</summary>
+    public (byte R, byte G, byte B) Bytes => Color.ToBytes();
+
+    /// <summary>What is special about this pixel, in words.</summary>
+    public IReadOnlyList<string> Notes { get; }
+
+    /// <summary>The explanation as lines for people, most of them at most 100 characters long; numbers have six significant digits.</summary>
+    /// <param name="reference">What another picture has there; null for none.</param>
+    public string ToText(ReferenceExplanation? reference = null) => ExplanationText.Of(this, reference);
+
+    /// <summary>The explanation as JSON; its numbers read back as the same doubles. docs/explain.md lists the fields.</summary>
+    /// <param name="reference">What another picture has there; null for none.</param>
+    public string ToJson(ReferenceExplanation? reference = null) => ExplanationJson.Of(this, reference);
+
+    /// <summary>All models' crossings in plain doubles.</summary>
+    internal IReadOnlyList<Trial> Trials { get; }
+
+    /// <summary>A model's name, or its path in the scene file.</summary>
+    internal string NameOf(int? index) => index is { } i ? ModelName.Plain(Scene, i) : ModelName.Background;
+
+    private int IndexOf(Model model)
+    {
+        for (var i = 0; i < Scene.Models.Count; i++)
+            if (ReferenceEquals(Scene.Models[i], model))
+                return i;
+        throw new InvalidOperationException("the ray hit a model that is not in the scene");
+    }
+
+    private List<Neighbour> FindNeighbours()
+    {
+        var neighbours = new List<Neighbour>();
+        foreach (var (where, column, line) in (ReadOnlySpan<(string, int, int)>)
+            [("left", Column - 1, Line), ("right", Column + 1, Line), ("above", Column, Line - 1), ("below", Column, Line + 1)])
+        {
+            if (column < 0 || line < 0 || column >= Scene.Camera.Width || line >= Scene.Camera.Height) continue;
+            var ray = ScalarRenderer.Cast(Scene, column, Scene.Camera.Height - 1 - line);
+            neighbours.Add(new(where, column, line, ray.HitModel is { } hit ? IndexOf(hit) : null, ray.HitParameter));
+        }
+        return neighbours;
+    }
+
+    private List<ModelExplanation> Explain()
+    {
+        var explainer = new ModelExplainer(Scene, Ray, Winner);
+        var trials = Trials.Count <= ManyModels ? Trials : NearMisses.Of(Trials, Winner, Neighbours, Ray, Scene.Camera);
+        return [.. trials.Select(trial => explainer.Explain(trial) with { Beside = Beside(trial.Index) })];
+    }
+
+    private string? Beside(int index)
+    {
+        if (index == Winner) return null;
+        var where = Neighbours.Where(neighbour => neighbour.Model == index).Select(neighbour => neighbour.Where).ToArray();
+        return where.Length == 0 ? null : string.Join(", ", where);
+    }
+
+    private static OtherModels Count(IEnumerable<Trial> trials)
+    {
+        var counts = new int[(int)Refusal.BeyondFar + 1];
+        foreach (var trial in trials) counts[(int)trial.Refusal]++;
+        return new(counts[(int)Refusal.None], counts[(int)Refusal.Behind], counts[(int)Refusal.UnderBias], counts[(int)Refusal.BeforeNear],
+            counts[(int)Refusal.BeyondFar], counts[(int)Refusal.NoNumber]);
+    }
+}
+
+/// <summary>What a pixel beside the explained one shows.</summary>
+/// <param name="Where">left, right, above or below.</param>
+/// <param name="Column">c, from the left.</param>
+/// <param name="Line">The picture's line, from the top.</param>
+/// <param name="Model">The model's place in the scene; null for the background.</param>
+/// <param name="T">The t of its hit; +∞ for none.</param>
+public sealed record Neighbour(string Where, int Column, int Line, int? Model, double T);

@@ -1,0 +1,67 @@
+namespace RayCaster.Teaching;
+
+/// <summary>What is special about a pixel.</summary>
+internal static class PixelNotes
+{
+    /// <summary>Two t that agree this well may change places with the last bits of a formula.</summary>
+    private const double AlmostEqual = 1e-12;
+
+    /// <summary>One sentence for each.</summary>
+    public static IReadOnlyList<string> Of(PixelExplanation pixel) =>
+        [.. Definition(pixel), .. Background(pixel), .. Outline(pixel), .. Ties(pixel), .. Faces(pixel), .. Light(pixel)];
+
+    /// <summary>The explanation takes the steps of a picture by itself; a changed ScalarRenderer, Ray.Meet or Color may take others.</summary>
+    private static IEnumerable<string> Definition(PixelExplanation pixel)
+    {
+        var drawn = new Picture(1, 1);
+        ScalarRenderer.Render(pixel.Scene, drawn, pixel.Column, pixel.Line);
+        if (drawn[0, 0] != pixel.Bytes) yield return $"ScalarRenderer draws {drawn[0, 0]} here: this build's course library was changed, and this does not explain how";
+    }
+
+    private static IEnumerable<string> Background(PixelExplanation pixel)
+    {
+        if (pixel.Winner is null) yield return "no model is hit: the pixel shows the background, which is not attenuated";
+    }
+
+    private static IEnumerable<string> Outline(PixelExplanation pixel)
+    {
+        foreach (var neighbour in pixel.Neighbours)
+            if (neighbour.Model != pixel.Winner)
+                yield return $"an outline: the pixel {Place(neighbour)} shows {pixel.NameOf(neighbour.Model)}";
+    }
+
+    private static string Place(Neighbour neighbour) =>
+        $"{(neighbour.Where is "left" or "right" ? $"to the {neighbour.Where}" : neighbour.Where)} (column {neighbour.Column}, line {neighbour.Line})";
+
+    private static IEnumerable<string> Ties(PixelExplanation pixel)
+    {
+        var t = pixel.Ray.HitParameter;
+        foreach (var trial in pixel.Trials)
+        {
+            if (trial.Index == pixel.Winner || trial.Hit is not { } other) continue;
+            if (other == t)
+                yield return $"a tie: {pixel.NameOf(pixel.Winner)} and {pixel.NameOf(trial.Index)} have the same t; the first in the scene shows";
+            else if (other - t <= AlmostEqual * t)
+                yield return $"almost a tie: t of {pixel.NameOf(pixel.Winner)} and of {pixel.NameOf(trial.Index)} " +
+                    "differ in the last digits only; another program may show either";
+        }
+    }
+
+    private static IEnumerable<string> Faces(PixelExplanation pixel)
+    {
+        foreach (var model in pixel.Models)
+            foreach (var slab in model.Slabs)
+                if (double.IsNaN(slab.T0) || double.IsNaN(slab.T1))
+                    yield return $"{model.Name}: the ray runs in a face of the {slab.Axis} slab, " +
+                        "where (B − P) / d is 0 / 0; the face belongs to the slab, so the ray is in it for ever";
+    }
+
+    private static IEnumerable<string> Light(PixelExplanation pixel)
+    {
+        if (pixel.Winner is not null && 1 - pixel.Ray.HitParameter / pixel.Scene.Camera.Reach <= 0)
+            yield return $"all light is lost: {Reasons.Compare("t", pixel.Ray.HitParameter, "≥", "2 |T − P|", pixel.Scene.Camera.Reach)}" +
+                ", so the attenuation is 0";
+        if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })
+            yield return $"a channel is more than 1 and is clamped: the colour is ({Digits.Of(pixel.Color.R)}, {Digits.Of(pixel.Color.G)}, {Digits.Of(pixel.Color.B)})";
+    }
+}

@@ -1,0 +1,59 @@
+namespace RayCaster.Teaching;
+
+/// <summary>What another picture has where a pixel was explained, and which model would have made it so.</summary>
+/// <param name="Bytes">The other picture's bytes.</param>
+/// <param name="Difference">The other picture's bytes less the pixel's.</param>
+/// <param name="Agrees">Whether no channel differs by more than 1, which rounding may do.</param>
+/// <param name="Causes">If not: what would give the other picture's colour, each a sentence; empty if nothing in the scene does.</param>
+public sealed record ReferenceExplanation(
+    (byte R, byte G, byte B) Bytes, (int R, int G, int B) Difference, bool Agrees, IReadOnlyList<string> Causes)
+{
+    private const int MostCauses = 6;
+
+    /// <summary>Compares a pixel with another picture.</summary>
+    /// <exception cref="ArgumentException">The pictures have different sizes.</exception>
+    public static ReferenceExplanation Of(PixelExplanation pixel, Picture reference)
+    {
+        if ((reference.Width, reference.Height) != (pixel.Scene.Camera.Width, pixel.Scene.Camera.Height))
+            throw new ArgumentException("the reference has another size than the scene's picture", nameof(reference));
+        var (mine, other) = (pixel.Bytes, reference[pixel.Column, pixel.Line]);
+        var agrees = AreNear(mine, other);
+        return new(other, (other.R - mine.R, other.G - mine.G, other.B - mine.B), agrees,
+            agrees ? [] : [.. FindCauses(pixel, other).Take(MostCauses)]);
+    }
+
+    private static IEnumerable<string> FindCauses(PixelExplanation pixel, (byte R, byte G, byte B) other)
+    {
+        var scene = pixel.Scene;
+        var background = scene.Background.ToBytes();
+        if (pixel.Winner is not null && AreNear(background, other)) yield return "the other picture's colour is the background's: there the ray hits nothing";
+
+        var explainer = new ModelExplainer(scene, pixel.Ray, pixel.Winner);
+        foreach (var trial in pixel.Trials)
+        {
+            var model = pixel.Models.FirstOrDefault(model => model.Index == trial.Index) ?? explainer.Explain(trial);
+            foreach (var crossing in model.Crossings)
+            {
+                var t = crossing.Untested ?? crossing.T;
+                if (crossing.Verdict is Verdict.Shows || !double.IsFinite(t) || !AreNear(scene.Shade(t, trial.Model).ToBytes(), other)) continue;
+                yield return $"the other picture's colour is what {model.Name} would give: its crossing at t = {Digits.Of(t)} {Fate(crossing)}";
+            }
+            if (AreNear(trial.Model.Color.ToBytes(), other)) yield return $"the other picture's colour is that of {model.Name}, not attenuated";
+        }
+        foreach (var neighbour in pixel.Neighbours)
+            if (neighbour.Model != pixel.Winner && neighbour.Model is { } shown
+                && AreNear(scene.Shade(neighbour.T, scene.Models[shown]).ToBytes(), other))
+                yield return $"the other picture's colour is that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
+    }
+
+    private static string Fate(CrossingExplanation crossing) => crossing.Verdict switch
+    {
+        Verdict.NotNeeded => "is not needed, for the one before it counts",
+        Verdict.Hidden => $"is {crossing.Reason}",
+        Verdict.Missed => $"is none, for {crossing.Reason}",
+        _ => $"does not count, for {crossing.Reason}",
+    };
+
+    private static bool AreNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
+        Math.Abs(a.R - b.R) <= 1 && Math.Abs(a.G - b.G) <= 1 && Math.Abs(a.B - b.B) <= 1;
+}

@@ -1,0 +1,132 @@
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// Writes a formula with its numbers put in, down to the steps that have a name. Three terms of one shape are a vector:
+/// (20, 0, 0) + 15 · (−1, 0, 0) rather than three sums; three products added up are a dot product.
+/// </summary>
+/// <param name="known">What the reader has seen already: a part with such a value stands as the value.</param>
+internal sealed class TermText(IReadOnlySet<double>? known = null)
+{
+    // What binds closer has the higher rank.
+    private const int Condition = 0, Sum = 1, Product = 2, Sign = 3, Whole = 4;
+
+    /// <summary>Larger parts stand as their value: a formula without named steps may repeat itself endlessly.</summary>
+    private const int LargestPart = 60;
+
+    /// <summary>A number's or a vector's formula with its numbers; a step's is what it was computed from.</summary>
+    public string Of(params IReadOnlyList<Term> terms)
+    {
+        var formula = terms is [var x, var y, var z] ? new Three(x, y, z) : new Three(terms[0]);
+        formula = formula.Chosen;
+        return Text(formula.Is(Operation.Name) ? formula.A.Chosen : formula, Condition, leads: true, isRoot: true);
+    }
+
+    /// <param name="term">What is written.</param>
+    /// <param name="rank">The least rank that needs no brackets here.</param>
+    /// <param name="leads">Whether it begins the formula or a bracket; elsewhere a negative number stands in brackets.</param>
+    /// <param name="isRoot">Whether it is the whole.</param>
+    private string Text(Three term, int rank, bool leads, bool isRoot = false)
+    {
+        term = term.Chosen;
+        if (term.IsOne && (term.IsLeaf || (!isRoot && (term.X.Size > LargestPart || known?.Contains(term.X.Value) == true)))) return Number(term.X.Value, leads);
+        if (DotProduct(term) is var (a, b)) return Infix(a, " · ", b, Product, rank, leads);
+        if (!term.IsOne && (term.IsLeaf || (!isRoot && term.IsLong))) return Digits.Of([term.X.Value, term.Y.Value, term.Z.Value]);
+        if (!term.IsOfOneShape) return $"({Inner(new(term.X))}, {Inner(new(term.Y))}, {Inner(new(term.Z))})";
+        return term.X.Operation switch
+        {
+            Operation.Add => Infix(term.A, " + ", term.B, Sum, rank, leads),
+            Operation.Subtract => Infix(term.A, " − ", term.B, Sum, rank, leads),
+            Operation.Multiply => Infix(term.A, " · ", term.B, Product, rank, leads),
+            Operation.Divide => Infix(term.A, " / ", term.B, Product, rank, leads),
+            Operation.Negate => Bracketed($"−{Text(term.A, Whole, leads: false)}", leads ? Sign : Condition, Math.Max(rank, Sum)),
+            Operation.SquareRoot => $"√({Inner(term.A)})",
+            Operation.Min => $"min({Inner(term.A)}, {Inner(term.B)})",
+            Operation.Max => $"max({Inner(term.A)}, {Inner(term.B)})",
+            Operation.And => $"({Inner(term.A)} and {Inner(term.B)})",
+            Operation.Or => $"({Inner(term.A)} or {Inner(term.B)})",
+            var comparison => $"{Inner(term.A)} {Comparison(comparison)} {Inner(term.B)}",
+        };
+    }
+
+    /// <summary>The sign of a comparison.</summary>
+    public static string Comparison(Operation operation) => operation switch
+    {
+        Operation.Less => "<",
+        Operation.Greater => ">",
+        Operation.LessOrEqual => "≤",
+        Operation.GreaterOrEqual => "≥",
+        _ => throw new ArgumentOutOfRangeException(nameof(operation), operation, "no comparison"),
+    };
+
+    private string Inner(Three term) => Text(term, Condition, leads: true);
+
+    private string Infix(Three left, string sign, Three right, int own, int rank, bool leads) =>
+        Bracketed(Text(left, own, leads || own < rank) + sign + Text(right, own + 1, leads: false), own, rank);
+
+    private static string Bracketed(string text, int own, int rank) => own < rank ? $"({text})" : text;
+
+    private static string Number(double value, bool leads) =>
+        Digits.Of(value) is var text && text.StartsWith('−') && !leads ? $"({text})" : text;
+
+    private static (Three A, Three B)? DotProduct(Three sum)
+    {
+        if (!sum.IsOne || sum.X is not { Operation: Operation.Add, A: { Operation: Operation.Add } first, B: var z }) return null;
+        var products = new Three(first.A, first.B, z);
+        if (!products.Is(Operation.Multiply)) return null;
+        return products.A.IsVector && products.B.IsVector ? (products.A, products.B) : null;
+    }
+
+    /// <summary>The coordinates of a vector, or one number three times.</summary>
+    private readonly record struct Three(Term X, Term Y, Term Z)
+    {
+        public Three(Term one) : this(one, one, one) { }
+
+        public Three A => new(X.A, Y.A, Z.A);
+
+        public Three B => new(X.B, Y.B, Z.B);
+
+        public Three Chosen => new(X.Chosen, Y.Chosen, Z.Chosen);
+
+        public bool IsOne => ReferenceEquals(X, Y) && ReferenceEquals(Y, Z);
+
+        public bool IsAlike => X.Operation == Y.Operation && Y.Operation == Z.Operation;
+
+        public bool IsLong => Math.Max(X.Size, Math.Max(Y.Size, Z.Size)) > LargestPart;
+
+        /// <summary>Whether the three can be written as one formula of vectors.</summary>
+        public bool IsOfOneShape
+        {
+            get
+            {
+                var chosen = Chosen;
+                return chosen.IsOne || chosen.IsLeaf
+                    || (chosen.IsAlike && chosen.A.IsOfOneShape && (!chosen.X.HasB || chosen.B.IsOfOneShape));
+            }
+        }
+
+        public bool IsLeaf => IsLeafTerm(X) && IsLeafTerm(Y) && IsLeafTerm(Z);
+
+        public bool Is(Operation operation) => IsAlike && X.Operation == operation;
+
+        /// <summary>Whether the three belong together, as the code wrote them, and differ.</summary>
+        public bool IsVector
+        {
+            get
+            {
+                var (x, y, z) = Chosen;
+                if (new Three(x, y, z) is var chosen && (chosen.IsOne || !chosen.IsAlike)) return false;
+                return x.Operation switch
+                {
+                    Operation.Constant => true,
+                    Operation.Name => x.Step == y.Step && y.Step == z.Step,
+                    Operation.Negate => chosen.A.IsVector,
+                    Operation.Add or Operation.Subtract => chosen.A.IsVector && chosen.B.IsVector,
+                    Operation.Multiply or Operation.Divide => chosen.A.IsVector != chosen.B.IsVector && (chosen.A.IsOne || chosen.B.IsOne),
+                    _ => false,
+                };
+            }
+        }
+
+        private static bool IsLeafTerm(Term term) => term.Operation is Operation.Name or Operation.Constant;
+    }
+}

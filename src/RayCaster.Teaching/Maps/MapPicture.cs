@@ -1,0 +1,71 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Shows a map to the eye. Where nothing is hit it is black.</summary>
+public static class MapPicture
+{
+    /// <summary>
+    /// From dark to bright: nine colours of matplotlib's viridis (public domain), whose lightness grows evenly, so that equal steps of
+    /// the number look equal, in print without colours and to the colour-blind, too.
+    /// </summary>
+    private static readonly uint[] Ramp = [0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725];
+
+    /// <summary>Makes the picture of a map.</summary>
+    /// <param name="map">The map.</param>
+    /// <param name="kind">What its numbers mean.</param>
+    public static Picture Draw(NumberMap map, MapKind kind)
+    {
+        var picture = new Picture(map.Width, map.Height);
+        var (least, greatest) = kind.Channels() == 1 && map.Range is { } range ? range : default;
+        for (var y = 0; y < map.Height; y++)
+            for (var x = 0; x < map.Width; x++)
+                picture[x, y] = Pixel(map[x, y], kind, least, greatest);
+        return picture;
+    }
+
+    private static (byte, byte, byte) Pixel(ReadOnlySpan<float> numbers, MapKind kind, double least, double greatest)
+    {
+        switch (kind)
+        {
+            case MapKind.T or MapKind.Depth:
+                return float.IsFinite(numbers[0]) ? OfRamp(greatest > least ? (greatest - numbers[0]) / (greatest - least) : 1) : default;
+            case MapKind.Model:
+                return numbers[0] < 0 ? default : OfModel((int)numbers[0]);
+            case MapKind.Normal:
+                var (nx, ny, nz) = (numbers[0], numbers[1], numbers[2]);
+                return nx == 0 && ny == 0 && nz == 0 ? default : new Color((nx + 1) / 2, (ny + 1) / 2, (nz + 1) / 2).ToBytes();
+            default:
+                var (u, v) = (numbers[0], numbers[1]);
+                return u == 0 && v == 0 ? default : new Color(Part(u), Part(v), 0.5).ToBytes();
+        }
+    }
+
+    /// <summary>The nearest is the brightest.</summary>
+    /// <param name="share">0 for the farthest, 1 for the nearest.</param>
+    private static (byte, byte, byte) OfRamp(double share)
+    {
+        var place = share * (Ramp.Length - 1);
+        var i = Math.Min((int)place, Ramp.Length - 2);
+        var rest = place - i;
+        return (Mix(16), Mix(8), Mix(0));
+
+        byte Mix(int shift) => (byte)(((Ramp[i] >> shift) & 255) * (1 - rest) + ((Ramp[i + 1] >> shift) & 255) * rest + 0.5);
+    }
+
+    /// <summary>A colour for each model: the hue goes on by the golden angle, so that neighbours in the scene file, and many, are far apart.</summary>
+    private static (byte, byte, byte) OfModel(int model)
+    {
+        var hue = 6 * Part(0.61803398874989 * model);
+        var value = (model % 3) switch { 0 => 1, 1 => 0.75, _ => 0.9 };
+        var pale = model % 2 == 0 ? 0.1 : 0.4;
+        return new Color(Channel(0), Channel(2), Channel(4)).ToBytes();
+
+        double Channel(int shift)
+        {
+            var distance = Math.Abs(Part((hue - shift) / 6 + 0.5) * 6 - 3); // from the hue at which the channel is full
+            return value * (pale + (1 - pale) * Math.Clamp(2 - distance, 0, 1));
+        }
+    }
+
+    /// <summary>What is left of the whole numbers.</summary>
+    private static double Part(double x) => x - Math.Floor(x);
+}

@@ -1,0 +1,42 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Finds which triangle of a mesh each pixel shows; the renderer only tells which mesh, and at which t.</summary>
+internal static class MeshParts
+{
+    /// <summary>The places of the triangles, pixel by pixel as in the hit map; 0 where a pixel shows no mesh.</summary>
+    public static int[] Find(Scene scene, HitMap hits)
+    {
+        var parts = new int[hits.Model.Length];
+        Array.Fill(parts, -1);
+        for (var i = 0; i < scene.Models.Count; i++)
+            if (scene.Models[i] is Mesh mesh)
+                Find(mesh, i, scene.Camera, hits, parts);
+        for (var i = 0; i < parts.Length; i++) parts[i] = Math.Max(0, parts[i]);
+        return parts;
+    }
+
+    /// <summary>
+    /// Looks only where a triangle can show, so that a large mesh takes hardly longer than a small one. The triangle is the first whose own
+    /// formula gives the pixel's t to the bit.
+    /// </summary>
+    private static void Find(Mesh mesh, int index, Camera camera, HitMap hits, int[] parts)
+    {
+        for (var part = 0; part < mesh.TriangleCount; part++)
+        {
+            var triangle = mesh[part];
+            var extent = Tile.Of(triangle.Bounds.PaddedFrom(camera.Position), camera);
+            var (endColumn, endRow) = (Math.Min(camera.Width, extent.EndColumn), Math.Min(camera.Height, extent.EndRow));
+            for (var row = extent.Row; row < endRow; row++)
+            {
+                var line = (camera.Height - 1 - row) * camera.Width;
+                for (var column = extent.Column; column < endColumn; column++)
+                {
+                    if (hits.Model[line + column] != index || parts[line + column] >= 0) continue;
+                    var d = camera.Direction<Scalar>(column, row);
+                    var crossings = triangle.Cross(new Ray<Scalar>(camera.Position, d));
+                    if (crossings.Near == hits.T[line + column]) parts[line + column] = part;
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,39 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Numbers instead of colours: one or three floats for each pixel, line 0 at the top.</summary>
+/// <param name="width">Pixels in a line.</param>
+/// <param name="height">Lines.</param>
+/// <param name="channels">1, or 3 for vectors.</param>
+/// <exception cref="OverflowException">There would be 2³¹ numbers or more.</exception>
+public sealed class NumberMap(int width, int height, int channels)
+{
+    /// <summary>Pixels in a line.</summary>
+    public int Width { get; } = width;
+
+    /// <summary>Lines.</summary>
+    public int Height { get; } = height;
+
+    /// <summary>Numbers of a pixel: 1 or 3.</summary>
+    public int Channels { get; } = channels is 1 or 3 ? channels : throw new ArgumentOutOfRangeException(nameof(channels), channels, "1 or 3");
+
+    /// <summary>Width · Height · Channels numbers; from left to right, then from top to bottom.</summary>
+    public float[] Values { get; } = new float[checked(width * height * channels)];
+
+    /// <summary>The numbers of a pixel.</summary>
+    /// <param name="x">The column, from the left.</param>
+    /// <param name="y">The line, from the top.</param>
+    public Span<float> this[int x, int y] => Values.AsSpan(((y * Width) + x) * Channels, Channels);
+
+    /// <summary>The least and the greatest number that is finite; null where none is.</summary>
+    public (float Least, float Greatest)? Range
+    {
+        get
+        {
+            var (least, greatest) = (float.PositiveInfinity, float.NegativeInfinity);
+            foreach (var value in Values)
+                if (float.IsFinite(value))
+                    (least, greatest) = (Math.Min(least, value), Math.Max(greatest, value));
+            return least <= greatest ? (least, greatest) : null;
+        }
+    }
+}

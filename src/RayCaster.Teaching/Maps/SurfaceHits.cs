@@ -1,0 +1,65 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Normals and places on surfaces at a picture's hits.</summary>
+/// <param name="scene">The scene.</param>
+/// <param name="hits">What its pixels hit.</param>
+internal sealed class SurfaceHits(Scene scene, HitMap hits)
+{
+    /// <summary>How far the rays beside a pixel's own are, for a shape that does not know its normal: this part of a pixel.</summary>
+    private const double Step = 1.0 / 64;
+
+    private readonly Camera camera = scene.Camera;
+    private readonly int[]? parts = scene.Models.Any(model => model is Mesh) ? MeshParts.Find(scene, hits) : null;
+    private readonly ISurface?[] surfaces = [.. scene.Models.Select(model => model.Surface)];
+
+    /// <summary>The normal at a pixel's hit, of length 1 and towards the camera; zero where nothing is hit, or the shape's neighbouring hits do not tell.</summary>
+    /// <param name="column">c, from the left.</param>
+    /// <param name="row">r, from the bottom.</param>
+    public Vector3 Normal(int column, int row)
+    {
+        var place = PlaceOf(column, row);
+        if (hits.Model[place] < 0) return Vector3.Zero;
+        var d = Direction(column, row);
+        var n = SurfaceAt(place) is { } surface ? surface.Normal(PointAt(place, d)) : FromNeighbours(column, row, hits.Model[place]);
+        if (!double.IsFinite(n.Length) || n.Length == 0) return Vector3.Zero;
+        n = n.Normalized;
+        return n * d > 0 ? -n : n;
+    }
+
+    /// <summary>u and v at a pixel's hit; zero where nothing is hit, or the shape has none.</summary>
+    /// <inheritdoc cref="Normal"/>
+    public (double U, double V) Parameters(int column, int row)
+    {
+        var place = PlaceOf(column, row);
+        return hits.Model[place] >= 0 && SurfaceAt(place) is { } surface ? surface.Parameters(PointAt(place, Direction(column, row))) : (0, 0);
+    }
+
+    private int PlaceOf(int column, int row) => (camera.Height - 1 - row) * camera.Width + column;
+
+    private ISurface? SurfaceAt(int place) =>
+        scene.Models[hits.Model[place]] is Mesh mesh ? mesh[parts![place]] : surfaces[hits.Model[place]];
+
+    private Vector3 PointAt(int place, Vector3 d) => camera.Position + hits.T[place] * d;
+
+    private Vector3 Direction(double column, double row)
+    {
+        var d = camera.Direction<Scalar>(column, row);
+        return new(d.X, d.Y, d.Z);
+    }
+
+    /// <summary>The surface goes through the hits of two rays beside each other in the row and two in the column; zero where one of them misses.</summary>
+    private Vector3 FromNeighbours(int column, int row, int model)
+    {
+        var across = Hit(column + Step, row, model) - Hit(column - Step, row, model);
+        var upwards = Hit(column, row + Step, model) - Hit(column, row - Step, model);
+        return across % upwards;
+    }
+
+    /// <summary>Where a ray hits a model, though another may hide it there; no numbers where it misses.</summary>
+    private Vector3 Hit(double column, double row, int model)
+    {
+        var d = Direction(column, row);
+        var ray = new Ray(camera.Position, d) { Clip = camera.ClipRange, ZPerT = camera.ZPerT<Scalar>(camera.Direction<Scalar>(column, row)) };
+        return ray.At(scene.Models[model].Intersect(ray) ?? double.NaN);
+    }
+}

@@ -1,0 +1,29 @@
+namespace RayCaster.Teaching;
+
+/// <summary>What a model is called in texts for people.</summary>
+internal static class ModelName
+{
+    /// <summary>The background's name.</summary>
+    public const string Background = "the background";
+
+    /// <summary>For a sentence: its name between backquotes; where it has none, or shares it, its place in the scene file and its type.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="model">The model's place; −1 for the background.</param>
+    public static string Of(Scene scene, int model)
+    {
+        if (model < 0) return Background;
+        if (string.IsNullOrEmpty(scene.Models[model].Name)) return Typed(scene, model);
+        var name = $"`{scene.Models[model].Name}`";
+        for (var i = 0; i < scene.Models.Count; i++)
+            if (i != model && scene.Models[i].Name == scene.Models[model].Name) return $"{name} (models[{model}])";
+        return name;
+    }
+
+    /// <summary>For a table: its name, or its place and type.</summary>
+    public static string Typed(Scene scene, int model) =>
+        scene.Models[model].Name is { Length: > 0 } name ? name : $"models[{model}] ({scene.Models[model].Kind})";
+
+    /// <summary>Where the type stands beside it: its name, or its place.</summary>
+    public static string Plain(Scene scene, int model) =>
+        scene.Models[model].Name is { Length: > 0 } name ? name : $"models[{model}]";
+}

@@ -1,8 +1,0 @@
-namespace RayCaster;
-
-/// <summary>Where a moving camera is at one moment.</summary>
-/// <param name="Time">The moment, in any unit: only the ratio of the times between keys counts.</param>
-/// <param name="Position">P.</param>
-/// <param name="Target">T.</param>
-/// <param name="FovY">The vertical field of view in degrees.</param>
-public readonly record struct CameraKey(double Time, Vector3 Position, Vector3 Target, double FovY);

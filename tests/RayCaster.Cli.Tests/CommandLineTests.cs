@@ -1,0 +1,71 @@
+namespace RayCaster.Cli.Tests;
+
+public sealed class CommandLineTests : IDisposable
+{
+    private readonly RayCasterProcess raycaster = new();
+
+    public void Dispose() => raycaster.Dispose();
+
+    [Fact]
+    public void WithoutArgumentsItShowsTheOneCommandToTry()
+    {
+        raycaster.Run();
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.Empty(raycaster.Output);
+        Assert.Contains("dotnet run --project src/RayCaster.Cli -- scenes/first.json", raycaster.Error);
+        Assert.InRange(raycaster.Error.Split('\n').Length, 2, 6);
+    }
+
+    [Theory]
+    [InlineData("help")]
+    [InlineData("--help")]
+    [InlineData("-h")]
+    [InlineData("-?")]
+    [InlineData("scene.json", "--help")]
+    public void HelpThatIsAskedForGoesToStandardOutput(params string[] arguments)
+    {
+        raycaster.Run(arguments);
+        Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.Error));
+        Assert.Contains("Usage:", raycaster.OutputText);
+        Assert.All(raycaster.OutputText.Split('\n'), line => Assert.InRange(line.TrimEnd().Length, 0, 90));
+    }
+
+    [Fact]
+    public void VersionIsBare()
+    {
+        raycaster.Run("--version");
+        Assert.Matches(@"^\d+\.\d+\.\d+\s*$", raycaster.OutputText);
+    }
+
+    [Theory]
+    [InlineData("unknown option '--ouput'; did you mean '--output'?", "--ouput", "a.png")]
+    [InlineData("unknown option '-x'", "-x")]
+    [InlineData("option '--size' is given twice", "-s", "1x1", "--size", "2x2")]
+    [InlineData("option '--output' needs a value", "-o")]
+    [InlineData("option '--quiet' takes no value, but 'yes' is given", "--quiet=yes")]
+    [InlineData("'640*480' is not a size: write width and height in pixels as in 640x480\n", "a.json", "-s", "640*480")]
+    [InlineData("'0x5' is not a size", "a.json", "-s", "0x5")]
+    [InlineData("'1000001x1' is too large: width and height are at most 1000000, their product at most 10000000000", "a.json", "-s", "1000001x1")]
+    [InlineData("'1000000x1000000' is too large", "a.json", "-s", "1000000x1000000")]
+    [InlineData("'many' is not a number of threads: it is a whole number from 1 to 1024", "a.json", "-t", "many")]
+    [InlineData("'jpg' is not a format: choose png, ppm or ppm-text", "a.json", "--format", "jpg")]
+    [InlineData("one scene at a time, but there are 2: a.json, b.json\n", "a.json", "b.json")]
+    [InlineData("one scene at a time, but there are 2: a.json, b.png; did you mean -o b.png?", "a.json", "b.png")]
+    [InlineData("which scene?", "--quiet")]
+    public void AMistakeIsOneLineAndAHint(string message, params string[] arguments)
+    {
+        raycaster.Run(arguments);
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.Empty(raycaster.Output);
+        Assert.StartsWith("raycaster: " + message, raycaster.Error);
+        Assert.EndsWith("\nTry 'raycaster help', or dotnet run --project src/RayCaster.Cli -- help.\n", raycaster.Error);
+        Assert.Equal(3, raycaster.Error.Split('\n').Length);
+    }
+
+    [Fact]
+    public void AfterTwoDashesEverythingIsAScene()
+    {
+        raycaster.Run("--", "-q");
+        Assert.Contains("-q: error: file not found", raycaster.Error);
+    }
+}

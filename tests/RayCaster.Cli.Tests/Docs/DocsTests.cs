@@ -1,0 +1,63 @@
+using System.Text.RegularExpressions;
+
+namespace RayCaster.Cli.Tests.Docs;
+
+/// <summary>What the documents show is what is there.</summary>
+public class DocsTests
+{
+    public static TheoryData<string> Documents => new(new[] { "README.md" }
+        .Concat(Directory.GetFiles(ProjectFolder.PathOf("docs"), "*.md").Select(path => "docs/" + Path.GetFileName(path)))
+        .Append("tests/References/README.md"));
+
+    [Theory]
+    [MemberData(nameof(Documents))]
+    public void EveryLinkLeadsToAFile(string document)
+    {
+        var folder = Path.GetDirectoryName(ProjectFolder.PathOf(document))!;
+        foreach (Match link in Regex.Matches(Read(document), @"\]\((?!https?:)([^)#]+)[^)]*\)"))
+        {
+            var path = Path.Combine(folder, link.Groups[1].Value);
+            Assert.True(File.Exists(path) || Directory.Exists(path), $"{document} links to {link.Groups[1].Value}, which is not there");
+        }
+    }
+
+    [Fact]
+    public void TheReadmeShowsTheFirstSceneInFull() => Assert.Contains($"```json\n{Read("scenes/first.json")}```", Read("README.md"));
+
+    [Fact]
+    public void TheReadmesErrorIsTheOneThatIsPrinted()
+    {
+        using var raycaster = new RayCasterProcess();
+        Directory.CreateDirectory(raycaster.PathOf("scenes"));
+        raycaster.Write("scenes/first.json", Read("scenes/first.json").Replace("\"radius\"", "\"raduis\"")).Run("scenes/first.json");
+        Assert.Contains($"-- scenes/first.json\n{raycaster.Error}```", Read("README.md"));
+    }
+
+    [Fact]
+    public void TheExplanationOfTheDocumentIsTheOneThatIsPrinted()
+    {
+        var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/first.json")).Scene!;
+        Assert.Contains($"-- explain scenes/first.json 250 250\n{PixelExplanation.Of(scene, 250, 250).ToText()}```", Read("docs/explain.md"));
+    }
+
+    [Theory]
+    [InlineData("room", 500, 500)]
+    [InlineData("first", 300, 200)]
+    public void ThePicturesOfTheReadmeAreThoseOfTheScenes(string scene, int width, int height)
+    {
+        var read = SceneReader.Read(ProjectFolder.PathOf($"scenes/{scene}.json")).Scene!;
+        var picture = ScalarRenderer.Render(read with { Camera = read.Camera.WithSize(width, height) });
+        Assert.Equal(PictureFile.Read(ProjectFolder.PathOf($"docs/{scene}.png")).Rgb, picture.Rgb);
+    }
+
+    [Theory]
+    [InlineData("Ring")]
+    [InlineData("Cylinder")]
+    public void TheShapesToAddAreThoseOfTheTests(string shape)
+    {
+        var code = Read($"tests/RayCaster.Testing/{shape}.cs");
+        Assert.Contains(code[code.IndexOf("internal ", StringComparison.Ordinal)..], Read("docs/adding-a-primitive.md"));
+    }
+
+    private static string Read(string file) => File.ReadAllText(ProjectFolder.PathOf(file)).ReplaceLineEndings("\n");
+}

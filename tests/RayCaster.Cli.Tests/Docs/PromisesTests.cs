@@ -1,0 +1,82 @@
+using System.Text.RegularExpressions;
+using RayCaster.Testing.Fuzzing;
+
+namespace RayCaster.Cli.Tests.Docs;
+
+/// <summary>What SECURITY.md and docs/limits.md promise is held by the tests that they name, and those are there.</summary>
+public class PromisesTests
+{
+    public static TheoryData<string> Documents => new("SECURITY.md", "docs/limits.md");
+
+    [Theory]
+    [MemberData(nameof(Documents))]
+    public void EveryNamedTestIsThere(string document)
+    {
+        var named = Regex.Matches(Read(document), @"`(\w+Tests)\.(\w+)`");
+        Assert.NotEmpty(named);
+        foreach (Match name in named)
+        {
+            var test = $@"\[(Fact|Theory)\]\r?\n( *\[.*\r?\n)*    public [\w ]+ {name.Groups[2].Value}\(";
+            var file = Assert.Single(SourceFiles("tests"), path => Path.GetFileName(path) == name.Groups[1].Value + ".cs");
+            Assert.True(Regex.IsMatch(File.ReadAllText(file), test), $"{document} names {name.Value}, which is no test");
+        }
+    }
+
+    [Theory]
+    [MemberData(nameof(Documents))]
+    public void EveryRowOfATableNamesATest(string document)
+    {
+        foreach (var line in Read(document).Split('\n'))
+            if (line.StartsWith('|') && !line.StartsWith("|---") && !line.Contains("| held by |"))
+                Assert.Matches(@"`\w+Tests\.\w+`", line);
+    }
+
+    [Theory]
+    [InlineData("67,108,864", SceneReader.MostBytes)]
+    [InlineData("1,048,576", 1 << 20)]
+    [InlineData("268,435,456", MeshBlock.MostBytes)]
+    [InlineData("1000 are kept", SceneDocument.MostProblems)]
+    [InlineData("20 are printed", SceneReading.Printed)]
+    [InlineData("a scene file of n bytes | 4 MiB + 75 n", MemoryLimit.BytesOfScene)]
+    [InlineData("each mesh file of n bytes | 4 MiB + 75 n", MemoryLimit.BytesOfMesh)]
+    [InlineData("4 MiB + 20 n", MemoryLimit.BytesOfPicture)]
+    public void TheLimitsAreThoseOfTheCode(string written, int limit)
+    {
+        Assert.Contains(written, Read("docs/limits.md"));
+        Assert.Contains($"{limit}", Regex.Replace(written, @",|MiB|\b4 ", ""));
+    }
+
+    [Fact]
+    public void OnlyTheReplacedFileWrites() =>
+        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "HandOutFolder.cs"],
+            @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
+
+    [Fact]
+    public void NoNetworkAndNoOtherProgram() => NowhereBut([.. LivePage(), "LiveCommand.cs"], @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
+
+    [Fact]
+    public void OnlyNamedVariablesAreRead()
+    {
+        NowhereBut([], @"EnvironmentVariables|EnvironmentVariable\((?!"")");
+        foreach (var path in SourceFiles())
+            foreach (Match variable in Regex.Matches(File.ReadAllText(path), @"(?:[vV]ariable|Has)\(""([A-Z_]+)"""))
+                Assert.Contains($"`{variable.Groups[1].Value}`", Read("SECURITY.md"));
+    }
+
+    /// <summary>What is promised of the live page is held by tests of its own.</summary>
+    private static IEnumerable<string> LivePage() =>
+        SourceFiles().Where(path => path.Contains($"{Path.DirectorySeparatorChar}RayCaster.Live{Path.DirectorySeparatorChar}")).Select(path => Path.GetFileName(path));
+
+    private static void NowhereBut(string[] files, string pattern)
+    {
+        foreach (var path in SourceFiles())
+            if (!files.Contains(Path.GetFileName(path)))
+                Assert.Equal((path, ""), (path, Regex.Match(File.ReadAllText(path), pattern).Value));
+    }
+
+    private static IEnumerable<string> SourceFiles(string folder = "src") =>
+        Directory.GetFiles(ProjectFolder.PathOf(folder), "*.cs", SearchOption.AllDirectories)
+            .Where(path => !path.Contains($"{Path.DirectorySeparatorChar}obj{Path.DirectorySeparatorChar}"));
+
+    private static string Read(string file) => File.ReadAllText(ProjectFolder.PathOf(file)).ReplaceLineEndings("\n");
+}

@@ -1,0 +1,182 @@
+using System.Text;
+
+namespace RayCaster.Cli.Tests;
+
+public sealed class DrawTests : IDisposable
+{
+    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
+
+    private readonly RayCasterProcess raycaster = new();
+
+    public void Dispose() => raycaster.Dispose();
+
+    [Fact]
+    public void ThePictureIsNamedAfterTheSceneAndLiesInTheCurrentFolder()
+    {
+        raycaster.Run(Room);
+        Assert.Equal(0, raycaster.ExitCode);
+        Assert.Equal(["room.png"], raycaster.Files);
+        var picture = PictureFile.Read(raycaster.PathOf("room.png"));
+        Assert.Equal((500, 500), (picture.Width, picture.Height));
+    }
+
+    [Fact]
+    public void OneLineTellsPictureSizeModelsTimeAndRaysPerSecond()
+    {
+        raycaster.Run(Room, "--size", "30x20");
+        Assert.Matches(@"^room\.png: 30 x 20 pixels, 9 models, \d+\.\d\d s, \d+\.\d million rays per second\n$", raycaster.Error);
+        Assert.Empty(raycaster.Output);
+    }
+
+    [Fact]
+    public void QuietPrintsNothing()
+    {
+        raycaster.Run("-q", Room, "--size=30x20");
+        Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Theory]
+    [InlineData("a.png")]
+    [InlineData("a.PPM")]
+    public void TheExtensionChoosesTheFormat(string file)
+    {
+        raycaster.Run(Room, "-s", "31x17", "-o", file).Run(Room, "-s", "31x17", "--output=b.png");
+        Assert.Equal(PictureFile.Read(raycaster.PathOf("b.png")).Rgb, PictureFile.Read(raycaster.PathOf(file)).Rgb);
+        Assert.Equal(file.EndsWith("png") ? (byte)0x89 : (byte)'P', File.ReadAllBytes(raycaster.PathOf(file))[0]);
+    }
+
+    [Fact]
+    public void PpmInReadableNumbersIsThereOnRequest()
+    {
+        raycaster.Run(Room, "-s", "4x2", "-o", "a.ppm", "--format", "ppm-text");
+        Assert.StartsWith("P3\n4 2\n255\n", File.ReadAllText(raycaster.PathOf("a.ppm")));
+    }
+
+    [Fact]
+    public void WhatOthersWriteToTheSameOutputStandsBeforeAndBehindThePicture()
+    {
+        if (OperatingSystem.IsWindows()) return; // no shell that shares a file
+        raycaster.Shell($"""(echo before; "$0" '{Room}' -s 4x2 -o -; echo behind) >all 2>&1""");
+        var all = Encoding.Latin1.GetString(File.ReadAllBytes(raycaster.PathOf("all")));
+        Assert.StartsWith("before\nP6\n4 2\n255\n", all);
+        Assert.Matches(@"^standard output: 4 x 2 pixels, .*\nbehind\n$", all[("before\n".Length + 11 + 4 * 2 * 3)..]);
+    }
+
+    [Fact]
+    public void ThePictureIsDrawnWhereNobodyReadsTheMessages()
+    {
+        if (OperatingSystem.IsWindows()) return;
+        raycaster.Shell($"""
+            "$0" '{Room}' -s 4x2 -o closed.png 2>&-
+            "$0" '{Room}' -s 4x2 -o full.png 2>/dev/full
+            """);
+        Assert.Equal(["closed.png", "full.png"], raycaster.Files);
+    }
+
+    [Fact]
+    public void StandardOutputGetsTheBytesOfAPpm()
+    {
+        raycaster.Run(Room, "-s", "4x2", "-o", "-");
+        Assert.Equal("P6\n4 2\n255\n", Encoding.ASCII.GetString(raycaster.Output, 0, 11));
+        Assert.Equal(11 + 4 * 2 * 3, raycaster.Output.Length);
+        Assert.Empty(raycaster.Files);
+    }
+
+    [Fact]
+    public void ASceneComesFromStandardInput()
+    {
+        raycaster.Run(File.ReadAllText(Room), ["-", "-s", "4x2"]);
+        Assert.Equal(["scene.png"], raycaster.Files);
+    }
+
+    [Fact]
+    public void ThePictureDoesNotDependOnTheThreads()
+    {
+        raycaster.Run(Room, "-s", "90x60", "-t", "1", "-o", "a.ppm").Run(Room, "-s", "90x60", "--threads", "5", "-o", "b.ppm");
+        Assert.Equal(File.ReadAllBytes(raycaster.PathOf("a.ppm")), File.ReadAllBytes(raycaster.PathOf("b.ppm")));
+    }
+
+    [Fact]
+    public void ABrokenSceneLeavesTheOldPictureAndNothingElse()
+    {
+        raycaster.Write("ball.png", "the old picture").Write("ball.json", """
+            {
+              "camera": { "position": [5, 0, 0], "target": [0, 0, 0], "fovy": 60 },
+              "models": [ { "type": "sphere", "center": [0, 0, 0], "radius": -2 } ]
+            }
+            """).Run("ball.json");
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.Contains("ball.json(2,59): error: camera.fovy", raycaster.Error);
+        Assert.Contains("ball.json(3,66): error: models[0].radius must be greater than 0, but is -2", raycaster.Error);
+        Assert.Equal(["ball.json", "ball.png"], raycaster.Files);
+        Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("ball.png")));
+    }
+
+    [Fact]
+    public void AMissingSceneIsNamedWithTheFullPathAndTheNearestOne()
+    {
+        raycaster.Write("room.json", "{}").Run("rom.json");
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.Contains("looked for " + raycaster.PathOf("rom.json"), raycaster.Error);
+        Assert.Contains("room.json", raycaster.Error);
+    }
+
+    [Theory]
+    [InlineData("no picture format for 'a.gif': .gif is not known; use .png or .ppm", "-o", "a.gif")]
+    [InlineData("cannot write no/a.png: its folder does not exist", "-o", "no/a.png")]
+    [InlineData("cannot write ./: it is a folder; name a file in it", "-o", "./", "--format", "png")]
+    public void APictureThatCannotBeWrittenIsRefused(string message, params string[] arguments)
+    {
+        raycaster.Run([Room, .. arguments]);
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.StartsWith("raycaster: " + message, raycaster.Error);
+        Assert.Empty(raycaster.Files);
+    }
+
+    [Theory]
+    [InlineData("HUP", 129)]
+    [InlineData("INT", 130)]
+    [InlineData("TERM", 143)]
+    public void ASignalLeavesTheOldPictureAndNothingElse(string signal, int exitCode)
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        raycaster.Write("room.png", "the old picture");
+        using var process = raycaster.Start(Room, "--size", "20000x20000");
+        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(10);
+        Assert.Equal(exitCode, RayCasterProcess.Kill(process, signal));
+        Assert.Equal(["room.png"], raycaster.Files);
+        Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("room.png")));
+    }
+
+    [Fact]
+    public void WaitingForASceneCanBeInterrupted()
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        using var process = raycaster.Start("-");
+        Thread.Sleep(500); // it reads by now; where it does not, the runtime's own answer to the signal is the same
+        Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
+    }
+
+    [Fact]
+    public void WhatFollowsThePictureInAFileDoesNotOverwriteIt()
+    {
+        if (OperatingSystem.IsWindows()) return; // no sh there
+        raycaster.RunInShell($"{{ raycaster -q '{Room}' -s 4x2 -o - && echo end; }} > both");
+        var bytes = File.ReadAllBytes(raycaster.PathOf("both"));
+        Assert.Equal("P6\n4 2\n255\n", Encoding.ASCII.GetString(bytes, 0, 11));
+        Assert.Equal("end\n", Encoding.ASCII.GetString(bytes, 11 + 4 * 2 * 3, bytes.Length - (11 + 4 * 2 * 3)));
+    }
+
+    [Fact]
+    public void AReaderThatGoesAwayIsToldInWords()
+    {
+        if (OperatingSystem.IsWindows()) return; // pipes break in other ways there
+        using var process = raycaster.Start(Room, "--size", "5000x5000", "-o", "-");
+        process.StandardOutput.Close();
+        var error = process.StandardError.ReadToEnd();
+        process.WaitForExit();
+        Assert.Equal(2, process.ExitCode);
+        Assert.StartsWith("raycaster: cannot write to standard output", error);
+        Assert.DoesNotContain("   at ", error);
+    }
+}

@@ -1,0 +1,220 @@
+using System.Diagnostics;
+using RayCaster.Testing.Fuzzing;
+
+namespace RayCaster.Cli.Tests;
+
+/// <summary>
+/// What may go wrong around the real process: it ends by itself with a message and the right exit code, and what it leaves is the old picture or the
+/// new one, whole. Where a fault cannot be made (no shell, no right to mount), its test does nothing.
+/// </summary>
+public sealed class FaultTests : IDisposable
+{
+    private const string Old = "the old picture";
+    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
+
+    private readonly RayCasterProcess raycaster = new();
+
+    public void Dispose() => raycaster.Dispose();
+
+    [Fact]
+    public void AFullDiskLeavesTheOldPictureAndNothingElse()
+    {
+        if (!InOwnFileSystem("mount -t tmpfs -o size=64k none disk; echo old >disk/room.ppm", "raycaster -q ROOM -s 999x999 -o disk/room.ppm")) return;
+        Assert.Equal((2, "raycaster: cannot write disk/room.ppm: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal("room.ppm old\n", raycaster.OutputText);
+    }
+
+    [Fact]
+    public void AFullDiskIsNoticedWhereThePictureIsCompressed()
+    {
+        if (!InOwnFileSystem("mount -t tmpfs -o size=8k none disk; echo old >disk/room.png", "raycaster -q ROOM -s 999x999 -o disk/room.png")) return;
+        Assert.Equal((2, "raycaster: cannot write disk/room.png: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal("room.png old\n", raycaster.OutputText);
+    }
+
+    [Fact]
+    public void AReadOnlyFileSystemIsNamed()
+    {
+        if (!InOwnFileSystem("mount -t tmpfs none disk; echo old >disk/room.png; mount -o remount,ro disk", "raycaster -q ROOM -s 9x9 -o disk/room.png")) return;
+        Assert.Equal((2, "raycaster: cannot write disk/room.png: read-only file system\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal("room.png old\n", raycaster.OutputText);
+    }
+
+    [Fact]
+    public void AFolderOneMayNotWriteToIsNamed()
+    {
+        if (OperatingSystem.IsWindows()) return; // rights are others there
+        var folder = Environment.IsPrivilegedProcess ? "/proc" : "locked"; // nobody may write to the first
+        Directory.CreateDirectory(raycaster.PathOf("locked"), UnixFileMode.UserRead | UnixFileMode.UserExecute);
+        raycaster.Run(Room, "-s", "9x9", "-o", folder + "/room.png");
+        Assert.Equal((2, $"raycaster: cannot write {folder}/room.png: you may not write to its folder\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Theory]
+    [InlineData("room.ppm")]
+    [InlineData("room.png")]
+    public void ALimitOfFileSizesLeavesTheOldPictureAndNothingElse(string picture)
+    {
+        if (OperatingSystem.IsWindows()) return; // has no such limit
+        raycaster.Write(picture, Old);
+        // The runtime's own large file of no content must not count.
+        raycaster.RunInShell($"ulimit -f 8; export DOTNET_EnableWriteXorExecute=0; raycaster -q '{Room}' -s 1500x1500 -o {picture}");
+        Assert.Equal((2, $"raycaster: cannot write {picture}: the file is larger than the system allows\n"), (raycaster.ExitCode, raycaster.Error));
+        OnlyTheOldPicture(picture);
+    }
+
+    [Theory]
+    [InlineData(">/dev/full", "No space left on device")]
+    [InlineData(">&-", "it is closed")]
+    [InlineData("| head -c 10 >/dev/null", "Broken pipe")]
+    public void AnOutputThatTakesNothingIsTold(string where, string reason)
+    {
+        if (!OperatingSystem.IsLinux()) return; // others have no such device, or other words
+        raycaster.RunInShell($"{{ raycaster -q '{Room}' -s 3000x3000 -o -; echo $? >code; }} {where}");
+        Assert.Equal($"raycaster: cannot write to standard output: {reason}\n", raycaster.Error);
+        Assert.Equal("2\n", File.ReadAllText(raycaster.PathOf("code")));
+    }
+
+    [Fact]
+    public void AReaderThatHasStoppedDoesNotKeepOneFromCancelling()
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        using var process = raycaster.Start(Room, "-s", "3000x3000", "-o", "-");
+        process.StandardOutput.BaseStream.ReadByte(); // from here on nobody reads, and the pipe is soon full
+        Thread.Sleep(300);
+        Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
+    }
+
+    [Theory]
+    [InlineData(24)]
+    [InlineData(32)]
+    [InlineData(48)]
+    public void TooLittleMemoryIsTold(int megabytes)
+    {
+        if (OperatingSystem.IsWindows()) return; // no sh there
+        raycaster.Write("wide.png", Old);
+        raycaster.RunInShell($"export DOTNET_GCHeapHardLimit={megabytes << 20:x}; raycaster '{Room}' -s 1000000x64 -t 2 -o wide.png");
+        Assert.Equal((2, "raycaster: there is not enough memory\n"), (raycaster.ExitCode, raycaster.Error));
+        OnlyTheOldPicture("wide.png");
+    }
+
+    [Fact]
+    public void AKilledRunLeavesTheOldPictureAndTheNextOneTidiesUp()
+    {
+        raycaster.Write("room.png", Old);
+        using (var process = raycaster.Start(Room, "--size", "20000x20000"))
+        {
+            WaitForTemporaryFile(process);
+            process.Kill(); // SIGKILL: it has no time to tidy
+            process.WaitForExit();
+        }
+        Assert.Equal(2, raycaster.Files.Length);
+        Assert.Equal(Old, File.ReadAllText(raycaster.PathOf("room.png")));
+        raycaster.Run(Room, "-s", "9x9");
+        Assert.Equal(0, raycaster.ExitCode);
+        Assert.Equal(["room.png"], raycaster.Files);
+        Assert.Equal(9, PictureFile.Read(raycaster.PathOf("room.png")).Width);
+    }
+
+    [Fact]
+    public void ARunDoesNotDisturbAnotherThatWritesTheSamePicture()
+    {
+        using var slow = raycaster.Start(Room, "--size", "20000x2000");
+        WaitForTemporaryFile(slow);
+        raycaster.Run(Room, "-s", "9x9");
+        Assert.Equal(0, raycaster.ExitCode);
+        slow.WaitForExit();
+        Assert.Equal(0, slow.ExitCode);
+        Assert.Equal(["room.png"], raycaster.Files);
+        using var picture = File.OpenRead(raycaster.PathOf("room.png"));
+        picture.Position = 18;
+        Assert.Equal(20000, picture.ReadByte() << 8 | picture.ReadByte()); // the last to end has the say
+    }
+
+    /// <summary>From before its first instruction to after its last: whenever a signal comes, there is the old picture or the new one, and nothing else.</summary>
+    [Theory]
+    [InlineData("INT", 130)]
+    [InlineData("TERM", 143)]
+    public void ASignalAtAnyMomentLeavesAWholePicture(string signal, int exitCode)
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        var random = new Random(Campaign.Seed);
+        var until = Stopwatch.StartNew();
+        for (var i = 0; i < 8 || until.Elapsed < Campaign.Time; i++)
+        {
+            raycaster.Write("room.png", Old);
+            using var process = raycaster.Start("-q", Room, "-s", $"{1 + random.Next(1500)}x1000");
+            Thread.Sleep(random.Next(350));
+            var code = RayCasterProcess.Kill(process, signal);
+            Assert.Contains(code, (int[])[0, exitCode]);
+            Assert.Equal(["room.png"], raycaster.Files);
+            if (code == 0 || File.ReadAllText(raycaster.PathOf("room.png")) != Old)
+                Assert.Equal(1000, PictureFile.Read(raycaster.PathOf("room.png")).Height);
+            Assert.DoesNotContain("   at ", process.StandardError.ReadToEnd());
+        }
+    }
+
+    [Fact]
+    public void AMeshThatShrinksOrVanishesWhileItIsReadIsNamed()
+    {
+        raycaster.Write("mesh.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [{ "type": "mesh", "file": "a.obj" }] }""");
+        var text = string.Concat(Enumerable.Repeat("v 0 0 0\nv 1 0 0\nv 1 1 0.25\nf -1 -2 -3\n", 100_000));
+        var random = new Random(Campaign.Seed);
+        for (var i = 0; i < 6; i++)
+        {
+            raycaster.Write("a.obj", text);
+            using var process = raycaster.Start("-q", "mesh.json", "-s", "9x9");
+            Thread.Sleep(60 + random.Next(200));
+            if (i % 3 == 0 && !OperatingSystem.IsWindows())
+            {
+                File.Delete(raycaster.PathOf("a.obj"));
+            }
+            else if (!OperatingSystem.IsWindows()) // there nobody shortens what another reads
+            {
+                using var file = new FileStream(raycaster.PathOf("a.obj"), FileMode.Open, FileAccess.Write, FileShare.ReadWrite);
+                file.SetLength(random.Next((int)file.Length));
+            }
+            var error = process.StandardError.ReadToEnd();
+            process.WaitForExit();
+            Assert.DoesNotContain("   at ", error);
+            Assert.True(process.ExitCode == 0 || (process.ExitCode == 2 && error.Contains("a.obj")), $"exit code {process.ExitCode}: {error}");
+        }
+    }
+
+    /// <summary>Runs the app beside a folder "disk" that is a file system of its own, which nobody else sees and which goes with the shell.</summary>
+    /// <returns>False where one may not mount anything.</returns>
+    private bool InOwnFileSystem(string mount, string run)
+    {
+        if (!OperatingSystem.IsLinux()) return false;
+        Directory.CreateDirectory(raycaster.PathOf("disk"));
+        var user = Environment.IsPrivilegedProcess ? "" : "-r"; // where the system allows it, one is root in a name space of one's own
+        raycaster.Write("faulty.sh", $"""
+            {mount} || exit 77
+            {run.Replace("raycaster", "\"$1\"", StringComparison.Ordinal).Replace("ROOM", $"'{Room}'")}
+            code=$?
+            cd disk && for file in *; do echo "$file $(cat "$file")"; done
+            exit $code
+            """);
+        raycaster.RunInShell($"unshare {user} -m true 2>/dev/null || exit 77; exec unshare {user} -m sh faulty.sh '{RayCasterProcess.App}'");
+        return raycaster.ExitCode != 77;
+    }
+
+    private void OnlyTheOldPicture(string name)
+    {
+        Assert.Equal([name], raycaster.Files);
+        Assert.Equal(Old, File.ReadAllText(raycaster.PathOf(name)));
+    }
+
+    private void WaitForTemporaryFile(Process process)
+    {
+        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(10);
+    }
+
+    [Fact]
+    public void AFilesNameMovesNoCursor()
+    {
+        raycaster.Run("\u001b[2J.json");
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.StartsWith("\uFFFD[2J.json: error: file not found", raycaster.Error);
+    }
+}

@@ -1,0 +1,18 @@
+namespace RayCaster.Cli.Tests.Fuzzing;
+
+/// <summary>A scene that never ends is refused at the limit, through the real process.</summary>
+public class EndlessSceneTests
+{
+    [Theory]
+    [InlineData("-")]
+    [InlineData("/dev/zero")]
+    public void AnEndlessSceneIsReadUpToTheLimit(string scene)
+    {
+        if (!File.Exists("/dev/zero")) return; // Windows
+        using var raycaster = new RayCasterProcess();
+        raycaster.RunInShell($"raycaster {scene} </dev/zero");
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.EndsWith(": error: the scene file has more than 67,108,864 bytes, which is the limit; let mesh files hold what is large\n", raycaster.Error);
+        Assert.Empty(raycaster.Files);
+    }
+}

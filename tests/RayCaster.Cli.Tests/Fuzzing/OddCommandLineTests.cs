@@ -1,0 +1,26 @@
+using RayCaster.Testing.Fuzzing;
+
+namespace RayCaster.Cli.Tests.Fuzzing;
+
+/// <summary>Whatever a command line holds, it is understood or refused in words.</summary>
+public class OddCommandLineTests
+{
+    [Fact]
+    public void OddCommandLinesDoNoHarm() => Campaign.Run("command-line", 5000, OddCommandLine.Next, input => Understand(OddCommandLine.Words(input)));
+
+    private static void Understand(string[] words)
+    {
+        try
+        {
+            var line = CommandLine.Parse(words);
+            line.PictureSize();
+            line.ThreadCount();
+            line.Exactly("<one>", "<other>");
+        }
+        catch (ProblemException e)
+        {
+            Assert.StartsWith("raycaster: ", e.Message);
+            Assert.DoesNotContain("   at RayCaster", e.Message);
+        }
+    }
+}

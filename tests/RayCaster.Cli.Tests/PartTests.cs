@@ -1,0 +1,169 @@
+namespace RayCaster.Cli.Tests;
+
+/// <summary>Parts of a picture, and the picture that they make, with the real process.</summary>
+public sealed class PartTests : IDisposable
+{
+    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
+
+    private readonly RayCasterProcess raycaster = new();
+
+    public void Dispose() => raycaster.Dispose();
+
+    [Fact]
+    public void APartIsNamedAfterItsLines()
+    {
+        raycaster.Run(Room, "-s", "30x500", "--rows", "250..499");
+        Assert.Equal(["room.part-0250-0499.png"], raycaster.Files);
+        Assert.StartsWith("room.part-0250-0499.png: lines 250..499 of 30 x 500 pixels, 9 models, ", raycaster.Error);
+    }
+
+    [Fact]
+    public void NamesOfPartsOfATallPictureStandInOrder()
+    {
+        raycaster.Run(Room, "-s", "1x12345", "--rows", "7..9");
+        Assert.Equal(["room.part-00007-00009.png"], raycaster.Files);
+    }
+
+    [Fact]
+    public void TheKthOfNPartsAreAllLines()
+    {
+        for (var k = 1; k <= 7; k++) raycaster.Run(Room, "-s", "10x100", "--rows", $"{k}/7");
+        Assert.Equal(["room.part-0000-0013.png", "room.part-0014-0027.png"], raycaster.Files.Take(2));
+        raycaster.Run("stitch", ".", "--missing");
+        Assert.Equal((0, "", ""), (raycaster.ExitCode, raycaster.OutputText, raycaster.Error));
+    }
+
+    [Theory]
+    [InlineData("room.json")]
+    [InlineData("mesh.json")]
+    [InlineData("inside-sphere.json")]
+    public void StitchedPartsAreThePictureThatIsDrawnInOneGo(string scene)
+    {
+        var path = Path.Combine(RayCasterProcess.Scenes, scene);
+        raycaster.Run(path, "-s", "200x150", "-o", "whole.png");
+        foreach (var rows in (string[])["0..0", "1..63", "64..66", "67..149"]) raycaster.Run(path, "-s", "200x150", "--rows", rows);
+        raycaster.Run("stitch", "*.part-*.png", "-o", "stitched.png");
+        Assert.Equal(0, raycaster.ExitCode);
+        Assert.Matches(@"^stitched\.png: 200 x 150 pixels, 4 parts, \d+\.\d\d s\n$", raycaster.Error);
+        Assert.Equal(File.ReadAllBytes(raycaster.PathOf("whole.png")), File.ReadAllBytes(raycaster.PathOf("stitched.png")));
+    }
+
+    [Fact]
+    public void AFolderIsItsPartsAndStandardOutputGetsAPpm()
+    {
+        raycaster.Run(Room, "-s", "20x10").Run(Room, "-s", "20x10", "--rows", "1/2").Run(Room, "-s", "20x10", "--rows", "2/2");
+        raycaster.Run("stitch", ".", "-o", "-");
+        Assert.Equal(PictureFile.Read(raycaster.PathOf("room.png")).Rgb, PictureFile.Read(new MemoryStream(raycaster.Output)).Rgb);
+    }
+
+    [Fact]
+    public void MissingLinesAreToldInTheFormOfRowsAndNothingIsWritten()
+    {
+        raycaster.Run(Room, "-s", "20x100", "--rows", "10..19").Run(Room, "-s", "20x100", "--rows", "50..98").Run("stitch", ".", "--missing");
+        Assert.Equal((1, "0..9\n20..49\n99..99\n", ""), (raycaster.ExitCode, raycaster.OutputText, raycaster.Error));
+
+        raycaster.Run("stitch", ".", "-o", "room.png");
+        Assert.Equal((1, "raycaster: of 100 lines these are missing:\n  0..9\n  20..49\n  99..99\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal(2, raycaster.Files.Length);
+
+        foreach (var rows in (string[])["0..9", "20..49", "99..99"]) raycaster.Run(Room, "-s", "20x100", "--rows", rows);
+        Assert.Equal(0, raycaster.Run("stitch", ".", "-o", "room.png").ExitCode);
+    }
+
+    [Fact]
+    public void PartsOfDifferentScenesAreNotJoined()
+    {
+        raycaster.Write("room.png", "the old picture");
+        raycaster.Write("a.json", File.ReadAllText(Room)).Write("b.json", File.ReadAllText(Room).Replace("\"fovY\": 45", "\"fovY\": 46"));
+        raycaster.Run("a.json", "--rows", "1/2").Run("b.json", "--rows", "2/2").Run("stitch", "a.part*", "b.part*", "-o", "room.png");
+        Assert.Equal(1, raycaster.ExitCode);
+        Assert.StartsWith(
+            "raycaster: these are not the parts of one picture:\n  b.part-0250-0499.png shows another scene than a.part-0000-0249.png: ", raycaster.Error);
+        Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("room.png")));
+    }
+
+    [Theory]
+    [InlineData("which parts? Name files, a pattern or a folder\n", "stitch")]
+    [InlineData("stitch needs a name for the picture, as in -o room.png, or --missing to ask what is missing\n", "stitch", ".")]
+    [InlineData("--missing writes no picture: leave -o out\n", "stitch", ".", "--missing", "-o", "a.png")]
+    [InlineData("there are no parts of a picture in .\n", "stitch", ".", "--missing")]
+    [InlineData("no file matches part*.png\n", "stitch", "part*.png", "--missing")]
+    [InlineData("picture file not found: a.png\n", "stitch", "a.png", "--missing")]
+    [InlineData("no picture format for 'a.gif'", "stitch", ".", "-o", "a.gif")]
+    [InlineData("option '--rows' is not one of stitch's\n", "stitch", ".", "--rows", "0..1")]
+    [InlineData("option '--missing' belongs to a command: say which\n", "a.json", "--missing")]
+    [InlineData("'5' says no lines: write the first and the last as in 0..249, lines counted from the top, 0 first, or as in 3/8 the third of eight parts\n", "a.json", "--rows", "5")]
+    [InlineData("'9/8' says no lines", "a.json", "--rows", "9/8")]
+    [InlineData("what --rows and --resume draw is a PNG, which can say what it is part of; choose another name or format\n", "a.json", "--rows", "0..1", "-o", "a.ppm")]
+    [InlineData("what --rows and --resume draw is a PNG", "a.json", "--resume", "--format", "ppm")]
+    [InlineData("--resume looks whether the picture is there already, but what was written to standard output is gone\n", "a.json", "--resume", "-o", "-")]
+    public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)
+    {
+        raycaster.Run(arguments);
+        Assert.Equal((2, ""), (raycaster.ExitCode, raycaster.OutputText));
+        Assert.StartsWith("raycaster: " + message, raycaster.Error);
+        Assert.Empty(raycaster.Files);
+    }
+
+    [Theory]
+    [InlineData("the lines 5..10 are not all there: a picture of 10 lines has 0..9\n", "5..10")]
+    [InlineData("a picture of 10 lines has no 11 parts\n", "1/11")]
+    public void LinesThatThePictureDoesNotHaveAreRefused(string message, string rows)
+    {
+        raycaster.Run(Room, "-s", "4x10", "--rows", rows);
+        Assert.Equal((2, "raycaster: " + message), (raycaster.ExitCode, raycaster.Error));
+        Assert.Empty(raycaster.Files);
+    }
+
+    [Fact]
+    public void WhatIsThereAlreadyIsNotDrawnAgain()
+    {
+        raycaster.Run(Room, "-s", "40x40", "--resume").Run(Room, "-s", "40x40", "--rows", "3/4", "--resume");
+        var before = raycaster.Files.Select(file => File.GetLastWriteTimeUtc(raycaster.PathOf(file))).ToArray();
+        raycaster.Run(Room, "-s", "40x40", "--resume");
+        Assert.Equal((0, "room.png: there already\n"), (raycaster.ExitCode, raycaster.Error));
+        raycaster.Run(Room, "-s", "40x40", "--rows", "20..29", "--resume");
+        Assert.Equal((0, "room.part-0020-0029.png: there already\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal(before, raycaster.Files.Select(file => File.GetLastWriteTimeUtc(raycaster.PathOf(file))));
+    }
+
+    [Fact]
+    public void APartOfAnotherSceneIsDrawnAnew()
+    {
+        raycaster.Run(Room, "-s", "40x40", "--rows", "0..9", "-o", "a.png").Run(Room, "-s", "41x40", "--rows", "0..9", "-o", "a.png", "--resume");
+        Assert.Contains("lines 0..9 of 41 x 40 pixels", raycaster.Error);
+        Assert.Equal(41, PictureFile.Read(raycaster.PathOf("a.png")).Width);
+    }
+
+    [Fact]
+    public void WhatAKilledPartLeavesIsFinishedByRunningAgain()
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        string[] size = [Room, "-t", "1", "-s", "10000x3000"];
+        raycaster.Run([.. size, "--rows", "0..9"]);
+        using (var process = raycaster.Start([.. size, "--rows", "10..2989"]))
+        {
+            while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(1);
+            Assert.Equal(137, RayCasterProcess.Kill(process, "KILL"));
+        }
+        raycaster.Run([.. size, "--rows", "2990..2999"]).Run("stitch", ".", "--missing");
+        Assert.Equal((1, "10..2989\n"), (raycaster.ExitCode, raycaster.OutputText));
+
+        var said = "";
+        foreach (var rows in (string[])["0..9", "10..2989", "2990..2999"]) said += raycaster.Run([.. size, "--rows", rows, "--resume"]).Error;
+        Assert.Matches(@"^room\.part-0000-0009\.png: there already\nroom\.part-0010-2989\.png: lines .*\nroom\.part-2990-2999\.png: there already\n$", said);
+        Assert.Equal(0, raycaster.Run("stitch", ".", "--missing").ExitCode);
+    }
+
+    [Fact]
+    public void AStitchThatIsInterruptedLeavesTheOldPicture()
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        raycaster.Write("whole.png", "the old picture").Run(Room, "-s", "20000x3000", "--rows", "1/1", "-o", "a.png");
+        using var process = raycaster.Start("stitch", "a.png", "-o", "whole.png");
+        while (Directory.GetFiles(raycaster.Folder, "*.tmp").Length == 0 && !process.HasExited) Thread.Sleep(1);
+        Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
+        Assert.Equal(["a.png", "whole.png"], raycaster.Files);
+        Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("whole.png")));
+    }
+}

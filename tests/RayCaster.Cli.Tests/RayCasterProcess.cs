@@ -1,0 +1,99 @@
+using System.Diagnostics;
+
+namespace RayCaster.Cli.Tests;
+
+/// <summary>The console app, run as a real process in a folder of its own, which goes away with this.</summary>
+internal sealed class RayCasterProcess : IDisposable
+{
+    /// <summary>The console app itself.</summary>
+    public static readonly string App = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raycaster.exe" : "raycaster");
+
+    private readonly TemporaryFolder folder = new();
+
+    /// <summary>The project's scenes.</summary>
+    public static string Scenes { get; } = ProjectFolder.PathOf("scenes");
+
+    /// <summary>Where the process runs.</summary>
+    public string Folder => folder.Path;
+
+    public int ExitCode { get; private set; }
+
+    public byte[] Output { get; private set; } = [];
+
+    public string OutputText => System.Text.Encoding.UTF8.GetString(Output);
+
+    public string Error { get; private set; } = "";
+
+    /// <summary>The names of what is in the folder now.</summary>
+    public string[] Files => [.. folder.Names];
+
+    public string PathOf(string file) => folder[file];
+
+    public RayCasterProcess Write(string file, string text)
+    {
+        folder.Write(file, text);
+        return this;
+    }
+
+    public RayCasterProcess Run(params string[] arguments) => Run("", arguments);
+
+    public RayCasterProcess Run(string input, string[] arguments)
+    {
+        using var process = Start(arguments);
+        return Finish(process, input);
+    }
+
+    /// <summary>Runs a line of a shell, in which the app is called <c>raycaster</c>.</summary>
+    public RayCasterProcess RunInShell(string line)
+    {
+        using var process = StartProgram("sh", "-c", $"raycaster() {{ '{App}' \"$@\"; }}; {line}");
+        return Finish(process, "");
+    }
+
+    public Process Start(params string[] arguments) => StartProgram(App, arguments);
+
+    /// <summary>Sends a signal as the shell's <c>kill</c> does, and returns the exit code.</summary>
+    public static int Kill(Process process, string signal)
+    {
+        using (var kill = Process.Start("kill", ["-" + signal, $"{process.Id}"])) kill.WaitForExit();
+        if (process.WaitForExit(TimeSpan.FromSeconds(20))) return process.ExitCode;
+        process.Kill();
+        throw new TimeoutException($"the process does not heed SIG{signal}");
+    }
+
+    private RayCasterProcess Finish(Process process, string input)
+    {
+        process.StandardInput.Write(input);
+        process.StandardInput.Close();
+        var error = process.StandardError.ReadToEndAsync();
+        using var output = new MemoryStream();
+        process.StandardOutput.BaseStream.CopyTo(output);
+        process.WaitForExit();
+        (ExitCode, Output, Error) = (process.ExitCode, output.ToArray(), error.Result.ReplaceLineEndings("\n"));
+        Assert.DoesNotContain("   at ", Error); // no stack trace, whatever happens
+        return this;
+    }
+
+    /// <summary>Runs commands of a POSIX shell, in which $0 is the app.</summary>
+    public void Shell(string commands)
+    {
+        using var shell = Process.Start(new ProcessStartInfo("/bin/sh", ["-c", commands, App]) { WorkingDirectory = Folder })!;
+        shell.WaitForExit();
+        Assert.Equal(0, shell.ExitCode);
+    }
+
+    private Process StartProgram(string program, params string[] arguments)
+    {
+        var start = new ProcessStartInfo(program, arguments)
+        {
+            WorkingDirectory = Folder,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
+        start.Environment.Remove("RAYCASTER_TRACE");
+        return Process.Start(start)!;
+    }
+
+    public void Dispose() => folder.Dispose();
+}

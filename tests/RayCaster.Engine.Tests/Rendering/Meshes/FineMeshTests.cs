@@ -1,0 +1,69 @@
+namespace RayCaster.Engine.Tests.Rendering.Meshes;
+
+/// <summary>Meshes of many small triangles over many tiles: groups of them are sorted, hidden by nearer ones, and drawn eight at once.</summary>
+public class FineMeshTests
+{
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    [InlineData(5)]
+    [InlineData(6)]
+    public void SmallTrianglesComeOutToTheBit(int seed)
+    {
+        var random = new Random(seed);
+        var mesh = seed % 2 == 0 ? MeshGenerator.BumpySphere(5) : MeshGenerator.TorusKnot(2, 3, 1, 0.4, 0.2, 300, 16);
+        if (seed > 4) Shuffle(mesh.Indices, random);
+        var position = (seed % 3 == 0 ? 0.5 : 3) * new Vector3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, 1).Normalized;
+        var camera = new Camera(position, new(0.1, 0.2, 0), width: random.Next(150, 400), height: random.Next(150, 300), zNear: seed % 2);
+        var scene = new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
+        var hits = new Renderer(scene, 2).CastHits();
+        for (var i = 0; i < 2000; i++)
+        {
+            var (column, row) = (random.Next(camera.Width), random.Next(camera.Height));
+            Assert.Equal(ScalarRenderer.Cast(scene, column, row).HitParameter, hits.T[(camera.Height - 1 - row) * camera.Width + column]);
+        }
+    }
+
+    /// <summary>A line range begins within a tile, so what is known of the tile's cells lies elsewhere.</summary>
+    [Fact]
+    public void SomeLinesOfAMeshAreThoseOfTheWholePicture()
+    {
+        var mesh = MeshGenerator.BumpySphere(6);
+        var scene = new Scene(new(new(3, 2, 1), Vector3.Zero, width: 300, height: 200), [new Mesh(mesh.Vertices, mesh.Indices)]);
+        var whole = Renderer.Render(scene).Rgb;
+        var random = new Random(1);
+        for (var i = 0; i < 20; i++)
+        {
+            var first = random.Next(199);
+            var end = random.Next(first, 200) + 1;
+            var bytes = new List<byte>();
+            new Renderer(scene).Draw(first..end, part => bytes.AddRange(part));
+            Assert.Equal(whole[(900 * first)..(900 * end)], bytes);
+        }
+    }
+
+    /// <summary>In any order of its corners a copy's t may differ in its last bits; of those in the same order one is enough.</summary>
+    [Fact]
+    public void OnlyAnEarlierTriangleWithTheSameCornersInTheSameOrderIsATwin()
+    {
+        Vector3[] vertices = [new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(-0.0, 0, 0)];
+        var twins = new Twins(vertices, [0, 1, 2, 1, 2, 0, 3, 4, 5, 6, 1, 2]);
+        Assert.False(twins.HasEarlier(2));
+        Assert.False(twins.HasEarlier(0)); // a later one came before
+        Assert.False(twins.HasEarlier(1));
+        Assert.True(twins.HasEarlier(2));
+        Assert.False(twins.HasEarlier(3)); // −0 is not 0
+        Assert.False(twins.HasEarlier(0));
+        twins.Clear();
+        Assert.False(twins.HasEarlier(2));
+    }
+
+    private static void Shuffle(int[] indices, Random random)
+    {
+        for (var i = indices.Length / 3 - 1; i > 0; i--)
+            for (int j = random.Next(i + 1), k = 0; k < 3; k++)
+                (indices[3 * i + k], indices[3 * j + k]) = (indices[3 * j + k], indices[3 * i + k]);
+    }
+}

@@ -1,0 +1,45 @@
+namespace RayCaster.Engine.Tests.Rendering.Meshes;
+
+/// <summary>The filter for meshes may propose what it likes: what comes out is to the bit what asking all triangles gives.</summary>
+public class MeshViewTests
+{
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public void RandomMeshesComeOutToTheBit(int seed)
+    {
+        var rounds = int.Parse(Environment.GetEnvironmentVariable("RAYCASTER_ROUNDS") ?? "60");
+        for (var i = 0; i < rounds; i++)
+            RendererTests.AssertEqual(RandomMesh.Make(new Random(seed * 100_000 + i)), $"scene {i} of seed {seed}");
+    }
+
+    /// <summary>Triangles in planes that hold the eye but for the last bits; the definition's t is anywhere that they span.</summary>
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void TrianglesSeenEdgeOnComeOutToTheBit(int seed)
+    {
+        var random = new Random(seed);
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, fovY: 40, width: 64, height: 64);
+        var vertices = new List<Vector3>();
+        for (var i = 0; i < 200; i++)
+        {
+            var (a, b) = (0.01 * random.Next(-100, 100), 0.01 * random.Next(-100, 100));
+            Vector3 At(double x, double s) => camera.Position + (x + 5) * new Vector3(1, s * a, s * b);
+            vertices.AddRange([At(random.NextDouble(), 0.3), At(random.NextDouble(), 0.1), At(random.NextDouble(), 0.3 + 1e-9 * random.NextDouble())]);
+        }
+        vertices.AddRange([new(0.5, -9, -9), new(0.5, 9, -9), new(0.5, 0, 9)]);
+        RendererTests.AssertEqual(new(camera, [new Mesh([.. vertices], [.. Enumerable.Range(0, vertices.Count)])]), $"seed {seed}");
+    }
+
+    [Fact]
+    public void ManyTrianglesInOnePlaceComeOutToTheBit()
+    {
+        var camera = new Camera(new(-5, 0, 0), Vector3.Zero, width: 12, height: 9);
+        Vector3[] corners = [new(0, -1, -1), new(0, 1, -1), new(0.1, 0, 1)];
+        RendererTests.AssertEqual(new(camera, [new Mesh(corners, [.. Enumerable.Range(0, 30_000).Select(i => (i + i / 3) % 3)])]), "duplicates");
+    }
+}

@@ -1,0 +1,75 @@
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine.Tests.Rendering;
+
+/// <summary>A formula over a packet gives each lane the bits that it gives a single double.</summary>
+public class PacketTests
+{
+    private const int Shapes = 4000;
+    private const int PacketsPerShape = 64;   // 4000 shapes · 64 packets · 4 lanes: a million rays for each primitive
+
+    [Fact]
+    public void PlaneOverAPacketIsPlaneOverADouble() => HoldsFor(1, s => new Plane(s.Vector(), s.Vector()), p => [p.Point, p.Point + p.Normal]);
+
+    [Fact]
+    public void SphereOverAPacketIsSphereOverADouble() =>
+        HoldsFor(2, s => new Sphere(s.Vector(), s.Positive()), p => [p.Center, p.Center + new Vector3(p.Radius, 0, 0), p.Center - new Vector3(0, 0, p.Radius)]);
+
+    [Fact]
+    public void BoxOverAPacketIsBoxOverADouble() => HoldsFor(3, s =>
+    {
+        var (a, b) = (s.Vector(), s.Vector());
+        return new Aabb(new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)), new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z)));
+    }, p => [p.Min, p.Max, new(p.Min.X, p.Max.Y, p.Min.Z)]);
+
+    [Fact]
+    public void CircleOverAPacketIsCircleOverADouble() =>
+        HoldsFor(4, s => new Circle(s.Vector(), s.Vector(), s.Positive()), p => [p.Center, p.Center + p.Radius * (p.Normal % new Vector3(0, 0, 1)).Normalized]);
+
+    [Fact]
+    public void TriangleOverAPacketIsTriangleOverADouble() =>
+        HoldsFor(5, s => new Triangle(s.Vector(), s.Vector(), s.Vector()), p => [p.A, p.B, p.C]);
+
+    private static void HoldsFor<P>(int seed, Func<SpecialRays, P> shape, Func<P, Vector3[]> targets) where P : struct, IPrimitive
+    {
+        var special = new SpecialRays(seed);
+        var hits = 0;
+        var origins = new Vector3[Packet.Count];
+        var directions = new Vector3[Packet.Count];
+        for (var i = 0; i < Shapes; i++)
+        {
+            var primitive = shape(special);
+            var aims = targets(primitive);
+            for (var j = 0; j < PacketsPerShape; j++)
+            {
+                for (var lane = 0; lane < Packet.Count; lane++)
+                {
+                    origins[lane] = special.Choose(3) == 0 ? special.Mix(aims) : special.Vector();
+                    directions[lane] = special.Choose(3) == 0 ? special.Direction() : special.Towards(origins[lane], special.Mix(aims));
+                }
+                var packet = primitive.Cross(new Ray<Packet>(Pack(origins), Pack(directions)));
+                for (var lane = 0; lane < Packet.Count; lane++)
+                {
+                    var scalar = primitive.Cross(new Ray<Scalar>(origins[lane], directions[lane]));
+                    if (Same(scalar.Near, packet.Near.Lanes[lane]) && Same(scalar.Far, packet.Far.Lanes[lane]))
+                    {
+                        if (!double.IsNaN(scalar.Near)) hits++;
+                        continue;
+                    }
+                    Assert.Fail($"{primitive}, ray from {origins[lane]} along {directions[lane]}: one double gives {scalar.Near.Value:R}, " +
+                        $"{scalar.Far.Value:R}, the packet {packet.Near.Lanes[lane]:R}, {packet.Far.Lanes[lane]:R}");
+                }
+            }
+        }
+        Assert.True(hits > Shapes * PacketsPerShape / 10, $"only {hits} of the rays cross the shape: they test little");
+    }
+
+    /// <summary>Equal bits, where all NaNs are one: a NaN's sign and payload never reach a picture.</summary>
+    private static bool Same(double a, double b) =>
+        double.IsNaN(a) ? double.IsNaN(b) : BitConverter.DoubleToInt64Bits(a) == BitConverter.DoubleToInt64Bits(b);
+
+    private static Vector3<Packet> Pack(Vector3[] v) => new(
+        new(Vector256.Create(v[0].X, v[1].X, v[2].X, v[3].X)),
+        new(Vector256.Create(v[0].Y, v[1].Y, v[2].Y, v[3].Y)),
+        new(Vector256.Create(v[0].Z, v[1].Z, v[2].Z, v[3].Z)));
+}

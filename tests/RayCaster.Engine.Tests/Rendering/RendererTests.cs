@@ -1,0 +1,255 @@
+namespace RayCaster.Engine.Tests.Rendering;
+
+/// <summary>The fast renderer answers to the bit what the definition answers: which model, and at which t.</summary>
+public class RendererTests
+{
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public void RandomScenesComeOutToTheBit(int seed)
+    {
+        for (var i = 0; i < ScenesOfASeed; i++) AssertEqual(RandomScene.Make(new Random(seed * 1_000_000 + i)), $"scene {i} of seed {seed}");
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    [InlineData(4)]
+    public void RandomCrowdsComeOutToTheBit(int seed)
+    {
+        for (var i = 0; i < ScenesOfASeed; i++) AssertEqual(RandomCrowd.Make(new Random(seed * 1_000_000 + i)), $"crowd {i} of seed {seed}");
+    }
+
+    /// <summary>A sample; a long campaign sets RAYCASTER_SCENES (docs/performance.md).</summary>
+    private static int ScenesOfASeed =>
+        int.TryParse(Environment.GetEnvironmentVariable("RAYCASTER_SCENES"), out var scenes) ? scenes / 4 : 50;
+
+    [Fact]
+    public void ThePictureDoesNotDependOnTheNumberOfThreads()
+    {
+        var scene = RandomScene.Make(new Random(42));
+        scene = scene with { Camera = scene.Camera.WithSize(301, 199) };
+        var alone = Renderer.Render(scene, threads: 1).Rgb;
+        Assert.Equal(alone, Renderer.Render(scene, threads: 2).Rgb);
+        Assert.Equal(alone, Renderer.Render(scene, threads: 7).Rgb);
+        Assert.Equal(alone, ScalarRenderer.Render(scene).Rgb);
+    }
+
+    [Theory]
+    [InlineData(1, 1, true)]
+    [InlineData(1, 3000, true)]
+    [InlineData(3000, 1, true)]
+    [InlineData(65, 3, true)]
+    [InlineData(65, 130, true)]
+    [InlineData(1, 1, false)]
+    [InlineData(1, 3000, false)]
+    [InlineData(3000, 1, false)]
+    [InlineData(65, 3, false)]
+    public void PicturesOfAnyShapeAreDrawnInParts(int width, int height, bool mayBeSmall)
+    {
+        var scene = RandomScene.Make(new Random(5));
+        scene = scene with { Camera = scene.Camera.WithSize(width, height) };
+        var bytes = new List<byte>();
+        var lines = 0;
+        new Renderer(scene) { MayBeSmall = mayBeSmall }.Draw(part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
+        Assert.Equal(ScalarRenderer.Render(scene).Rgb, bytes);
+        Assert.Equal(height, lines);
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(3)]
+    public void FewModelsInManyPixelsAreCastThePlainWayInBands(int threads)
+    {
+        var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
+        var scene = room with { Camera = room.Camera.WithSize(1301, 901) };
+        Assert.True(PlainWork.IsPlain(scene, 901) && !PlainWork.IsSmall(scene, 901));
+
+        var bytes = new List<byte>();
+        new Renderer(scene, threads).Draw(part => bytes.AddRange(part));
+
+        Assert.Equal(Renderer.Render(scene).Rgb, bytes);
+    }
+
+    /// <summary>So wide that a row of tiles is drawn in halves, and with triangles that are smaller than a pixel.</summary>
+    [Fact]
+    public void AVeryWidePictureOfAMeshIsRightInAllItsBands()
+    {
+        var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/mesh.json")).Scene!;
+        scene = scene with { Camera = scene.Camera.WithSize(90_000, 70) };
+        var middle = (90_000 - 24) / 2; // where the mesh is
+        var bytes = new List<byte>();
+        new Renderer(scene).Draw(part => bytes.AddRange(part));
+        var differing = 0;
+        for (var y = 0; y < 70; y++)
+            for (var x = middle; x < middle + 24; x++)
+            {
+                var ray = ScalarRenderer.Cast(scene, x, 69 - y);
+                var (r, g, b) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
+                var at = 3 * (y * 90_000 + x);
+                if ((r, g, b) != (bytes[at], bytes[at + 1], bytes[at + 2])) differing++;
+            }
+        Assert.Equal(0, differing);
+    }
+
+    [Theory]
+    [InlineData(1, true)]
+    [InlineData(2, true)]
+    [InlineData(1, false)]
+    [InlineData(2, false)]
+    public void SomeLinesAreThoseOfTheWholePicture(int seed, bool mayBeSmall)
+    {
+        var random = new Random(seed);
+        for (var i = 0; i < 40; i++)
+        {
+            var scene = RandomScene.Make(random);
+            scene = scene with { Camera = scene.Camera.WithSize(random.Next(1, 150), random.Next(1, 300)) };
+            var (width, height, whole) = (scene.Camera.Width, scene.Camera.Height, Renderer.Render(scene).Rgb);
+            var first = random.Next(height);
+            var end = random.Next(first, height) + 1;
+            var bytes = new List<byte>();
+            new Renderer(scene) { MayBeSmall = mayBeSmall }.Draw(first..end, part => bytes.AddRange(part));
+            Assert.Equal(whole[(3 * width * first)..(3 * width * end)], bytes);
+        }
+    }
+
+    [Theory]
+    [InlineData(3, 3)]
+    [InlineData(0, 11)]
+    [InlineData(11, 12)]
+    public void LinesBeyondThePictureAreRefused(int first, int end)
+    {
+        var scene = RandomScene.Make(new Random(1));
+        var renderer = new Renderer(scene with { Camera = scene.Camera.WithSize(5, 10) });
+        Assert.Throws<ArgumentOutOfRangeException>(() => renderer.Draw(first..end, _ => { }));
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(3)]
+    public void ManyModelsComeOutToTheBit(int seed)
+    {
+        var random = new Random(seed);
+        double Next(double range) => range * (2 * random.NextDouble() - 1);
+        var models = new List<Model>();
+        while (models.Count < 600)
+        {
+            var (place, size) = (new Vector3(Next(4), Next(4), Next(4)), random.Next(40) == 0 ? 3 : 0.05 + 0.3 * random.NextDouble());
+            var corner = new Vector3(size, size / 2, size);
+            models.Add(random.Next(4) switch
+            {
+                0 => Model.Of(new Aabb(place - corner, place + corner)),
+                1 => Model.Of(new Circle(place, new(Next(1), Next(1), 0.1), size)),
+                2 => Model.Of(new Triangle(place, place + corner, place + new Vector3(-size, size, Next(1)))),
+                _ => Model.Of(new Sphere(place, size)),
+            });
+            if (random.Next(10) == 0) models.Add(Model.Of(new Sphere(place, size))); // ties, and behind each other in the file
+        }
+        models.Insert(random.Next(models.Count), Model.Of(new Plane(new(0, 0, -4), new(0, 0, 1))));
+        var position = new Vector3(Next(9), Next(9), Next(9));
+        AssertEqual(new Scene(new Camera(position, new(0.1, 0, 0), width: 150, height: 131, sample: (Sample)(seed % 2)), models), $"seed {seed}");
+    }
+
+    /// <summary>Large enough for parts of all sizes that one model covers, and for bytes that floats leave in doubt.</summary>
+    [Theory]
+    [InlineData(20, 0, 0, 45)]
+    [InlineData(9, -3, 2, 70)]
+    public void TheRoomComesOutToTheBit(double x, double y, double z, double fovY)
+    {
+        var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
+        AssertEqual(room with { Camera = room.Camera.WithView(new(x, y, z), Vector3.Zero, fovY).WithSize(700, 333), Background = new(0.2, 0.4, 2) }, "the room");
+    }
+
+    /// <summary>
+    /// Up so nearly along the view that U, V and W are not at right angles, by rounding: rays then pass beside the pixels on which U and V put what they hit.
+    /// </summary>
+    [Theory]
+    [InlineData(40)]
+    [InlineData(200)]
+    public void AViewAlmostAlongUpComesOutToTheBit(int spheres)
+    {
+        var random = new Random(spheres);
+        for (var i = 0; i < 8; i++)
+        {
+            double Next(double range) => range * (2 * random.NextDouble() - 1);
+            var models = new List<Model>();
+            while (models.Count < spheres) models.Add(Model.Of(new Sphere(new(Next(0.015), Next(0.015), Next(0.015)), 0.0002 + 0.001 * random.NextDouble())));
+            var (position, target) = (new Vector3(Next(2), Next(2), 9 + Next(1)), Vector3.Zero);
+            var up = (position - target).Normalized + 3e-12 * new Vector3(Next(1), Next(1), Next(1));
+            var camera = new Camera(position, target, up, 0.2, 250, 250);
+            if (camera.Flaw is null) AssertEqual(new Scene(camera, models), $"picture {i}");
+        }
+    }
+
+    [Fact]
+    public void OfEqualHitsTheFirstModelShows()
+    {
+        Scene With(params Model[] models) => new(new Camera(new(5, 0, 0), Vector3.Zero, width: 9, height: 9), models);
+        var plane = new Plane(Vector3.Zero, new(1, 0, 0));
+        Model red = Model.Of(plane), blue = Model.Of(plane);
+        (red.Color, blue.Color) = (new(1, 0, 0), new(0, 0, 1));
+        Assert.Equal((byte)0, Renderer.Render(With(red, blue))[4, 4].B);
+        Assert.Equal((byte)0, Renderer.Render(With(blue, red))[4, 4].R);
+    }
+
+    [Theory]
+    [InlineData(500, 100000)]
+    [InlineData(10, 200)]
+    public void CancellingStopsTheWork(int width, int height)
+    {
+        var scene = RandomScene.Make(new Random(5));
+        using var cancellation = new CancellationTokenSource();
+        var renderer = new Renderer(scene with { Camera = scene.Camera.WithSize(width, height) });
+        Assert.Throws<OperationCanceledException>(() => renderer.Draw(_ => cancellation.Cancel(), null, cancellation.Token));
+    }
+
+    /// <summary>Floats cannot tell which of two planes is in front that lie some millionths apart, and neither can a byte wait for doubles to be asked everywhere.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1e-7)]
+    [InlineData(1e-6)]
+    [InlineData(1e-4)]
+    public void PlanesThatNearlyCoincideKeepTheirColors(double tilt)
+    {
+        var red = Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)));
+        var blue = Model.Of(new Plane(new(-5, 0, 0), new(1, tilt, tilt / 3)));
+        (red.Color, blue.Color) = (new(1, 0, 0), new(0, 0, 1));
+        AssertEqual(new Scene(new Camera(new(20, 1, 0), new(0, 0.5, 0.3), width: 256, height: 100), [red, blue]), $"planes at an angle of {tilt}");
+    }
+
+    /// <summary>Model, bits of t and bytes of every pixel, drawn with little code and with all there is.</summary>
+    internal static void AssertEqual(Scene scene, string what)
+    {
+        var definition = new Ray[scene.Camera.Height, scene.Camera.Width];
+        for (var row = 0; row < scene.Camera.Height; row++)
+            for (var column = 0; column < scene.Camera.Width; column++)
+                definition[row, column] = ScalarRenderer.Cast(scene, column, row);
+        AssertEqual(scene, definition, new Renderer(scene, threads: 1), what);
+        AssertEqual(scene, definition, new Renderer(scene) { ManyFrames = true }, $"{what}, one of many frames");
+    }
+
+    private static void AssertEqual(Scene scene, Ray[,] definition, Renderer renderer, string what)
+    {
+        var hits = renderer.CastHits();
+        var picture = new Picture(hits.Width, hits.Height);
+        renderer.DrawInto(picture);
+        for (var line = 0; line < hits.Height; line++)
+        {
+            for (var column = 0; column < hits.Width; column++)
+            {
+                var row = hits.Height - 1 - line;
+                var ray = definition[row, column];
+                var (t, index) = (hits.T[line * hits.Width + column], hits.Model[line * hits.Width + column]);
+                var model = index < 0 ? null : scene.Models[index];
+                var bytes = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
+                if (model == ray.HitModel && t.Equals(ray.HitParameter) && picture[column, line] == bytes) continue;
+                Assert.Fail($"{what}: column {column}, row {row}: the definition hits {ray.HitModel?.Name ?? "nothing"} at {ray.HitParameter:R}, " +
+                    $"the renderer {model?.Name ?? "nothing"} at {t:R}; bytes {bytes} and {picture[column, line]}");
+            }
+        }
+    }
+}

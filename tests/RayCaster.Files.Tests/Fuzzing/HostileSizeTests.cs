@@ -1,0 +1,158 @@
+using RayCaster.Testing.Fuzzing;
+using System.Diagnostics;
+using System.IO.Compression;
+using System.Text;
+
+namespace RayCaster.Files.Tests.Fuzzing;
+
+/// <summary>Files that promise or hold far too much are refused by the header or by a limit that is named, before memory is taken for them.</summary>
+public sealed class HostileSizeTests : IDisposable
+{
+    private static readonly string digits = new('9', 1_000_000);
+
+    private readonly TemporaryFolder folder = new();
+
+    public void Dispose() => folder.Dispose();
+
+    [Theory]
+    [InlineData("ascii")]
+    [InlineData("binary_little_endian")]
+    [InlineData("binary_big_endian")]
+    public void FourBillionVerticesAreNotBelieved(string format)
+    {
+        var file = $"ply\nformat {format} 1.0\nelement vertex 4294967296\nproperty float x\nproperty float y\nproperty float z\n"
+            + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n";
+        Assert.Equal("a.ply(3): the header promises 4294967296 rows, more than the rest of the file can hold", RefusedMesh("a.ply", Encoding.ASCII.GetBytes(file)));
+    }
+
+    [Fact]
+    public void FourBillionCornersAreNotBelieved()
+    {
+        var file = "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty char z\n"
+            + "element face 1\nproperty list uint int vertex_indices\nend_header\n";
+        byte[] bytes = [.. Encoding.ASCII.GetBytes(file), 0, 0, 0, 0xFF, 0xFF, 0xFF, 0xFF, .. new byte[20]];
+        Assert.Contains("the file ends before all that its header promises", RefusedMesh("a.ply", bytes));
+    }
+
+    [Fact]
+    public void FourBillionTrianglesAreNotBelieved() =>
+        Assert.Equal("a.stl(byte 80): the header promises 4294967295 triangles, which take 214748364834 bytes, but the file has 184",
+            RefusedMesh("a.stl", [.. new byte[80], 0xFF, 0xFF, 0xFF, 0xFF, .. new byte[100]]));
+
+    [Fact]
+    public void APngOfTwoToThe31SquaredIsRefusedByItsHeader() =>
+        Assert.Equal("a picture of 2,147,483,648 × 2,147,483,648 pixels needs 13,835,058,055,282,163,712 bytes, the limit is 2,147,483,591",
+            RefusedPicture(Png([0x80, 0, 0, 0, 0x80, 0, 0, 0, 8, 2, 0, 0, 0], [])));
+
+    [Fact]
+    public void ADecompressionBombIsOnlyReadAsFarAsItsPixelsGo()
+    {
+        var bomb = new MemoryStream();
+        using (var zlib = new ZLibStream(bomb, CompressionLevel.SmallestSize, leaveOpen: true))
+            for (var i = 0; i < 256; i++) zlib.Write(new byte[1 << 20]);
+        Assert.Equal("it holds more data than its pixels need", RefusedPicture(Png([0, 0, 0, 1, 0, 0, 0, 1, 8, 2, 0, 0, 0], bomb.ToArray())));
+    }
+
+    [Fact]
+    public void AGigabyteOfJsonIsRefusedByItsLength()
+    {
+        var path = Sparse("a.json", 1 << 30);
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        Assert.Equal($"{path}: error: the scene file has more than 67,108,864 bytes, which is the limit; let mesh files hold what is large",
+            SceneReader.Read(path).Problems[0].ToString());
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 1 << 20);
+    }
+
+    [Fact]
+    public void ASceneOfTheLongestLengthIsNotRefusedForIt() =>
+        Assert.Contains("UTF-16", SceneReader.Read(Sparse("a.json", SceneReader.MostBytes, "{")).Problems[0].Message); // for its zeros, and rightly
+
+    [Fact]
+    public void AnEndlessMeshIsReadUpToTheLimit()
+    {
+        if (!File.Exists("/dev/zero")) return; // Windows
+        File.CreateSymbolicLink(folder["a.obj"], "/dev/zero");
+        Assert.Equal($"{folder["a.obj"]}: a pipe or device of more than 268,435,456 bytes is not read, but a file of any size is",
+            Assert.Throws<MeshFileException>(() => MeshFile.Read(folder["a.obj"])).Message);
+    }
+
+    [Fact]
+    public void ALineOfAGigabyteIsRefused()
+    {
+        var path = Sparse("a.obj", 1 << 30, "v 1 2 ");
+        Assert.Equal($"{path}(byte 0): a line or row begins here that has more than 268,435,456 bytes, which is the limit",
+            Assert.Throws<MeshFileException>(() => MeshFile.Read(path)).Message);
+    }
+
+    public static TheoryData<string, string> MillionDigits => new()
+    {
+        { "a.json", $$"""{ "camera": { "position": [5, 0, 0], "target": [0, 0, 0], "fovY": {{digits}} }, "models": [] }""" },
+        { "a.json", $$"""{ "camera": { "position": [5, 0, 0], "target": [0, 0, 0], "fovY": 4.{{digits}} }, "models": [] }""" },
+        { "a.json", $$"""{ "camera": { "position": [5, 0, 0], "target": [0, 0, 0], "fovY": 1e{{digits}} }, "models": [] }""" },
+        { "a.json", $$"""{ "camera": { "position": [5, 0, 0], "target": [0, 0, 0], "width": {{digits}} }, "models": [] }""" },
+        { "a.obj", $"v {digits} 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n" },
+        { "a.obj", $"v 0.{digits} 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 {digits}\n" },
+        { "a.ply", $"ply\nformat ascii 1.0\nelement vertex {digits}\n" },
+        { "a.stl", $"solid a\nfacet normal 0 0 1\nouter loop\nvertex -1e-{digits} 0 0\n" },
+        { "a.ppm", $"P6 {digits} 1 255 " },
+        { "a.ppm", $"P3 1 1 255 {digits} 0 0" },
+    };
+
+    [Theory]
+    [MemberData(nameof(MillionDigits))]
+    public void ANumberOfAMillionDigitsIsReadOrRefusedAtOnce(string name, string text)
+    {
+        var time = Stopwatch.StartNew();
+        Reading.OfFile(new(name, Encoding.ASCII.GetBytes(text)));
+        Assert.InRange(time.Elapsed.TotalSeconds, 0, 10);
+    }
+
+    [Fact]
+    public void AFileOfNothingButMistakesIsNotReadToItsEnd()
+    {
+        var text = new StringBuilder("{ \"models\": [");
+        for (var i = 0; i < 5000; i++) text.Append("1,");
+        var reading = SceneReader.Parse(Encoding.ASCII.GetBytes(text.Append("] }").ToString()), "x", ".");
+        Assert.InRange(reading.Problems.Count, 1000, 1010);
+        Assert.Matches(@"\nand at least 98\d more\n$", reading.Report());
+    }
+
+    [Fact]
+    public void WarningsNeverEndTheReading()
+    {
+        var text = new StringBuilder("{ \"camera\": { \"position\": [5, 0, 0], \"target\": [0, 0, 0] }, \"models\": [");
+        for (var i = 0; i < 1500; i++) text.Append("{ \"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 1, \"color\": [255, 0, 0] },");
+        var reading = SceneReader.Parse(Encoding.ASCII.GetBytes(text.Append("] }").ToString()), "x", ".");
+        Assert.Equal((1500, 1000), (reading.Scene!.Models.Count, reading.Problems.Count));
+    }
+
+    private string Sparse(string name, long length, string start = "")
+    {
+        folder.Write(name, start);
+        using var file = new FileStream(folder[name], FileMode.Open);
+        file.SetLength(length);
+        return folder[name];
+    }
+
+    private static byte[] Png(byte[] header, byte[] data)
+    {
+        var file = new MemoryStream();
+        file.Write(PngChunk.Signature);
+        PngChunk.Write(file, "IHDR"u8, header);
+        PngChunk.Write(file, "IDAT"u8, data);
+        PngChunk.Write(file, "IEND"u8, []);
+        return file.ToArray();
+    }
+
+    private static string RefusedMesh(string name, byte[] file) => Frugally(() => Assert.Throws<MeshFileException>(() => MeshFile.Parse(name, file)).Message);
+
+    private static string RefusedPicture(byte[] file) => Frugally(() => Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(file))).Message);
+
+    private static string Frugally(Func<string> message)
+    {
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        var result = message();
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 3 << 20);
+        return result;
+    }
+}

@@ -1,0 +1,95 @@
+using System.Text;
+
+namespace RayCaster.Files.Tests.MeshFiles;
+
+/// <summary>What is written in any format is what is read.</summary>
+public class FormatsTests
+{
+    private static readonly MeshData knot = MeshGenerator.TorusKnot(2, 3, 1.9, 0.75, 0.4, rings: 20, sides: 5);
+
+    [Fact]
+    public void ObjGivesTheMeshBack() => AssertSame(knot, MeshFile.Parse("knot.obj", MeshWriter.Obj(knot)));
+
+    [Fact]
+    public void AsciiPlyGivesTheMeshBack() => AssertSame(knot, MeshFile.Parse("knot.ply", MeshWriter.PlyAscii(knot)));
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void BinaryPlyGivesTheMeshBack(bool bigEndian) =>
+        AssertSame(knot, MeshFile.Parse("knot.ply", MeshWriter.PlyBinary(knot, bigEndian)));
+
+    [Fact]
+    public void FloatPlyGivesTheMeshBackInFloats() => AssertSame(InFloats(knot), MeshFile.Parse("knot.ply", MeshWriter.PlyFloat(knot)));
+
+    [Fact]
+    public void AsciiStlGivesTheTrianglesBack() => AssertSame(Apart(knot), MeshFile.Parse("knot.stl", MeshWriter.StlAscii(knot)));
+
+    [Theory]
+    [InlineData("")]
+    [InlineData("solid knot")] // many programs write this in front of binary data
+    public void BinaryStlGivesTheTrianglesBackInFloats(string header) =>
+        AssertSame(Apart(InFloats(knot)), MeshFile.Parse("knot.stl", MeshWriter.StlBinary(knot, header)));
+
+    [Theory]
+    [InlineData("mesh.OBJ")]
+    [InlineData("mesh.Obj")]
+    [InlineData("a.folder.stl/mesh.obj")]
+    public void ExtensionMayBeInAnyCase(string path) => AssertSame(knot, MeshFile.Parse(path, MeshWriter.Obj(knot)));
+
+    [Theory]
+    [InlineData("mesh.obj")]
+    [InlineData("mesh.ply")]
+    [InlineData("mesh.stl")]
+    public void LinesMayEndWithCrLfOrCrAndBeginWithAByteOrderMark(string path)
+    {
+        var lines = path switch
+        {
+            "mesh.obj" => MeshWriter.Obj(knot),
+            "mesh.ply" => MeshWriter.PlyAscii(knot),
+            _ => MeshWriter.StlAscii(knot),
+        };
+        var text = Encoding.ASCII.GetString(lines);
+        var expected = MeshFile.Parse(path, lines);
+        AssertSame(expected, MeshFile.Parse(path, Encoding.UTF8.GetBytes("\uFEFF" + text.Replace("\n", "\r\n"))));
+        AssertSame(expected, MeshFile.Parse(path, Encoding.UTF8.GetBytes(text.Replace('\n', '\r'))));
+    }
+
+    /// <summary>A download may stop at any byte: what is left is refused, or is read where only the end of a number or of the last line is missing.</summary>
+    [Fact]
+    public void EveryPrefixOfAFileIsReadOrRefused()
+    {
+        var cube = MeshGenerator.Cube(1.25);
+        (string Path, byte[] Bytes)[] files =
+        [
+            ("cube.obj", MeshWriter.Obj(cube)),
+            ("cube.ply", MeshWriter.PlyAscii(cube)),
+            ("cube.ply", MeshWriter.PlyBinary(cube, bigEndian: false)),
+            ("cube.ply", MeshWriter.PlyBinary(cube, bigEndian: true)),
+            ("cube.stl", MeshWriter.StlAscii(cube)),
+            ("cube.stl", MeshWriter.StlBinary(cube)),
+            ("cube.stl", MeshWriter.StlBinary(cube, "solid")),
+        ];
+        foreach (var (path, bytes) in files)
+            for (var length = 0; length < bytes.Length; length++)
+            {
+                var refused = Record.Exception(() => MeshFile.Parse(path, bytes[..length])); // any other exception fails here
+                Assert.True(refused is null or MeshFileException, $"{path} cut at {length}: {refused}");
+                // Only text tells no more than it has: OBJ has no end mark, and the other two can lose their last line end.
+                if (path != "cube.obj" && length < bytes.Length - 1 && refused is null) Assert.EndsWith("endsolid mesh\n", Encoding.ASCII.GetString(bytes));
+            }
+    }
+
+    internal static void AssertSame(MeshData expected, MeshData actual)
+    {
+        Assert.Equal(expected.Vertices, actual.Vertices);
+        Assert.Equal(expected.Indices, actual.Indices);
+    }
+
+    private static MeshData InFloats(MeshData mesh) =>
+        mesh with { Vertices = [.. mesh.Vertices.Select(v => new Vector3((float)v.X, (float)v.Y, (float)v.Z))] };
+
+    /// <summary>The same triangles, each with vertices of its own, as STL has them.</summary>
+    private static MeshData Apart(MeshData mesh) =>
+        new([.. mesh.Indices.Select(index => mesh.Vertices[index])], [.. Enumerable.Range(0, mesh.Indices.Length)]);
+}

@@ -1,0 +1,112 @@
+namespace RayCaster.Files.Tests.Parts;
+
+public sealed class PartFileTests : IDisposable
+{
+    private static readonly PartFacts Facts = new(7, 90, new(10, 14), "0123456789abcdef", "1.0.0");
+
+    private readonly TemporaryFolder folder = new();
+
+    public void Dispose() => folder.Dispose();
+
+    [Fact]
+    public void APartIsAnOrdinaryPng()
+    {
+        var path = Write(Facts);
+        var picture = PictureFile.Read(path);
+        Assert.Equal((7, 5), (picture.Width, picture.Height));
+        Assert.Equal(Pixels(5), picture.Rgb);
+    }
+
+    [Fact]
+    public void ItSaysWhatItIsPartOf()
+    {
+        using var part = PartFile.Open(Write(Facts));
+        Assert.Equal(Facts, part!.Facts);
+        Assert.Contains("tEXtraycaster:part\0picture 7x90\nlines 10..14\nscene 0123456789abcdef\nraycaster 1.0.0\n",
+            System.Text.Encoding.Latin1.GetString(File.ReadAllBytes(part.Path)));
+    }
+
+    [Fact]
+    public void ItIsReadLineByLine()
+    {
+        using var part = PartFile.Open(Write(Facts))!;
+        var (line, read) = (new byte[7 * 3], new List<byte>());
+        for (var i = 0; i < 5; i++)
+        {
+            part.ReadLine(line);
+            read.AddRange(line);
+        }
+        Assert.Equal(Pixels(5), read);
+    }
+
+    [Fact]
+    public void APictureIsNoPart() => Assert.Null(PartFile.Open(ProjectFolder.PathOf("docs/room.png")));
+
+    [Fact]
+    public void WhatItSaysMustBeTrue()
+    {
+        var path = Write(Facts, lines: 4);
+        Assert.Equal($"cannot read {path}: it says that it holds the lines 10..14, each of 7 pixels, but has 4 lines of 7: it was changed by another program",
+            Assert.Throws<PictureFileException>(() => PartFile.Open(path)).Message);
+    }
+
+    [Fact]
+    public void WhatALaterVersionSaysIsNotUnderstood()
+    {
+        var path = Write(Facts with { Digest = "a\nb" });
+        Assert.EndsWith("what it says about its part of the picture cannot be understood; a newer raycaster may have drawn it",
+            Assert.Throws<PictureFileException>(() => PartFile.Open(path)).Message);
+    }
+
+    [Fact]
+    public void AnythingElseIsNoPng()
+    {
+        var path = folder.Write("a.png", "P6 1 1 255 abc");
+        Assert.Equal($"cannot read {path}: it is no PNG, and so no part of a picture",
+            Assert.Throws<PictureFileException>(() => PartFile.Open(path)).Message);
+    }
+
+    [Fact]
+    public void AFileThatHoldsJustThisNeedNotBeDrawnAgain() => Assert.True(PartFile.Holds(Write(Facts), Facts));
+
+    [Fact]
+    public void AMissingFileHoldsNothing() => Assert.False(PartFile.Holds(folder["none.png"], Facts));
+
+    public static TheoryData<PartFacts> Others =>
+    [
+        Facts with { Width = 8 }, Facts with { Height = 91 }, Facts with { Lines = new(11, 15) }, Facts with { Digest = "0" }, Facts with { Version = "1.0.1" },
+    ];
+
+    [Theory]
+    [MemberData(nameof(Others))]
+    public void AnotherPartIsDrawnAgain(PartFacts other) => Assert.False(PartFile.Holds(Write(Facts), other));
+
+    [Fact]
+    public void ADamagedPartIsDrawnAgainWhereverItIsDamaged()
+    {
+        var bytes = File.ReadAllBytes(Write(Facts));
+        for (var i = 0; i < bytes.Length; i++)
+        {
+            bytes[i] ^= 1;
+            Assert.False(PartFile.Holds(folder.Write("damaged.png", bytes), Facts), $"byte {i}");
+            bytes[i] ^= 1;
+            Assert.False(PartFile.Holds(folder.Write("cut.png", bytes[..i]), Facts), $"cut at byte {i}");
+        }
+    }
+
+    private static byte[] Pixels(int lines)
+    {
+        var rgb = new byte[7 * 3 * lines];
+        new Random(1).NextBytes(rgb);
+        return rgb;
+    }
+
+    private string Write(PartFacts facts, int? lines = null)
+    {
+        using var output = new MemoryStream();
+        using var writer = PictureWriter.Create(PictureFormat.Png, output, 7, lines ?? facts.Lines.Count, facts);
+        writer.WriteRows(Pixels(lines ?? facts.Lines.Count));
+        writer.Finish();
+        return folder.Write("part.png", output.ToArray());
+    }
+}

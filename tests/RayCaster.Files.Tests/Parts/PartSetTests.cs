@@ -1,0 +1,87 @@
+namespace RayCaster.Files.Tests.Parts;
+
+public sealed class PartSetTests : IDisposable
+{
+    private readonly TemporaryFolder folder = new();
+
+    public void Dispose() => folder.Dispose();
+
+    [Fact]
+    public void PartsInAnyOrderMakeThePicture()
+    {
+        string[] files = [Part("c", 7, 9), Part("a", 0, 2), Part("b", 3, 6)];
+        using var output = new MemoryStream();
+        using var writer = PictureWriter.Create(PictureFormat.Ppm, output, 3, 10);
+        var (set, lines) = (new PartSet(files), 0);
+        set.Write(writer, done => lines += done);
+        writer.Finish();
+        Assert.Equal((3, 10), set.Size);
+        Assert.Equal(10, lines);
+        Assert.Equal(Enumerable.Range(0, 10).SelectMany(line => Enumerable.Repeat((byte)line, 9)), output.ToArray()[^90..]);
+    }
+
+    [Fact]
+    public void ItSaysWhichLinesAreMissing()
+    {
+        var set = new PartSet([Part("b", 7, 7), Part("a", 2, 4)]);
+        Assert.Equal(["0..1", "5..6", "8..9"], set.Missing.Select(lines => lines.ToString()));
+        Assert.Empty(set.Problems);
+    }
+
+    [Fact]
+    public void APartWithinAnotherOverlaps()
+    {
+        var set = new PartSet([Part("a", 0, 8), Part("b", 2, 3), Part("c", 8, 9)]);
+        Assert.Equal([$"the lines 2..3 are in {folder["a"]} and in {folder["b"]}", $"the lines 8..8 are in {folder["a"]} and in {folder["c"]}"], set.Problems);
+    }
+
+    [Fact]
+    public void EqualPartsOverlapToo() => Assert.Single(new PartSet([Part("a", 0, 9), Part("b", 0, 9)]).Problems);
+
+    [Fact]
+    public void AnotherSizeSceneOrVersionDoesNotBelong()
+    {
+        var set = new PartSet(
+        [
+            Part("a", 0, 2), Part("b", 3, 4, facts => facts with { Height = 11 }), Part("c", 5, 6, facts => facts with { Digest = "fedcba9876543210" }),
+            Part("d", 7, 9, facts => facts with { Version = "2.0.0" }),
+        ]);
+        Assert.Equal(
+        [
+            $"{folder["b"]} is of a picture of 3 x 11 pixels, {folder["a"]} of one of 3 x 10",
+            $"{folder["c"]} shows another scene than {folder["a"]}: fedcba987654… instead of 0123456789ab…",
+            $"{folder["d"]} was drawn by version 2.0.0, {folder["a"]} by 1.0.0",
+        ], set.Problems);
+    }
+
+    [Fact]
+    public void OnlyAChosenPictureMustBeAPart()
+    {
+        var picture = ProjectFolder.PathOf("docs/room.png");
+        Assert.Equal([$"{picture} is a picture, but does not say which part of which; --rows draws parts"], new PartSet([Part("a", 0, 9), picture]).Problems);
+        Assert.Empty(new PartSet([Part("a", 0, 9), picture], path => path != picture).Problems);
+    }
+
+    [Fact]
+    public void ADamagedPartIsNamed()
+    {
+        var path = Part("a", 0, 9);
+        var bytes = File.ReadAllBytes(path);
+        bytes[^20] ^= 1; // within the pixels
+        folder.Write("a", bytes);
+        using var writer = PictureWriter.Create(PictureFormat.Ppm, Stream.Null, 3, 10);
+        var message = Assert.Throws<PictureFileException>(() => new PartSet([path]).Write(writer)).Message;
+        Assert.Matches("^cannot read .*: its chunk IDAT at byte [0-9]+ is damaged: the checksum is wrong$", message);
+    }
+
+    /// <summary>Lines whose bytes are their numbers.</summary>
+    private string Part(string name, int first, int last, Func<PartFacts, PartFacts>? change = null)
+    {
+        var facts = new PartFacts(3, 10, new(first, last), "0123456789abcdef", "1.0.0");
+        using var output = new MemoryStream();
+        using var writer = PictureWriter.Create(PictureFormat.Png, output, 3, last - first + 1, change is null ? facts : change(facts));
+        for (var line = first; line <= last; line++) writer.WriteRows([.. Enumerable.Repeat((byte)line, 9)]);
+        writer.Finish();
+        return folder.Write(name, output.ToArray());
+    }
+}

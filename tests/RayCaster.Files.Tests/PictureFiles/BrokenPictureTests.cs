@@ -1,0 +1,300 @@
+using System.Buffers.Binary;
+using System.IO.Compression;
+using System.Text;
+
+namespace RayCaster.Files.Tests.PictureFiles;
+
+/// <summary>A damaged or hostile file is refused with a message: never a crash, never memory for what a header promises.</summary>
+public class BrokenPictureTests
+{
+    [Theory]
+    [InlineData("grey-1.netpbm.png")]
+    [InlineData("size-3x5.imagemagick-adam7.png")]
+    [InlineData("palette-4.netpbm-transparent.png")]
+    [InlineData("bitmap.netpbm-p4.pbm")]
+    [InlineData("greymap-1000.netpbm-p5.pgm")]
+    [InlineData("pixmap-255.imagemagick-p6.ppm")]
+    public void ACutFileIsRefusedWhereverItIsCut(string name)
+    {
+        var file = TestData.Bytes(name);
+        for (var length = 0; length < file.Length; length++) Refused(file[..length]);
+    }
+
+    [Theory]
+    [InlineData("bitmap.netpbm-p1.pbm")]
+    [InlineData("greymap-5.netpbm-p2.pgm")]
+    [InlineData("pixmap-255.imagemagick-p3.ppm")]
+    public void ACutTextIsRefusedUpToItsLastNumber(string name)
+    {
+        var file = Encoding.ASCII.GetBytes(Encoding.ASCII.GetString(TestData.Bytes(name)).TrimEnd());
+        var lastNumber = name.EndsWith("pbm") ? file.Length - 1 : file.AsSpan().LastIndexOfAny((byte)' ', (byte)'\n') + 1;
+        for (var length = 0; length <= lastNumber; length++) Refused(file[..length]);
+    }
+
+    [Theory]
+    [InlineData("grey-1.netpbm.png")]
+    [InlineData("palette-2.imagemagick-adam7.png")]
+    [InlineData("rgb-8.netpbm-paeth.png")]
+    public void AFlippedByteOfAPngIsNoticed(string name)
+    {
+        var file = TestData.Bytes(name);
+        for (var i = 0; i < file.Length; i++)
+        {
+            foreach (var flip in new byte[] { 0xFF, 0x01, 0x20, 0x80 })
+            {
+                file[i] ^= flip;
+                Refused(file);
+                file[i] ^= flip;
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData("grey-1.netpbm.png")]
+    [InlineData("palette-2.imagemagick-adam7.png")]
+    [InlineData("rgb-8.netpbm-paeth.png")]
+    [InlineData("rgb-alpha-16.netpbm-adam7.png")]
+    public void AFlippedByteUnderARightChecksumDoesNoHarm(string name)
+    {
+        foreach (var flip in new byte[] { 0xFF, 0x01, 0x02, 0x20, 0x80 })
+        {
+            var original = TestData.Bytes(name);
+            for (var i = 8; i < original.Length; i++)
+            {
+                var file = (byte[])original.Clone();
+                file[i] ^= flip;
+                RefusedOrRead(WithRightChecksums(file));
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData("bitmap.imagemagick-p1.pbm")]
+    [InlineData("greymap-5.netpbm-p2.pgm")]
+    [InlineData("pixmap-1000.netpbm-p3.ppm")]
+    [InlineData("bitmap.netpbm-p4.pbm")]
+    [InlineData("greymap-1000.netpbm-p5.pgm")]
+    [InlineData("pixmap-100.netpbm-p6.ppm")]
+    public void AFlippedByteOfAPnmDoesNoHarm(string name)
+    {
+        var file = TestData.Bytes(name);
+        for (var i = 0; i < file.Length; i++)
+        {
+            foreach (var flip in new byte[] { 0xFF, 0x01, 0x13, 0x20, 0x80 })
+            {
+                file[i] ^= flip;
+                RefusedOrRead(file);
+                file[i] ^= flip;
+            }
+        }
+    }
+
+    public static TheoryData<byte[], string> Broken => new()
+    {
+        { [], "the file is empty" },
+        { [0xFF, 0xD8, 0xFF], "it is a JPEG, whose colours are not exact; PNG, PBM, PGM and PPM can be read" },
+        { "GIF89a"u8.ToArray(), "it is a GIF; PNG, PBM, PGM and PPM can be read" },
+        { "hello\n"u8.ToArray(), @"it begins with 'hello\x0A', which is no picture that is known; PNG, PBM, PGM and PPM can be read" },
+        { "P7\nWIDTH 1"u8.ToArray(), "it begins with 'P7'; P1 to P6 can be read, and PNG" },
+        { "P"u8.ToArray(), "it begins with 'P'; P1 to P6 can be read, and PNG" },
+        { "P6 x"u8.ToArray(), "'x' at byte 3, where the width is due" },
+        { "P6 0 1 255 "u8.ToArray(), "its size is 0 × 1 pixels, but each side must be at least 1" },
+        { "P6 1 1 0 abc"u8.ToArray(), "maxval is 0, but must be from 1 to 65535" },
+        { "P6 1 1 65536 abcdef"u8.ToArray(), "maxval is 65536, but must be from 1 to 65535" },
+        { "P6 1 1 255,abc"u8.ToArray(), "',' at byte 10, where a line end is due" },
+        { "P6 1 1 255 ab"u8.ToArray(), "the file is cut short: 1 × 1 pixels need 3 bytes after the header, but there are 2" },
+        { "P3 1 1 255 0 256 0"u8.ToArray(), "the value 256 at byte 12 is greater than maxval, which is 255" },
+        { "P3 1 1 255 0 -1 0"u8.ToArray(), "'-' at byte 13, where a value is due" },
+        { "P5 1 1 7 \x08"u8.ToArray(), "the value 8 at byte 9 is greater than maxval, which is 7" },
+        { "P1 2 1 12"u8.ToArray(), "'2' at byte 8, where a 0 or 1 is due" },
+        { "P6 99999999999 1 255 "u8.ToArray(), "the width at byte 3 is greater than 2,147,483,647, which is the limit" },
+        {
+            "P6 2147483647 2147483647 255 "u8.ToArray(),
+            "a picture of 2,147,483,647 × 2,147,483,647 pixels needs 13,835,058,042,397,261,827 bytes, the limit is 2,147,483,591"
+        },
+        {
+            "P6 26000 26000 255 "u8.ToArray(),
+            "the file is cut short: 26,000 × 26,000 pixels need 2,028,000,000 bytes after the header, but there are 0"
+        },
+        {
+            "P1 26000 26000 0"u8.ToArray(),
+            "the file is cut short: 26,000 × 26,000 pixels need at least 676,000,000 bytes after the header, but there are 2"
+        },
+        {
+            [0x89, (byte)'P', (byte)'N', (byte)'G', (byte)'\n'],
+            "it begins like a PNG, but its first eight bytes are damaged, as by a transfer as text"
+        },
+        { Png(Chunk("CgBI", 1, 2, 3, 4), Header(1, 1, 8, 2)), "its first chunk is CgBI instead of IHDR" },
+        { Png(Chunk("IHDR", 1, 2, 3)), "its chunk IHDR has 3 bytes instead of 13" },
+        { Png(Header(1, 1, 8, 5)), "its colour type is 5, but must be 0, 2, 3, 4 or 6" },
+        { Png(Header(1, 1, 4, 2)), "its bit depth is 4, which colour type 2 does not allow" },
+        { Png(Header(1, 1, 16, 3)), "its bit depth is 16, which colour type 3 does not allow" },
+        { Png(Header(1, 1, 8, 2, interlacing: 2)), "its interlace method is 2, but must be 0 or 1" },
+        { Png(Header(0, 1, 8, 2)), "its size is 0 × 1 pixels, but each side must be at least 1" },
+        { Png(Header(1, 1, 8, 2), Header(1, 1, 8, 2)), "its chunk IHDR is not known here or out of place" },
+        { Png(Header(1, 1, 8, 2), Chunk("ABCD")), "its chunk ABCD is not known here or out of place" },
+        { Png(Header(1, 1, 8, 3), Data(0, 0), Chunk("IEND")), "its palette has 0 bytes, but must be 1 to 256 colours of 3 bytes" },
+        { Png(Header(1, 1, 8, 3), Chunk("PLTE", 1, 2, 3), Data(0, 1), Chunk("IEND")), "a pixel has colour 1 of a palette that has 1" },
+        { Png(Header(1, 1, 8, 2), Data(5, 1, 2, 3), Chunk("IEND")), "a line has filter 5, but there are only 0 to 4" },
+        { Png(Header(1, 1, 8, 2), Data(0, 1, 2), Chunk("IEND")), "the file is cut short: its data end in line 0 of 1" },
+        { Png(Header(1, 1, 8, 2), Data(0, 1, 2, 3, 4), Chunk("IEND")), "it holds more data than its pixels need" },
+        { Png(Header(1, 1, 8, 2), Chunk("IDAT", 1, 2, 3), Chunk("IEND")), "its compressed data are damaged" },
+        { Png(Header(1, 1, 8, 2)), "the file is cut short: it ends at byte 33, before its chunk IEND" },
+        {
+            Png(Header(int.MaxValue, int.MaxValue, 8, 2), Data(0), Chunk("IEND")),
+            "a picture of 2,147,483,647 × 2,147,483,647 pixels needs 13,835,058,042,397,261,827 bytes, the limit is 2,147,483,591"
+        },
+        {
+            Png(Header(500_000_000, 1, 16, 6), Data(0), Chunk("IEND")),
+            "its lines have 500,000,000 pixels, the limit is 134,217,728"
+        },
+        {
+            Png(Header(26000, 26000, 1, 0), Chunk("IDAT", 1, 2, 3), Chunk("IEND")),
+            "the file is cut short: 26,000 × 26,000 pixels are 84,526,000 bytes, which no compression brings down to the 3 that it holds"
+        },
+        {
+            [.. Png(), 0xFF, 0xFF, 0xFF, 0xFF, .. "IHDR"u8, 0, 0, 0, 0],
+            "the file is cut short: its chunk IHDR at byte 8 needs 4,294,967,295 bytes, but 0 follow"
+        },
+    };
+
+    [Theory]
+    [MemberData(nameof(Broken))]
+    public void TheMessageSaysWhatIsWrong(byte[] file, string message)
+    {
+        var before = GC.GetAllocatedBytesForCurrentThread();
+        Assert.Equal(message, Refused(file).Message);
+        Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 1_000_000);
+    }
+
+    [Fact]
+    public void ChecksumsOfThePixelsThemselvesAreChecked()
+    {
+        var data = Compress(0, 1, 2, 3);
+        data[^1] ^= 1;
+        Assert.Equal("its compressed data are damaged", Refused(Png(Header(1, 1, 8, 2), Chunk("IDAT", data), Chunk("IEND"))).Message);
+    }
+
+    [Fact]
+    public void DataMayBeSplitAnywhere()
+    {
+        var data = Compress(0, 1, 2, 3);
+        var file = Png([Header(1, 1, 8, 2), .. data.Select(value => Chunk("IDAT", value)), Chunk("IEND")]);
+        Assert.Equal([1, 2, 3], PictureFile.Read(new MemoryStream(file)).Rgb);
+    }
+
+    [Fact]
+    public void APipeIsReadToItsEnd()
+    {
+        var file = TestData.Bytes("rgb-8.netpbm.png");
+        using var pipe = new Pipe(file);
+        Assert.Equal(PictureFile.Read(new MemoryStream(file)).Rgb, PictureFile.Read(pipe).Rgb);
+    }
+
+    [Fact]
+    public void APipeOfSomethingElseIsNotReadToItsEnd()
+    {
+        using var pipe = new Pipe(new byte[1000]);
+        Assert.Throws<PictureFileException>(() => PictureFile.Read(pipe));
+        Assert.Equal(7, pipe.Position);
+    }
+
+    [Fact]
+    public void TheMessageNamesTheFile()
+    {
+        using var folder = new TemporaryFolder();
+        var path = folder.Write("mine.png", "hello"u8);
+        var message = Assert.Throws<PictureFileException>(() => PictureFile.Read(path)).Message;
+        Assert.StartsWith($"cannot read {path}: it begins with 'hello'", message);
+    }
+
+    [Fact]
+    public void AFileThatIsNotThereIsReportedWithThePlaceLookedAt()
+    {
+        var message = Assert.Throws<PictureFileException>(() => PictureFile.Read("no/such.png")).Message;
+        Assert.Equal($"picture file not found: no/such.png\n  looked for {Path.GetFullPath("no/such.png")}", message);
+    }
+
+    [Fact]
+    public void AFolderIsNotAPicture()
+    {
+        using var folder = new TemporaryFolder();
+        var message = Assert.Throws<PictureFileException>(() => PictureFile.Read(folder.Path)).Message;
+        Assert.Equal($"cannot read {folder.Path}: it is a folder, not a picture", message);
+    }
+
+    private static PictureFileException Refused(byte[] file) =>
+        Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(file)));
+
+    private static void RefusedOrRead(byte[] file)
+    {
+        try
+        {
+            Assert.NotEmpty(PictureFile.Read(new MemoryStream(file)).Rgb);
+        }
+        catch (PictureFileException e)
+        {
+            Assert.NotEmpty(e.Message);
+        }
+    }
+
+    private static byte[] Png(params byte[][] chunks) => [0x89, .. "PNG\r\n"u8, 0x1A, (byte)'\n', .. chunks.SelectMany(chunk => chunk)];
+
+    private static byte[] Header(int width, int height, byte bitDepth, byte colorType, byte interlacing = 0)
+    {
+        var data = new byte[13];
+        BinaryPrimitives.WriteInt32BigEndian(data, width);
+        BinaryPrimitives.WriteInt32BigEndian(data.AsSpan(4), height);
+        (data[8], data[9], data[12]) = (bitDepth, colorType, interlacing);
+        return Chunk("IHDR", data);
+    }
+
+    private static byte[] Data(params byte[] lines) => Chunk("IDAT", Compress(lines));
+
+    private static byte[] Compress(params byte[] lines)
+    {
+        var compressed = new MemoryStream();
+        using (var compressor = new ZLibStream(compressed, CompressionMode.Compress, leaveOpen: true)) compressor.Write(lines);
+        return compressed.ToArray();
+    }
+
+    private static byte[] Chunk(string type, params byte[] data)
+    {
+        var length = new byte[4];
+        BinaryPrimitives.WriteInt32BigEndian(length, data.Length);
+        return WithRightChecksums([.. Png(), .. length, .. Encoding.ASCII.GetBytes(type), .. data, 0, 0, 0, 0])[8..];
+    }
+
+    private static byte[] WithRightChecksums(byte[] file)
+    {
+        for (var at = 8; at <= file.Length - 12;)
+        {
+            var length = BinaryPrimitives.ReadUInt32BigEndian(file.AsSpan(at));
+            if (length > file.Length - at - 12) break;
+            var end = at + 8 + (int)length;
+            BinaryPrimitives.WriteUInt32BigEndian(file.AsSpan(end), Crc(file.AsSpan(at + 4, end - at - 4)));
+            at = end + 4;
+        }
+        return file;
+    }
+
+    /// <summary>CRC-32 bit by bit, as its definition says.</summary>
+    private static uint Crc(ReadOnlySpan<byte> data)
+    {
+        var crc = ~0u;
+        foreach (var value in data)
+        {
+            crc ^= value;
+            for (var bit = 0; bit < 8; bit++) crc = (crc >> 1) ^ ((crc & 1) * 0xEDB88320);
+        }
+        return ~crc;
+    }
+
+    /// <summary>A stream that cannot seek and comes in small pieces.</summary>
+    private sealed class Pipe(byte[] bytes) : MemoryStream(bytes)
+    {
+        public override bool CanSeek => false;
+
+        public override int Read(Span<byte> buffer) => base.Read(buffer[..Math.Min(7, buffer.Length)]);
+    }
+}

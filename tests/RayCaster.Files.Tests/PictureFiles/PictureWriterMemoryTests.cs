@@ -1,0 +1,29 @@
+namespace RayCaster.Files.Tests.PictureFiles;
+
+/// <summary>Runs while no other test does, since it counts what all threads allocate.</summary>
+[CollectionDefinition(nameof(PictureWriterMemoryTests), DisableParallelization = true)]
+[Collection(nameof(PictureWriterMemoryTests))]
+public class PictureWriterMemoryTests
+{
+    [Theory]
+    [InlineData(PictureFormat.Png)]
+    [InlineData(PictureFormat.Ppm)]
+    [InlineData(PictureFormat.PpmText)]
+    public void MemoryDoesNotGrowWithTheHeight(PictureFormat format)
+    {
+        var lines = new byte[64 * 3 * 1000];
+        new Random(1).NextBytes(lines.AsSpan(lines.Length * 7 / 8));
+        Write(format, lines, 1); // what is needed once
+        var bands = Environment.ProcessorCount + 2;
+        var before = GC.GetTotalAllocatedBytes(precise: true);
+        Write(format, lines, 100 * bands); // 19 MB for each band that may be under way
+        Assert.InRange(GC.GetTotalAllocatedBytes(precise: true) - before, 0, 4_000_000 * bands);
+    }
+
+    private static void Write(PictureFormat format, byte[] lines, int times)
+    {
+        using var writer = PictureWriter.Create(format, Stream.Null, 1000, 64 * times);
+        for (var i = 0; i < times; i++) writer.WriteRows(lines);
+        writer.Finish();
+    }
+}

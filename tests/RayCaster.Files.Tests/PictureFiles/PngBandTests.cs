@@ -1,0 +1,117 @@
+using System.Buffers.Binary;
+using System.IO.Compression;
+
+namespace RayCaster.Files.Tests.PictureFiles;
+
+public class PngBandTests
+{
+    /// <summary>More than 16 MB, of which a megabyte is 17 lines: a picture of 18 bands, the last of which is not full.</summary>
+    private const int Width = 20_000, Height = 300;
+
+    [Fact]
+    public void APictureOfManyBandsIsReadBack()
+    {
+        var picture = Noise(Width, Height);
+        Assert.True(picture.Rgb.AsSpan().SequenceEqual(PictureFile.Read(new MemoryStream(Encode(picture, linesAtOnce: 64))).Rgb));
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(17)]
+    [InlineData(40)]
+    public void TheFileDoesNotDependOnHowManyLinesComeAtOnce(int linesAtOnce)
+    {
+        var picture = Noise(Width, Height);
+        Assert.True(Encode(picture, Height).AsSpan().SequenceEqual(Encode(picture, linesAtOnce)));
+    }
+
+    [Theory]
+    [InlineData(400_000, 15)] // a line is more than a band
+    [InlineData(1 << 16, 90)] // the last band is full
+    [InlineData(20_000, 290)] // the last band is one line
+    public void TheDataAreOneZlibStream(int width, int height)
+    {
+        var picture = Noise(width, height);
+        var chunks = Chunks(Encode(picture, height)).Where(chunk => chunk.Type == "IDAT").Select(chunk => chunk.Data).ToArray();
+        Assert.True(chunks.Length > 2);
+        byte[] data = [.. chunks.SelectMany(chunk => chunk)];
+
+        var lines = new MemoryStream();
+        using (var decompressor = new ZLibStream(new MemoryStream(data), CompressionMode.Decompress)) decompressor.CopyTo(lines);
+        Assert.Equal((1L + 3 * width) * height, lines.Length);
+        Assert.Equal(AdlerOf(lines.ToArray()), BinaryPrimitives.ReadUInt32BigEndian(data.AsSpan(^4)));
+    }
+
+    [Fact]
+    public void AChunkIsABandAtMost()
+    {
+        var picture = Noise(Width, Height);
+        new Random(1).NextBytes(picture.Rgb); // cannot be compressed
+        Assert.All(Chunks(Encode(picture, Height)), chunk => Assert.InRange(chunk.Data.Length, 0, (1 << 20) + (1 << 10)));
+    }
+
+    [Fact]
+    public void AnErrorOfTheOutputMeetsTheOneWhoWrites()
+    {
+        var lines = Noise(Width, Height).Rgb;
+        var writer = PictureWriter.Create(PictureFormat.Png, new FullStream(room: 1 << 19), Width, Height * 1000);
+        Assert.Throws<IOException>(() =>
+        {
+            for (var i = 0; i < 1000; i++) writer.WriteRows(lines);
+        });
+        writer.Dispose();
+    }
+
+    [Fact]
+    public void AWriterThatIsGivenUpIsDoneWhenItIsDisposed()
+    {
+        var output = new MemoryStream();
+        using (var writer = PictureWriter.Create(PictureFormat.Png, output, Width, Height)) writer.WriteRows(Noise(Width, 200).Rgb);
+        Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(output.ToArray())));
+    }
+
+    /// <summary>Half noise, which does not compress, half one colour, which does.</summary>
+    private static Picture Noise(int width, int height)
+    {
+        var picture = new Picture(width, height);
+        new Random(width * 1000 + height).NextBytes(picture.Rgb.AsSpan(0, (picture.Rgb.Length + 1) / 2));
+        return picture;
+    }
+
+    private static byte[] Encode(Picture picture, int linesAtOnce)
+    {
+        var output = new MemoryStream();
+        using var writer = PictureWriter.Create(PictureFormat.Png, output, picture.Width, picture.Height);
+        foreach (var lines in picture.Rgb.Chunk(picture.Width * 3 * linesAtOnce)) writer.WriteRows(lines);
+        writer.Finish();
+        return output.ToArray();
+    }
+
+    private static IEnumerable<(string Type, byte[] Data)> Chunks(byte[] file)
+    {
+        for (var at = 8; at < file.Length;)
+        {
+            var length = BinaryPrimitives.ReadInt32BigEndian(file.AsSpan(at));
+            yield return (System.Text.Encoding.ASCII.GetString(file, at + 4, 4), file[(at + 8)..(at + 8 + length)]);
+            at += length + 12;
+        }
+    }
+
+    /// <summary>The definition, byte by byte.</summary>
+    private static uint AdlerOf(byte[] bytes)
+    {
+        var (a, b) = (1u, 0u);
+        foreach (var value in bytes) (a, b) = ((a + value) % 65521, (b + (a + value) % 65521) % 65521);
+        return b << 16 | a;
+    }
+
+    /// <summary>An output that fails when it is full.</summary>
+    private sealed class FullStream(int room) : MemoryStream
+    {
+        public override void Write(ReadOnlySpan<byte> buffer)
+        {
+            if (Length + buffer.Length > room) throw new IOException("full");
+            base.Write(buffer);
+        }
+    }
+}

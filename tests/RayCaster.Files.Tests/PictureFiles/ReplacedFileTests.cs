@@ -1,0 +1,159 @@
+namespace RayCaster.Files.Tests.PictureFiles;
+
+public sealed class ReplacedFileTests : IDisposable
+{
+    private readonly TemporaryFolder folder = new();
+
+    public void Dispose() => folder.Dispose();
+
+    [Fact]
+    public void ANewFileIsThereAfterCommit()
+    {
+        using (var file = new ReplacedFile(folder["room.png"]))
+        {
+            file.Write("new"u8);
+            file.Commit();
+        }
+        Assert.Equal("new", File.ReadAllText(folder["room.png"]));
+        Assert.Equal(["room.png"], folder.Names);
+    }
+
+    [Fact]
+    public void AnOldFileIsReplacedByCommitAndNotBefore()
+    {
+        var path = folder.Write("room.png", "old and longer"u8);
+        using var file = new ReplacedFile(path);
+        file.Write("new"u8);
+        file.Flush();
+        Assert.Equal("old and longer", File.ReadAllText(path));
+        file.Commit();
+        Assert.Equal("new", File.ReadAllText(path));
+    }
+
+    [Fact]
+    public void WhileItIsWrittenATemporaryFileStandsBesideIt()
+    {
+        using var file = new ReplacedFile(folder["room.png"]);
+        Assert.Matches(@"^room\.png\.[0-9a-f]{8}\.tmp$", Assert.Single(folder.Names));
+    }
+
+    [Fact]
+    public void WithoutCommitTheOldFileStaysAndNothingIsLeft()
+    {
+        var path = folder.Write("room.png", "old"u8);
+        using (var file = new ReplacedFile(path)) file.Write(new byte[1_000_000]);
+        Assert.Equal("old", File.ReadAllText(path));
+        Assert.Equal(["room.png"], folder.Names);
+    }
+
+    [Fact]
+    public void AnInterruptedPictureLeavesTheOldOneAndNothingElse()
+    {
+        var path = folder.Write("room.png", "old"u8);
+        using (var file = new ReplacedFile(path))
+        using (var writer = PictureWriter.Create(PictureFormat.Png, file, 1000, 1000))
+        {
+            writer.WriteRows(new byte[3000 * 500]);
+            Assert.Throws<InvalidOperationException>(writer.Finish);
+        }
+        Assert.Equal("old", File.ReadAllText(path));
+        Assert.Equal(["room.png"], folder.Names);
+    }
+
+    [Fact]
+    public void APictureIsWrittenAndReadByItsName()
+    {
+        var picture = new Picture(2, 1);
+        picture[1, 0] = (1, 2, 3);
+        PictureFile.Write(folder["room.png"], picture);
+        Assert.Equal([0, 0, 0, 1, 2, 3], PictureFile.Read(folder["room.png"]).Rgb);
+    }
+
+    [Fact]
+    public void AFolderIsNotReplaced()
+    {
+        Directory.CreateDirectory(folder["room.png"]);
+        Refused(folder["room.png"], $"cannot write {folder["room.png"]}: it is a folder; name a file in it");
+    }
+
+    [Fact]
+    public void ALinkIsReplacedAndNotFollowed()
+    {
+        if (OperatingSystem.IsWindows()) return; // asks for rights there
+        folder.Write("precious", "precious"u8);
+        File.CreateSymbolicLink(folder["room.png"], folder["precious"]);
+        using (var file = new ReplacedFile(folder["room.png"]))
+        {
+            file.Write("new"u8);
+            file.Commit();
+        }
+        Assert.Equal(("precious", "new"), (File.ReadAllText(folder["precious"]), File.ReadAllText(folder["room.png"])));
+        Assert.Null(new FileInfo(folder["room.png"]).LinkTarget);
+    }
+
+    [Fact]
+    public void ADeviceIsNotReplaced()
+    {
+        if (OperatingSystem.IsWindows()) return; // has no folder of devices
+        var refused = Assert.Throws<PictureFileException>(() => new ReplacedFile("/dev/raycaster-test")); // not a real one, should this fail
+        Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
+    }
+
+    [Fact]
+    public void AFolderThatIsNotThereIsNotMade()
+    {
+        var path = folder["a/room.png"];
+        Refused(path, $"cannot write {path}: its folder does not exist\n  make the folder {folder["a"]} first", left: []);
+    }
+
+    [Fact]
+    public void AReadOnlyFileIsNotReplaced()
+    {
+        var path = folder.Write("room.png", "old"u8);
+        File.SetAttributes(path, FileAttributes.ReadOnly);
+        Refused(path, $"cannot write {path}: the old file is read-only");
+        File.SetAttributes(path, FileAttributes.Normal);
+    }
+
+    [Fact]
+    public void AFileIsNotAFolder()
+    {
+        folder.Write("room.png", "old"u8);
+        var path = folder["room.png/x.png"];
+        Refused(path, $"cannot write {path}: its folder does not exist\n  make the folder {folder["room.png"]} first");
+    }
+
+    [Theory]
+    [InlineData("", "'' is no file name")]
+    [InlineData("a\0.png", @"'a\x00.png' is no file name")]
+    public void AnImpossibleNameIsRefused(string path, string message)
+    {
+        Assert.Equal(message, Assert.Throws<PictureFileException>(() => new ReplacedFile(path)).Message);
+        Assert.Equal(message, Assert.Throws<PictureFileException>(() => PictureFile.Read(path)).Message);
+    }
+
+    [Fact]
+    public void ATooLongNameIsRefused()
+    {
+        var name = folder[new string('x', 300) + ".png"];
+        Refused(name, $"cannot write {name}: the name is too long", left: []);
+    }
+
+    [Fact]
+    public void AFailureAtTheEndLeavesNoTemporaryFile()
+    {
+        using (var file = new ReplacedFile(folder["room.png"]))
+        {
+            file.Write("new"u8);
+            Directory.CreateDirectory(folder["room.png"]); // comes in between
+            Assert.Throws<PictureFileException>(file.Commit);
+        }
+        Assert.Equal(["room.png"], folder.Names);
+    }
+
+    private void Refused(string path, string message, string[]? left = null)
+    {
+        Assert.Equal(message, Assert.Throws<PictureFileException>(() => new ReplacedFile(path)).Message);
+        Assert.Equal(left ?? ["room.png"], folder.Names);
+    }
+}

@@ -1,0 +1,160 @@
+namespace RayCaster.Teaching.Tests.Comparisons;
+
+/// <summary>What was done to a whole picture is found, and nothing is claimed that is not so.</summary>
+public class RecognitionTests
+{
+    private static readonly Picture still = SomePictures.Still();
+    private static readonly Picture square = SomePictures.Still(64, 64);
+
+    private static Recognition? Recognise(Picture mine, Picture reference) => new PictureComparison(mine, reference).Recognition;
+
+    /// <summary>What must be done to the picture is the opposite of what was done.</summary>
+    private static void Recognises(Change change, Picture mine, Picture reference)
+    {
+        var recognition = Recognise(mine, reference);
+        Assert.Equal(change, recognition?.Change);
+        Assert.Equal(Likeness.Identical, recognition!.Likeness);
+    }
+
+    [Fact]
+    public void FlippedTopToBottom() =>
+        Recognises(new(Turn.TopBottom), SomePictures.Make(96, 64, (x, y) => still[x, 63 - y]), still);
+
+    [Fact]
+    public void MirroredLeftToRight() =>
+        Recognises(new(Turn.LeftRight), SomePictures.Make(96, 64, (x, y) => still[95 - x, y]), still);
+
+    [Fact]
+    public void TurnedByHalf() =>
+        Recognises(new(Turn.Half), SomePictures.Make(96, 64, (x, y) => still[95 - x, 63 - y]), still);
+
+    [Fact]
+    public void TransposedWithTheSidesSwapped() =>
+        Recognises(new(Turn.Transposed), SomePictures.Make(64, 96, (x, y) => still[y, x]), still);
+
+    [Fact]
+    public void TransposedInASquare() =>
+        Recognises(new(Turn.Transposed), SomePictures.Make(64, 64, (x, y) => square[y, x]), square);
+
+    [Fact]
+    public void TurnedCounterClockwise() => // so it must be turned clockwise: its first column, from the bottom, is the reference's first line
+        Recognises(new(Turn.Clockwise), SomePictures.Make(64, 96, (x, y) => still[95 - y, x]), still);
+
+    [Fact]
+    public void TurnedClockwise() =>
+        Recognises(new(Turn.CounterClockwise), SomePictures.Make(64, 96, (x, y) => still[y, 63 - x]), still);
+
+    [Fact]
+    public void TransposedTheOtherWay() =>
+        Recognises(new(Turn.AntiTransposed), SomePictures.Make(64, 96, (x, y) => still[95 - y, 63 - x]), still);
+
+    [Fact]
+    public void SidesSwappedInTheHeader()
+    {
+        var mine = new Picture(64, 96);
+        still.Rgb.CopyTo(mine.Rgb, 0);
+        Recognises(new(SidesSwapped: true), mine, still);
+    }
+
+    [Theory]
+    [InlineData(1, 0)]
+    [InlineData(0, -1)]
+    [InlineData(-7, 5)]
+    [InlineData(16, -16)]
+    public void Moved(int right, int down) => Recognises(
+        new(Turn.None, right, down),
+        SomePictures.Make(96, 64, (x, y) => x + right is >= 0 and < 96 && y + down is >= 0 and < 64 ? still[x + right, y + down] : default),
+        still);
+
+    [Fact]
+    public void FlippedAndOneLineOff() => // V points down: row r shows −ur, so line 0 has no counterpart
+        Recognises(new(Turn.TopBottom, Down: 1), SomePictures.Make(96, 64, (x, y) => y == 0 ? default : still[x, 64 - y]).With(_ => { }), still.With(p =>
+        {
+            for (var x = 0; x < 96; x++) p[x, 0] = (50, 60, 70);
+        }));
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(-1)]
+    [InlineData(2)]
+    public void MovedByBytes(int bytes)
+    {
+        var mine = new Picture(96, 64);
+        for (var i = 0; i < mine.Rgb.Length; i++)
+            if (i + bytes >= 0 && i + bytes < mine.Rgb.Length) mine.Rgb[i] = still.Rgb[i + bytes];
+        Recognises(new(Bytes: bytes), mine, still);
+    }
+
+    [Fact]
+    public void RedAndBlueSwapped() => Recognises(new(Colors: new ChannelOrder("BGR")), still.Map(p => (p.B, p.G, p.R)), still);
+
+    [Fact]
+    public void ChannelsMovedRound() => Recognises(new(Colors: new ChannelOrder("GBR")), still.Map(p => (p.G, p.B, p.R)), still);
+
+    [Fact]
+    public void Inverted() => Recognises(new(Colors: Tone.Inverted), still.MapChannels(c => 1 - c), still);
+
+    [Fact]
+    public void FlippedAndInverted() => Recognises(
+        new(Turn.TopBottom, Colors: Tone.Inverted), SomePictures.Make(96, 64, (x, y) => still[x, 63 - y]).MapChannels(c => 1 - c), still);
+
+    [Theory]
+    [InlineData(0.5)]
+    [InlineData(1 / 2.2)]
+    [InlineData(2.2)]
+    [InlineData(0.8)]
+    public void GammaByItsExponent(double exponent)
+    {
+        var recognition = Recognise(still.MapChannels(c => Math.Pow(c, exponent)), still)!;
+        Assert.Equal(exponent, ((Tone)recognition.Change.Colors!).Exponent!.Value, 0.01);
+        Assert.Equal(Likeness.WithinRounding, recognition.Likeness);
+    }
+
+    [Fact]
+    public void TheGammaOfSrgb() => Assert.Equal(
+        Tone.Srgb, Recognise(still.MapChannels(c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055), still)!.Change.Colors);
+
+    [Theory]
+    [InlineData(0.5)]
+    [InlineData(0.9)]
+    [InlineData(1.25)]
+    public void BrightnessByItsFactor(double factor)
+    {
+        var tone = (Tone)Recognise(still.MapChannels(c => factor * c), still)!.Change.Colors!;
+        Assert.Equal((factor, 0), (tone.Factor!.Value, tone.Offset!.Value));
+    }
+
+    [Fact]
+    public void BrightnessByWhatIsAdded()
+    {
+        var tone = (Tone)Recognise(still.MapChannels(c => c + 20 / 255.0), still)!.Change.Colors!;
+        Assert.Equal((1, 20), (tone.Factor!.Value, Math.Round(tone.Offset!.Value * 255, 6)));
+    }
+
+    [Fact]
+    public void ATruncatedFlippedPictureBecomesRightButForRounding()
+    {
+        var mine = SomePictures.Make(96, 64, (x, y) => still[x, 63 - y]).Map(p => ((byte)Math.Max(0, p.R - 1), p.G, p.B));
+        var recognition = Recognise(mine, still)!;
+        Assert.Equal((new Change(Turn.TopBottom), Likeness.RoundedOtherwise), (recognition.Change, recognition.Likeness));
+    }
+
+    [Fact]
+    public void WhatIsLeftWrongIsTold()
+    {
+        var mine = SomePictures.Make(96, 64, (x, y) => still[x, 63 - y]).With(p => p[3, 3] = p[4, 4] = (9, 9, 9));
+        var recognition = Recognise(mine, still)!;
+        Assert.Equal((new Change(Turn.TopBottom), Likeness.Wrong, 2), (recognition.Change, recognition.Likeness, recognition.Difference.Wrong));
+    }
+
+    [Fact]
+    public void NothingIsClaimedOfAMissingBall() =>
+        Assert.Null(Recognise(still.Map(p => p.B == 20 ? ((byte)0, (byte)0, (byte)0) : p), still));
+
+    [Fact]
+    public void NothingIsClaimedOfAnUnrelatedPicture() =>
+        Assert.Null(Recognise(SomePictures.Make(96, 64, (x, y) => ((byte)(x * y), (byte)(x ^ y), (byte)(3 * y))), still));
+
+    [Fact]
+    public void NothingIsClaimedOfABlackPicture() => Assert.Null(Recognise(new Picture(96, 64), still));
+}

@@ -1,0 +1,94 @@
+using RayCaster.Teaching.Tests.Mistakes;
+using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
+
+namespace RayCaster.Teaching.Tests.Diagnoses;
+
+/// <summary>The catalogue, against a ray caster that shares no code with it and makes the same mistakes.</summary>
+public class CatalogTests
+{
+    private static readonly Dictionary<string, Scene> scenes =
+        SceneFolder.Files("scenes/mistakes").ToDictionary(SceneFolder.NameOf, SceneFolder.Read);
+
+    /// <summary>The share of pixels beyond a level that other last bits of the same mistake may change.</summary>
+    private const double Share = 0.0002;
+
+    public static TheoryData<string> Ids => [.. Planted.All.Select(mistake => mistake.Id)];
+
+    [Theory]
+    [MemberData(nameof(Ids))]
+    public void DrawsWhatAnUnrelatedProgramWithThatMistakeDraws(string id)
+    {
+        foreach (var (name, scene) in scenes)
+        {
+            var expected = SlideCaster.Render(scene, Planted.Named(id));
+            var actual = new Lab(scene, MistakeCatalog.Named(id)!).Render();
+            Assert.Equal((expected.Width, expected.Height), (actual.Width, actual.Height));
+            var allowed = Share * expected.Width * expected.Height;
+            var count = ChangedPixels.Count(expected, actual, levels: 1);
+            Assert.True(count <= allowed,
+                ComparisonText.Of(new PictureComparison(actual, expected), $"{id}, {name}", "the unrelated program's"));
+        }
+    }
+
+    [Fact]
+    public void KnowsEveryPlantedMistakeByItsId()
+    {
+        var ids = MistakeCatalog.All.Select(mistake => mistake.Id).ToArray();
+        Assert.Equal(ids.Length, ids.Distinct().Count());
+        Assert.Empty(Planted.All.Select(mistake => mistake.Id).Except(ids));
+        Assert.All(ids, id => Assert.Equal(id, MistakeCatalog.Named(id)!.Id));
+        Assert.Null(MistakeCatalog.Named("no-such-mistake"));
+    }
+
+    [Fact]
+    public void EverySlideIsOneOfTheDocs()
+    {
+        var titles = File.ReadAllLines(ProjectFolder.PathOf("docs/slides-to-code.md"))
+            .Where(line => line.StartsWith("| ", StringComparison.Ordinal)).Select(line => line.Split('|')[1].Trim()).ToHashSet();
+        Assert.All(MistakeCatalog.All, mistake => Assert.Contains(mistake.Slide, titles));
+    }
+
+    [Fact]
+    public void EveryWordingKeepsTheIdAndShowsSomewhere()
+    {
+        foreach (var mistake in MistakeCatalog.All)
+        {
+            Assert.Same(mistake, mistake.Wordings[0]);
+            Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id));
+            var hidden = mistake.Wordings.Where(wording => small.All(scene => AreAlike(scene.Right, WrongPicture.Draw(scene.Scene, [wording]))));
+            Assert.Empty(hidden.Except([MistakeCatalog.Named("round")!, MistakeCatalog.Named("x256")!]).Select(wording => $"{wording}: {wording.Cause}"));
+        }
+    }
+
+    /// <summary>The scenes with few pixels, and their pictures.</summary>
+    private static readonly (Scene Scene, Picture Right)[] small = [.. scenes.Values
+        .Select(scene => scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) })
+        .Select(scene => (scene, ScalarRenderer.Render(scene)))];
+
+    private static bool AreAlike(Picture a, Picture b) =>
+        (a.Width, a.Height) == (b.Width, b.Height) && a.Rgb.AsSpan().SequenceEqual(b.Rgb);
+
+    [Fact]
+    public void NoTwoMistakesGiveTheSamePictures()
+    {
+        var alike = MistakeCatalog.All.GroupBy(mistake => Pictures(mistake));
+        Assert.Empty(alike.Where(group => group.Count() > 1).Select(group => string.Join(" = ", group)));
+    }
+
+    [Fact]
+    public void WhatASceneDoesNotHaveIsNotTouched()
+    {
+        var scene = SceneFolder.Read(SceneFolder.FileOf("sphere"));
+        var right = new Lab(scene).Render().Rgb;
+        var untouched = MistakeCatalog.All.Where(mistake => !mistake.Touches(scene));
+        Assert.All(untouched, mistake => Assert.Equal(right, new Lab(scene, mistake).Render().Rgb));
+        Assert.True(MistakeCatalog.Named("r-nosq")!.Touches(scene));
+        Assert.False(MistakeCatalog.Named("tri-uv")!.Touches(scene));
+    }
+
+    private static string Pictures(params Mistake[] mistakes) =>
+        string.Join(' ', scenes.Values.Select(scene => Hash(new Lab(scene, mistakes).Render())));
+
+    private static string Hash(Picture picture) =>
+        $"{picture.Width} {Convert.ToHexString(System.Security.Cryptography.SHA256.HashData(picture.Rgb))}";
+}

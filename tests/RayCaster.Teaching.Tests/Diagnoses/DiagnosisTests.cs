@@ -1,0 +1,168 @@
+using RayCaster.Teaching.Tests.Mistakes;
+
+namespace RayCaster.Teaching.Tests.Diagnoses;
+
+/// <summary>Pictures are planted by <see cref="SlideCaster"/>, which shares no formula with the library.</summary>
+public class DiagnosisTests
+{
+    private static readonly Scene scene = Small("mistakes/generic");
+
+    /// <summary>A scene of the project with few pixels, to be quick.</summary>
+    private static Scene Small(string name)
+    {
+        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
+        return scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) };
+    }
+
+    private static Picture Planted(string id) => SlideCaster.Render(scene, Mistakes.Mistake.Named(id));
+
+    [Fact]
+    public void ARightPictureMatches()
+    {
+        var diagnosis = Diagnosis.Of(scene, SlideCaster.Render(scene, Mistakes.Mistake.None));
+        Assert.Equal((Finding.Matches, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+    }
+
+    [Fact]
+    public void ATruncatedPictureMatchesAndIsSaidToBeDarker()
+    {
+        var diagnosis = Diagnosis.Of(scene, Planted("round"));
+        Assert.Equal(Finding.Matches, diagnosis.Finding);
+        Assert.InRange(diagnosis.DarkerShare, 0.2, 1);
+        Assert.Contains("a level darker", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+    }
+
+    [Fact]
+    public void ARightPictureOfAnotherProgramMayHaveSingleOutlinePixelsOff()
+    {
+        var picture = ScalarRenderer.Render(scene);
+        var y = picture.Height / 2;
+        var x = Enumerable.Range(1, picture.Width - 1).First(x => picture[x, y] != picture[x - 1, y]);
+        picture[x, y] = picture[x - 1, y];
+        Assert.Equal(Finding.Matches, Diagnosis.Of(scene, picture).Finding);
+    }
+
+    [Fact]
+    public void APictureThatIsAPixelAsideDoesNotMatch()
+    {
+        var (right, moved) = (ScalarRenderer.Render(scene), new Picture(scene.Camera.Width, scene.Camera.Height));
+        for (var y = 0; y < right.Height; y++)
+            for (var x = 0; x < right.Width; x++) moved[x, y] = right[(x + 1) % right.Width, y];
+        Assert.NotEqual(Finding.Matches, Diagnosis.Of(scene, moved).Finding);
+    }
+
+    [Fact]
+    public void AFewPixelsThatNobodyWouldSeeThereDoNotMatch()
+    {
+        var picture = ScalarRenderer.Render(scene);
+        for (var i = 0; i < 16; i++) picture[50 + i % 4, 30 + i / 4] = (255, 0, 255);
+        Assert.Equal(Finding.NoneOfThese, Diagnosis.Of(scene, picture).Finding);
+    }
+
+    [Fact]
+    public void AMissingModelIsNamed()
+    {
+        for (var i = 0; i < scene.Models.Count; i++)
+        {
+            var without = scene with { Models = [.. scene.Models.Where((_, place) => place != i)] };
+            var diagnosis = Diagnosis.Of(scene, ScalarRenderer.Render(without));
+            if (diagnosis.Finding != Finding.Matches) Assert.Equal($"`{scene.Models[i].Name}`", diagnosis.MissingModel);
+        }
+    }
+
+    [Fact]
+    public void APictureOfNothingProvesNothing()
+    {
+        var empty = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, width: 6, height: 4), []);
+        Assert.Contains("it proves nothing", DiagnosisReport.Text(Diagnosis.Of(empty, new Picture(6, 4)), "mine.png", "scene.json"));
+    }
+
+    [Theory]
+    [InlineData("rows")]
+    [InlineData("u-cross")]
+    [InlineData("nohalf")]
+    [InlineData("aspect-inv")]
+    [InlineData("transpose")]
+    [InlineData("whswap")]
+    [InlineData("crlf")]
+    [InlineData("bgr")]
+    [InlineData("no-t0")]
+    [InlineData("clip-after")]
+    [InlineData("circ-nosq")]
+    [InlineData("tri-cull")]
+    [InlineData("tri-area")]
+    [InlineData("att-no2")]
+    [InlineData("noclamp")]
+    [InlineData("center")]
+    public void NamesThePlantedMistakeFirst(string id)
+    {
+        var diagnosis = Diagnosis.Of(scene, Planted(id));
+        Assert.Equal(Finding.Mistake, diagnosis.Finding);
+        Assert.Contains(id, Named(diagnosis.Suspects[0]));
+    }
+
+    [Fact]
+    public void NamesAMistakeThatShowsOnOutlinesOnly()
+    {
+        var axis = SceneFolder.Read(SceneFolder.FileOf("mistakes/axis"));
+        var diagnosis = Diagnosis.Of(axis, SlideCaster.Render(axis, Mistakes.Mistake.SlabInvNan));
+        Assert.Equal("slab-inv-nan", Assert.Single(diagnosis.Suspects[0].Mistakes).Id);
+    }
+
+    [Fact]
+    public void TheLastBitsOfASquarePictureAreNoMistake()
+    {
+        var room = SceneFolder.Read(SceneFolder.FileOf("room")); // the walls meet on its diagonals
+        room = room with { Camera = room.Camera.WithSize(166, 166) };
+        var picture = SlideCaster.Render(room, new Manner(Truncates: true, Float: true), Mistakes.Mistake.None, Mistakes.Mistake.None);
+        Assert.Equal(Finding.Matches, Diagnosis.Of(room, picture).Finding);
+    }
+
+    [Fact]
+    public void NamesBothOfTwo()
+    {
+        var picture = Planted("rows");
+        for (var i = 0; i < picture.Rgb.Length; i += 3) (picture.Rgb[i], picture.Rgb[i + 2]) = (picture.Rgb[i + 2], picture.Rgb[i]);
+        var suspect = Diagnosis.Of(scene, picture).Suspects[0];
+        Assert.Equal(["bgr", "rows"], suspect.Mistakes.Select(mistake => mistake.Id).Order());
+    }
+
+    [Fact]
+    public void ATwinIsNamedWithIt()
+    {
+        // Nothing but a plane before black: a camera that looks backwards sees none of it, and neither does one whose best t starts at 0.
+        var plain = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, width: 60, height: 40), [Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)))]);
+        var suspect = Diagnosis.Of(plain, new Picture(60, 40)).Suspects[0];
+        Assert.Contains("w-sign", Named(suspect));
+        Assert.Contains("best0", Named(suspect));
+    }
+
+    [Fact]
+    public void AForeignPictureHasNoneOfThem()
+    {
+        var camera = scene.Camera;
+        var foreign = new Picture(camera.Width, camera.Height);
+        new Random(1).NextBytes(foreign.Rgb);
+        var diagnosis = Diagnosis.Of(scene, foreign);
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+    }
+
+    [Fact]
+    public void APictureOfAnotherSizeCannotBeDiagnosed() =>
+        Assert.Throws<ArgumentException>(() => Diagnosis.Of(scene, new Picture(scene.Camera.Width + 1, scene.Camera.Height)));
+
+    [Fact]
+    public void EachLevelOfHintsTellsMore()
+    {
+        var diagnosis = Diagnosis.Of(scene, Planted("rows"));
+        var hint = diagnosis.Suspects[0].Mistakes[0].Hint;
+        string Told(HintLevel level) => DiagnosisReport.Text(diagnosis, "mine.png", "scene.json", level).ReplaceLineEndings(" ").Replace("            ", "");
+        Assert.Equal((true, false, false), Holds(Told(HintLevel.Symptom)));
+        Assert.Equal((true, true, false), Holds(Told(HintLevel.Question)));
+        Assert.Equal((true, true, true), Holds(Told(HintLevel.Answer)));
+
+        (bool, bool, bool) Holds(string text) => (text.Contains(hint.Symptom[..20]), text.Contains(hint.Question[..20]), text.Contains("Answer:"));
+    }
+
+    private static IEnumerable<string> Named(Suspect suspect) => suspect.Mistakes.Concat(suspect.Twins).Select(mistake => mistake.Id);
+}

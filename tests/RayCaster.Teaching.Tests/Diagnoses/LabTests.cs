@@ -1,0 +1,125 @@
+using RayCaster.Teaching.Tests.Mistakes;
+
+namespace RayCaster.Teaching.Tests.Diagnoses;
+
+/// <summary>What a lab draws: the definition, and with mistakes what they say, one on top of the other.</summary>
+public class LabTests
+{
+    public static TheoryData<string> Scenes =>
+        [.. SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Select(SceneFolder.NameOf)];
+
+    public static TheoryData<string> Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void WithoutAMistakeEveryByteIsTheDefinitions(string name)
+    {
+        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
+        Assert.Equal(Renderer.Render(scene).Rgb, new Lab(scene).Render().Rgb); // which is the scalar definition's, to the bit
+    }
+
+    [Theory]
+    [MemberData(nameof(Ids))]
+    public void SinglePixelsAreThoseOfTheWholePictureOnAnyThread(string id)
+    {
+        var lab = new Lab(SceneFolder.Read(SceneFolder.FileOf("mistakes/portrait")), MistakeCatalog.Named(id)!);
+        var whole = lab.Render();
+        Assert.Equal((lab.Width, lab.Height), (whole.Width, whole.Height));
+        Parallel.For(0, 300, i =>
+        {
+            var (x, y) = (i * 7919 % lab.Width, i * 104729 % lab.Height);
+            Assert.Equal(whole[x, y], lab[x, y]);
+        });
+    }
+
+    [Fact]
+    public void FileMistakesAddUp()
+    {
+        var lab = Of("rows", "bgr");
+        var right = Of();
+        for (var y = 0; y < lab.Height; y++)
+        {
+            for (var x = 0; x < lab.Width; x++)
+            {
+                var (r, g, b) = right[x, lab.Height - 1 - y];
+                Assert.Equal((b, g, r), lab[x, y]);
+            }
+        }
+    }
+
+    [Theory]
+    [InlineData("cols", "cols")]
+    [InlineData("rows", "rows")]
+    [InlineData("bgr", "bgr")]
+    [InlineData("transpose", "transpose")]
+    [InlineData("w-sign", "w-sign")]
+    [InlineData("u-only", "u-only")]
+    [InlineData("w-sign", "dir-plus-w", "u-cross", "u-cross", "dir-plus-w", "w-sign")]
+    public void MadeAnEvenNumberOfTimesSomeCancelOut(params string[] ids) => Assert.Equal(Of().Render().Rgb, Of(ids).Render().Rgb);
+
+    [Theory]
+    [InlineData("r-nosq", "disc-2")]
+    [InlineData("oc-sign", "dir-unnorm-a1")]
+    [InlineData("tri-neg", "circ-inf")]
+    [InlineData("slab-tmax", "slab-minmin")]
+    [InlineData("u-unnorm", "u-cross")]
+    [InlineData("att-inv", "att-depth")]
+    [InlineData("transpose", "bgr")]
+    [InlineData("gamma", "round")]
+    public void TwoMistakesDifferFromEitherInAnyOrder(string one, string other)
+    {
+        var both = Of(one, other).Render().Rgb;
+        Assert.NotEqual(Of(one).Render().Rgb, both);
+        Assert.NotEqual(Of(other).Render().Rgb, both);
+        Assert.Equal(both, Of(other, one).Render().Rgb);
+    }
+
+    [Fact]
+    public void SwappedSidesAreThoseOfTheFile()
+    {
+        var camera = SceneFolder.Read(SceneFolder.FileOf("mistakes/generic")).Camera;
+        Assert.Equal((camera.Height, camera.Width), (Of("whswap").Width, Of("whswap").Height));
+        Assert.Equal((camera.Width, camera.Height), (Of("whswap", "transpose").Width, Of("whswap", "transpose").Height));
+    }
+
+    [Fact]
+    public void AMeshIsHitAsItsTrianglesAre()
+    {
+        var scene = SceneFolder.Read(SceneFolder.FileOf("mesh"));
+        foreach (var id in new[] { "tri-cull", "tri-uv", "no-t0", "dir-unnorm" })
+        {
+            var triangles = scene.Models.SelectMany<Model, Model>(model => model is not Mesh mesh
+                ? [model]
+                : Enumerable.Range(0, mesh.TriangleCount).Select(i => new Model<Triangle>(mesh[i]) { Color = mesh.Color }));
+            var mistake = MistakeCatalog.Named(id)!;
+            var (whole, single) = (new Lab(scene, mistake), new Lab(scene with { Models = [.. triangles] }, mistake));
+            for (var i = 0; i < 150; i++)
+            {
+                var (x, y) = (i * 7919 % whole.Width, i * 104729 % whole.Height);
+                Assert.Equal(single[x, y], whole[x, y]);
+            }
+        }
+    }
+
+    [Fact]
+    public void AModelOfOnesOwnIsAskedForItsHits()
+    {
+        var scene = new Scene(new(new(0, -5, 0), Vector3.Zero, width: 8, height: 8), [new Wall { Color = new(1, 0.5, 0) }]);
+        Assert.Equal(ScalarRenderer.Render(scene).Rgb, new Lab(scene).Render().Rgb);
+        var lab = new Lab(scene, MistakeCatalog.Named("bgr")!, MistakeCatalog.Named("att-none")!);
+        Assert.Equal(((byte)0, (byte)128, (byte)255), lab[4, 4]);
+    }
+
+    private static Lab Of(params string[] ids) =>
+        new(SceneFolder.Read(SceneFolder.FileOf("mistakes/generic")), [.. ids.Select(id => MistakeCatalog.Named(id)!)]);
+
+    /// <summary>y = 0, in plain doubles and ifs.</summary>
+    private sealed class Wall : Model
+    {
+        public override double? Intersect(Ray ray)
+        {
+            var t = -ray.Origin.Y / ray.Direction.Y;
+            return ray.Counts(t) ? t : null;
+        }
+    }
+}

@@ -1,0 +1,43 @@
+using RayCaster.Teaching.Tests.Mistakes;
+
+namespace RayCaster.Teaching.Tests.Diagnoses;
+
+public class SceneFitnessTests
+{
+    [Fact]
+    public void TheRoomSaysWhatItHides()
+    {
+        var fitness = SceneFitness.Of([SceneFolder.Read(SceneFolder.FileOf("room"))]);
+        var hidden = fitness.Hidden.Select(mistake => mistake.Id).ToArray();
+        string[] expected = ["aspect-none", "aspect-int", "fov-horiz", "u-unnorm", "znear-t", "no-zfar", "near-root-only", "aspect-inv", "tca-positive"];
+        Assert.Empty(expected.Except(hidden));
+        Assert.Contains(fitness.HiddenAtFirst, mistake => mistake.Id == "plane-cull"); // its planes face us, its disc does not
+        Assert.Contains("the picture is square", FitnessReport.Text(fitness));
+        Assert.Contains(fitness.Twins, group => group.Any(mistake => mistake.Id == "att-depth") && group.Any(mistake => mistake.Id == "dir-unnorm"));
+    }
+
+    [Fact]
+    public void TheProjectsSetOfTestScenesHidesNothing()
+    {
+        var fitness = SceneFitness.Of([.. SceneFolder.Files("scenes/mistakes").Select(SceneFolder.Read)]);
+        Assert.Equal(["round", "x256"], fitness.Hidden.Select(mistake => mistake.Id).Order()); // a level at most, by their nature
+        Assert.Equal(fitness.Hidden, fitness.WithinRounding);
+        Assert.Empty(fitness.Twins);
+    }
+
+    [Fact]
+    public void AnEmptyWorldShowsNothing()
+    {
+        var fitness = SceneFitness.Of([new(new Camera(new(1, 0, 0), Vector3.Zero, width: 30, height: 20), [])]);
+        Assert.Contains(MistakeCatalog.Named("w-sign")!, fitness.Hidden);
+        Assert.Contains("the world is empty", FitnessReport.Text(fitness));
+    }
+
+    [Fact]
+    public void ACameraOnTheFacesOfABoxHasFragilePixels()
+    {
+        var box = Model.Of(new Aabb(new(-1, -1, 0), new(1, 1, 2))); // its lower face is at the camera's height: seen edge-on
+        var fitness = SceneFitness.Of([new(new Camera(new(5, 0, 0), Vector3.Zero, width: 20, height: 20), [box])]);
+        Assert.InRange(fitness.FragilePixels, 1, 20);
+    }
+}

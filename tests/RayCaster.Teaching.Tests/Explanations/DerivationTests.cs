@@ -1,0 +1,83 @@
+namespace RayCaster.Teaching.Tests.Explanations;
+
+/// <summary>The primitives' own formulas over a number that writes down what it computes.</summary>
+public class DerivationTests
+{
+    [Fact]
+    public void EveryFormulaGivesTheSameBitsAsPlainDoubles()
+    {
+        var random = new Random(20);
+        for (var i = 0; i < 300; i++)
+        {
+            var scene = RandomScene.Make(random);
+            var (c, r) = (random.Next(scene.Camera.Width), random.Next(scene.Camera.Height));
+            var (plain, derived) = (scene.Camera.Direction<Scalar>(c, r), scene.Camera.Direction<Derivation>(c, r));
+            AssertSame([plain.X, plain.Y, plain.Z], [derived.X, derived.Y, derived.Z]);
+            var zPerT = scene.Camera.ZPerT(derived);
+            AssertSame([scene.Camera.ZPerT(plain)], [zPerT]);
+            foreach (var model in scene.Models)
+                foreach (var shape in Some.ShapesOf(model))
+                {
+                    var expected = shape.Cross(new Ray<Scalar>(scene.Camera.Position, plain))!.Value;
+                    var crossings = shape.Cross(new Ray<Derivation>(scene.Camera.Position, derived))!.Value;
+                    AssertSame([expected.Near, expected.Far], [crossings.Near, crossings.Far]);
+                    AssertSame([scene.Camera.ClipRange.First(expected, scene.Camera.ZPerT(plain))], [scene.Camera.ClipRange.First(crossings, zPerT)]);
+                    AssertSame([scene.Attenuation(expected.Near)], [scene.Attenuation(crossings.Near)]);
+                }
+        }
+    }
+
+    [Fact]
+    public void AVectorIsWrittenAsThreeNumbersAndADotProductAsOne()
+    {
+        var t = new Plane(new(-5, 0, 0), new(1, 0, 0)).Cross(Along(-1, 0, 0)).Near;
+        Assert.Equal(25, t.Value);
+        var step = Assert.Single(FormulaStep.LeadingTo(t));
+        Assert.Equal(("t", "(Point - ray.Origin) * Normal / (ray.Direction * Normal)"), (step.Name, step.Formula));
+        Assert.Equal("((−5, 0, 0) − (20, 0, 0)) · (1, 0, 0) / ((−1, 0, 0) · (1, 0, 0))", step.Numbers);
+    }
+
+    [Fact]
+    public void StepsComeInTheOrderOfTheFormula()
+    {
+        var crossings = new Sphere(new(0, 0, 0), 4).Cross(Along(-1, 0, 0));
+        Assert.Equal((16, 24), (crossings.Near.Value, crossings.Far.Value));
+        var steps = FormulaStep.LeadingTo(crossings.Near, crossings.Far);
+        Assert.Equal(["L", "tca", "D", "thc"], steps.Select(step => step.Name));
+        Assert.Equal("√(16 − (0, 0, 0) · (0, 0, 0))", steps[3].Numbers);
+        Assert.Equal("20 − 4", new TermText().Of(crossings.Near.Term));
+    }
+
+    [Fact]
+    public void BracketsStandWhereTheOrderOfTheOperationsNeedsThem()
+    {
+        Derivation a = 2, b = 3, c = -4;
+        Assert.Equal("2 − (3 − 2)", new TermText().Of((a - (b - a)).Term));
+        Assert.Equal("2 − 3 − 2", new TermText().Of((a - b - a).Term));
+        Assert.Equal("(2 + 3) · (−4)", new TermText().Of(((a + b) * c).Term));
+        Assert.Equal("−4 · 2 + (−4) · 3", new TermText().Of((c * a + c * b).Term));
+        Assert.Equal("2 / (3 / (−4))", new TermText().Of((a / (b / c)).Term));
+        Assert.Equal("−(2 + 3)", new TermText().Of((-(a + b)).Term));
+    }
+
+    [Fact]
+    public void AFailedTestIsToldWithItsNumbers()
+    {
+        var t = new Ring(new(0, 0, 0), new(1, 0, 0), 1, 2).Cross(new Ray<Derivation>(new Vector3(20, 3, 0), new Vector3(-1, 0, 0))).Near;
+        Assert.Equal(double.NaN, t.Value);
+        Assert.EndsWith("= 9 ≤ 4 is false", Why.IsNoNumber(t.Term));
+    }
+
+    [Fact]
+    public void ARootOfANegativeNumberIsToldAsTheCause()
+    {
+        Derivation square = 4;
+        Assert.Equal("√(4 − 9) is no number", Why.IsNoNumber((1 + Derivation.Sqrt(square - 9)).Term));
+    }
+
+    private static void AssertSame(Scalar[] expected, Derivation[] actual) =>
+        Assert.Equal(expected.Select(x => BitConverter.DoubleToInt64Bits(x.Value)), actual.Select(x => BitConverter.DoubleToInt64Bits(x.Value)));
+
+    private static Ray<Derivation> Along(double x, double y, double z) =>
+        new(((Vector3<Derivation>)new Vector3(20, 0, 0)).As("P", ""), ((Vector3<Derivation>)new Vector3(x, y, z)).As("d", ""));
+}

@@ -1,0 +1,163 @@
+namespace RayCaster.Teaching.Tests.Explanations;
+
+/// <summary>The ledger counts what the pictures show, and says why the rest is refused.</summary>
+public class HitLedgerTests
+{
+    /// <summary>Looks from (10, 0, 0) along −x.</summary>
+    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero, fovY: 60, width: 24, height: 16, zNear: 2, zFar: 50, bias: 1);
+
+    [Fact]
+    public void AModelShowsInAsManyPixelsAsTheRendererFinds()
+    {
+        for (var seed = 0; seed < 60; seed++)
+        {
+            var scene = RandomScene.Make(new Random(seed));
+            var (ledger, hits) = (HitLedger.Take(scene), new Renderer(scene).CastHits());
+            Assert.Equal(hits.Model.Length, ledger.Rays);
+            Assert.Equal(hits.Model.Count(model => model >= 0), ledger.Hits);
+            for (var i = 0; i < scene.Models.Count; i++)
+                Assert.Equal((seed, i, hits.Model.Count(model => model == i)), (seed, i, ledger.Models[i][Outcome.Shows]));
+        }
+    }
+
+    [Fact]
+    public void AModelIsHitWhereItWouldShowAlone()
+    {
+        for (var seed = 100; seed < 130; seed++)
+        {
+            var scene = RandomScene.Make(new Random(seed));
+            var ledger = HitLedger.Take(scene);
+            for (var i = 0; i < scene.Models.Count; i++)
+                Assert.Equal(new Renderer(scene with { Models = [scene.Models[i]] }).CastHits().Model.Count(model => model >= 0), ledger.Models[i].Hits);
+        }
+    }
+
+    [Fact]
+    public void EachRayIsCountedOnceForEachModel()
+    {
+        for (var seed = 0; seed < 30; seed++)
+        {
+            var ledger = HitLedger.Take(RandomScene.Make(new Random(seed)));
+            Assert.All(ledger.Models, entry => Assert.Equal(ledger.Rays, Enum.GetValues<Outcome>().Sum(outcome => entry[outcome])));
+        }
+    }
+
+    public static TheoryData<string, Outcome> Walls => new()
+    {
+        { "x = 5", Outcome.Shows },
+        { "x = 12", Outcome.Behind },
+        { "x = 9.5", Outcome.UnderBias },
+        { "x = 8.5", Outcome.BeforeNear },
+        { "x = -41", Outcome.BeyondFar },
+    };
+
+    [Theory]
+    [MemberData(nameof(Walls))]
+    public void AWallAcrossTheViewIsRefusedForOneReason(string where, Outcome outcome)
+    {
+        var x = double.Parse(where[4..], System.Globalization.CultureInfo.InvariantCulture);
+        var entry = Assert.Single(Take(Model.Of(new Plane(new(x, 0, 0), new(1, 0, 0)))).Models);
+        Assert.Equal(384, entry[outcome] + (outcome == Outcome.UnderBias ? entry[Outcome.BeforeNear] : 0)); // where t > 1 at the picture's corners
+        Assert.InRange(entry[outcome], 300, 384);
+    }
+
+    [Fact]
+    public void AMeshIsRefusedLikeItsTriangles()
+    {
+        foreach (var (x, outcome) in new[] { (5.0, Outcome.Shows), (12, Outcome.Behind), (8.5, Outcome.BeforeNear), (-41, Outcome.BeyondFar) })
+        {
+            var mesh = new Mesh([new(x, -99, -99), new(x, 200, -99), new(x, -99, 200)], [0, 1, 2]);
+            Assert.Equal(384, Assert.Single(Take(mesh).Models)[outcome]);
+        }
+    }
+
+    [Fact]
+    public void WhatLiesBehindAnotherIsHidden()
+    {
+        var ledger = Take(Model.Of(new Plane(new(-3, 0, 0), new(1, 0, 0))), Model.Of(new Plane(new(0, 0, 0), new(1, 0, 0))));
+        Assert.Equal((384, 384), (ledger.Models[0][Outcome.Hidden], ledger.Models[1][Outcome.Shows]));
+    }
+
+    [Fact]
+    public void OfTwoAtTheSamePlaceTheSecondIsHidden()
+    {
+        var wall = new Plane(Vector3.Zero, new(1, 0, 0));
+        var ledger = Take(Model.Of(wall), Model.Of(wall));
+        Assert.Equal((384, 384), (ledger.Models[0][Outcome.Shows], ledger.Models[1][Outcome.Hidden]));
+    }
+
+    public static TheoryData<string, Model, Outcome> Missed => new()
+    {
+        { "sphere", Model.Of(new Sphere(new(0, 100, 0), 1)), Outcome.PassesBy },
+        { "circle", Model.Of(new Circle(new(0, 100, 0), new(1, 0, 0), 1)), Outcome.Outside },
+        { "triangle", Model.Of(new Triangle(new(0, 100, 0), new(0, 101, 0), new(0, 100, 1))), Outcome.Outside },
+        { "box", Model.Of(new Aabb(new(0, 100, 0), new(1, 101, 1))), Outcome.Outside },
+        { "mesh", new Mesh([new(0, 100, 0), new(0, 101, 0), new(0, 100, 1)], [0, 1, 2]), Outcome.PassesBy },
+        { "ring", Model.Of(new Ring(Vector3.Zero, new(1, 0, 0), 50, 60)), Outcome.Outside },
+        { "tube", new Cylinder(new(0, 100, 0), 1, 1), Outcome.PassesBy },
+        { "broken formula", Model.Of(new NoNumbers()), Outcome.NoNumber },
+    };
+
+    [Theory]
+    [MemberData(nameof(Missed))]
+    public void AShapesOwnFormulaTellsWhyItIsNotCrossed(string shape, Model model, Outcome outcome) =>
+        Assert.Equal((shape, 384), (shape, Assert.Single(Take(model).Models)[outcome]));
+
+    [Fact]
+    public void ARayThatRunsAlongAPlaneDividesByZero()
+    {
+        foreach (var z in new[] { 0.0, 5 }) // in the plane, and beside it
+        {
+            var scene = new Scene(Camera.WithSize(1, 2), [Model.Of(new Plane(new(0, 0, z), new(0, 0, 1))), Model.Of(new Circle(new(0, 0, z), new(0, 0, 1), 3))]);
+            Assert.All(HitLedger.Take(scene).Models, entry => Assert.Equal(1, entry[Outcome.Along])); // row 1 of 2 looks along −x
+        }
+    }
+
+    [Fact]
+    public void AModelWithoutAFormulaIsAskedAgain()
+    {
+        Assert.Equal(Outcome.Behind, Assert.Single(Take(new Cylinder(new(20, 0, 0), 1, 99)).Models).Reason);
+        Assert.Equal(Outcome.BeyondFar, Assert.Single(Take(new Cylinder(new(-90, 0, 0), 1, 99)).Models).Reason);
+    }
+
+    [Fact]
+    public void OfALargePictureAGridIsJudged()
+    {
+        var scene = new Scene(Camera.WithSize(8000, 4000), [Model.Of(new Plane(Vector3.Zero, new(1, 0, 0)))]);
+        var ledger = HitLedger.Take(scene);
+        Assert.InRange(ledger.Rays, HitLedger.MostSampled / 2, HitLedger.MostSampled);
+        Assert.Contains($"judged from {ledger.Rays:N0} of 32,000,000:", ledger.Report());
+    }
+
+    [Fact]
+    public void AWitnessComputesWhatTheDefinitionComputes()
+    {
+        for (var seed = 0; seed < 20; seed++)
+        {
+            var scene = RandomScene.Make(new Random(seed));
+            foreach (var shape in scene.Models.Select(model => Some.ShapesOf(model).First()))
+            {
+                for (var column = 0; column < scene.Camera.Width; column++)
+                {
+                    var ray = scene.Camera.CastRay(column, 0);
+                    var expected = shape.Cross(new Ray<Scalar>(ray.Origin, ray.Direction))!.Value;
+                    var crossings = shape.Cross(new Ray<Witness>(ray.Origin, ray.Direction))!.Value;
+                    Assert.Equal((expected.Near.Value, expected.Far.Value), (crossings.Near.Value, crossings.Far.Value));
+                    Assert.Equal(double.IsFinite(expected.Near), crossings.Near.Loss == Outcome.Shows);
+                }
+            }
+        }
+    }
+
+    private static HitLedger Take(params Model[] models) => HitLedger.Take(new Scene(Camera, models));
+
+    /// <summary>∞ − ∞.</summary>
+    private readonly record struct NoNumbers : IPrimitive
+    {
+        public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
+        {
+            N infinity = double.PositiveInfinity;
+            return new(infinity * (ray.Direction * ray.Direction) - infinity);
+        }
+    }
+}

@@ -1,0 +1,97 @@
+namespace RayCaster.Testing;
+
+/// <summary>
+/// Compares a picture with a reference: equal within 1 of 255, and off by 1 in at most 1 % of the pixels, so that truncating instead
+/// of rounding shows. On an outline a pixel may show either neighbour, and nothing else.
+/// </summary>
+internal sealed class ReferenceComparison
+{
+    private readonly Reference reference;
+    private readonly Picture expected, actual;
+    private readonly int largest;
+    private readonly (int X, int Y)? first;
+
+    public ReferenceComparison(Reference reference, Picture actual)
+    {
+        (this.reference, expected, this.actual) = (reference, reference.Picture, actual);
+        if (!SameSize) return;
+        for (var y = 0; y < expected.Height; y++)
+            for (var x = 0; x < expected.Width; x++)
+            {
+                var difference = Difference(x, y);
+                if (difference == 0) continue;
+                largest = Math.Max(largest, difference);
+                if (difference == 1) OffByOne++;
+                else
+                {
+                    Wrong++;
+                    first ??= (x, y);
+                }
+            }
+    }
+
+    /// <summary>Pixels that differ by more than 1.</summary>
+    public int Wrong { get; }
+
+    /// <summary>Pixels that differ by 1.</summary>
+    public int OffByOne { get; }
+
+    /// <summary>Whether the pictures are equal as far as the rule asks.</summary>
+    public bool IsEqual => SameSize && Wrong == 0 && OffByOne <= Pixels / 100;
+
+    private int Pixels => expected.Width * expected.Height;
+
+    private bool SameSize => (expected.Width, expected.Height) == (actual.Width, actual.Height);
+
+    /// <summary>What is wrong, and the command that explains the first wrong pixel.</summary>
+    public string Describe(string name)
+    {
+        if (!SameSize) return $"{name}: expected {expected.Width} × {expected.Height} pixels, got {actual.Width} × {actual.Height}";
+        if (first is not var (x, y))
+            return $"{name}: {OffByOne} of {Pixels} pixels ({100.0 * OffByOne / Pixels:0.##} %) are off by 1; at most 1 % may be";
+        return $"{name}: {Wrong} of {Pixels} pixels ({100.0 * Wrong / Pixels:0.##} %) differ, by at most {largest}; "
+            + $"the first at column {x}, line {y} from the top: expected {expected[x, y]}, got {actual[x, y]}\n"
+            + $"  dotnet run --project src/RayCaster.Cli -- explain scenes/{name}.json {x} {y} --size {expected.Width}x{expected.Height}";
+    }
+
+    /// <summary>The reference, dark; red where the picture differs, yellow where it is off by 1; nothing if the sizes differ.</summary>
+    public Picture? Draw()
+    {
+        if (!SameSize) return null;
+        var picture = new Picture(expected.Width, expected.Height);
+        for (var y = 0; y < expected.Height; y++)
+            for (var x = 0; x < expected.Width; x++)
+            {
+                var (r, g, b) = expected[x, y];
+                picture[x, y] = Difference(x, y) switch
+                {
+                    0 => ((byte)(r / 4), (byte)(g / 4), (byte)(b / 4)),
+                    1 => (160, 160, 0),
+                    _ => (255, 0, 0),
+                };
+            }
+        return picture;
+    }
+
+    /// <summary>The largest difference of a channel; on an outline how far it is out of the range of the pixel and its neighbours.</summary>
+    private int Difference(int x, int y)
+    {
+        var reach = reference.IsOutline(x, y) ? 1 : 0;
+        var largest = 0;
+        for (var channel = 0; channel < 3; channel++)
+        {
+            var (least, greatest) = (255, 0);
+            for (var j = Math.Max(0, y - reach); j <= Math.Min(expected.Height - 1, y + reach); j++)
+                for (var i = Math.Max(0, x - reach); i <= Math.Min(expected.Width - 1, x + reach); i++)
+                {
+                    var value = Channel(expected, i, j, channel);
+                    (least, greatest) = (Math.Min(least, value), Math.Max(greatest, value));
+                }
+            var got = Channel(actual, x, y, channel);
+            largest = Math.Max(largest, Math.Max(least - got, got - greatest));
+        }
+        return largest;
+    }
+
+    private static int Channel(Picture picture, int x, int y, int channel) => picture.Rgb[(y * picture.Width + x) * 3 + channel];
+}

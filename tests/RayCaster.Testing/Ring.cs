@@ -1,0 +1,16 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Testing;
+
+/// <summary>A flat disc with a hole, written as docs/adding-a-primitive.md shows it: a formula over any kind of number.</summary>
+internal readonly record struct Ring(Vector3 Center, Vector3 Normal, double Inner, double Outer) : IPrimitive
+{
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
+    {
+        var t = new Plane(Center, Normal).Cross(ray).Near;
+        var CX = ray.At(t) - Center;
+        var square = CX * CX;
+        return new(N.If((square >= Inner * Inner) & (square <= Outer * Outer), t));
+    }
+}

@@ -1,0 +1,25 @@
+namespace RayCaster.Testing;
+
+/// <summary>The scene files of the project.</summary>
+internal static class SceneFolder
+{
+    /// <summary>The scenes directly in a folder, sorted by name.</summary>
+    /// <param name="folder">Relative to the root.</param>
+    public static IEnumerable<string> Files(string folder) =>
+        Directory.GetFiles(ProjectFolder.PathOf(folder), "*.json")
+            .Where(file => !file.EndsWith(".schema.json", StringComparison.Ordinal)).Order(StringComparer.Ordinal);
+
+    /// <summary>What a scene is called: its path in the folder of scenes, without the extension.</summary>
+    public static string NameOf(string file) =>
+        Path.ChangeExtension(Path.GetRelativePath(ProjectFolder.PathOf("scenes"), file), null).Replace('\\', '/');
+
+    /// <summary>The file of a scene.</summary>
+    public static string FileOf(string name) => ProjectFolder.PathOf($"scenes/{name}.json");
+
+    /// <summary>The scene of a file that has no errors.</summary>
+    public static Scene Read(string file)
+    {
+        var reading = SceneReader.Read(file);
+        return reading.Scene ?? throw new InvalidDataException(reading.Report());
+    }
+}

@@ -1,0 +1,29 @@
+namespace RayCaster.Testing;
+
+/// <summary>Random things, the same in every run because the caller seeds the generator.</summary>
+internal static class Some
+{
+    /// <summary>A number between −reach and reach.</summary>
+    public static double Number(Random random, double reach) => reach * (2 * random.NextDouble() - 1);
+
+    /// <summary>A multiple of 1/16 between −16 and 16: sums and differences of such numbers are exact.</summary>
+    public static double Sixteenth(Random random) => random.Next(-256, 257) / 16.0;
+
+    public static Vector3 Point(Random random, double reach) => new(Number(random, reach), Number(random, reach), Number(random, reach));
+
+    public static Vector3 GridPoint(Random random) => new(Sixteenth(random), Sixteenth(random), Sixteenth(random));
+
+    /// <summary>What crosses a ray by a formula: the triangles of a mesh, or the model itself.</summary>
+    public static IEnumerable<Model> ShapesOf(Model model) =>
+        model is Mesh mesh ? Enumerable.Range(0, mesh.TriangleCount).Select(i => Model.Of(mesh[i])) : [model];
+
+    /// <summary>A direction of length 1.</summary>
+    public static Vector3 Direction(Random random)
+    {
+        while (true)
+        {
+            var v = Point(random, 1);
+            if (v.Length is > 0.01 and < 1) return v.Normalized;
+        }
+    }
+}

@@ -1,9 +1,0 @@
-namespace RayCaster.Tests.PictureFiles;
-
-/// <summary>Pictures that other programs wrote; Data/make.sh tells how.</summary>
-internal static class TestData
-{
-    public static string Folder { get; } = ProjectFolder.PathOf("tests/RayCaster.Tests/PictureFiles/Data");
-
-    public static byte[] Bytes(string name) => File.ReadAllBytes(Path.Combine(Folder, name));
-}
