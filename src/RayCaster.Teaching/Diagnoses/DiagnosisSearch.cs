@@ -39,7 +39,13 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
         var singles = WithoutIdle(Best(Singles(Unfinished.Nothing, [false, true])));
         // Beside a mistake that changes everything a missing shape counts for little, so it is looked for even where the mistake explains most.
-        var beside = Best([.. singles.DistinctBy(single => single.Id).Take(Besides).SelectMany(single => unfinished.Select(way => single with { Base = way }))]);
+        var beside = Best(
+        [
+            .. from single in singles.DistinctBy(single => single.Id).Take(Besides)
+               from way in unfinished
+               where way.Kinds.Any()
+               select single with { Base = way },
+        ]);
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
         if (IsDone(all)) return Sorted(all);
 
