@@ -3,7 +3,7 @@ namespace RayCaster.Cli;
 /// <summary>Says what is wrong with scene files, and what they are fit for as tests.</summary>
 internal sealed class CheckCommand : Command
 {
-    public override Option[] Options { get; } = [Option.Threads, Option.Quiet];
+    public override Option[] Options { get; } = [Option.For, Option.Require, Option.Json, Option.Threads, Option.Quiet];
 
     public override string Help => """
         Description:
@@ -19,6 +19,11 @@ internal sealed class CheckCommand : Command
           <scene>  A scene file; "-" reads it from standard input.
 
         Options:
+              --for <shapes>   Speaks only of what a program makes wrong that draws these: plane,
+                               sphere, aabb, circle, triangle, mesh, joined by commas.
+              --require <ids>  These mistakes must show, as rows,bgr: if one does not, the exit
+                               code is 1.
+              --json           The answer as JSON.
           -q, --quiet          Errors and warnings only.
           -t, --threads <n>    How many threads draw. [default: one per core]
 
@@ -27,7 +32,7 @@ internal sealed class CheckCommand : Command
           dotnet run --project src/RayCaster.Cli -- check scenes/mistakes/*.json
 
         Exit codes:
-          0 no error, 1 a scene has errors, 2 could not read one.
+          0 no error, 1 a scene has errors or does not show what is required, 2 could not read one.
 
         """;
 
@@ -43,20 +48,34 @@ internal sealed class CheckCommand : Command
             var reading = SceneInput.Read(path, threads);
             if (reading.Scene is { } scene) scenes.Add(scene);
             var unread = reading.Problems.Any(problem => problem.IsError && problem.Line == 0);
-            StandardFile.WriteOutput(reading.Report());
+            if (line.Has(Option.Json)) StandardFile.WriteError(reading.Report());
+            else StandardFile.WriteOutput(reading.Report());
             if (reading.Scene is null) exitCode = Math.Max(exitCode, unread ? ExitCode.CouldNot : ExitCode.No);
         }
-        if (exitCode != ExitCode.Done || line.Has(Option.Quiet)) return exitCode;
+        var required = line[Option.Require] is { } ids
+            ? NameList.Of(ids, ',', [.. MistakeCatalog.All.Select(mistake => mistake.Id)], "a mistake") : [];
+        if (exitCode != ExitCode.Done || (line.Has(Option.Quiet) && required.Length == 0)) return exitCode;
 
-        var head = scenes.Count == 1 ? $"{line.Operands[0]}: no errors." : $"{scenes.Count} scenes: no errors.";
-        StandardFile.WriteOutput(head + Environment.NewLine);
+        var (json, quiet) = (line.Has(Option.Json), line.Has(Option.Quiet));
+        if (!json && !quiet)
+            StandardFile.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors." + Environment.NewLine);
         if (!scenes.TrueForAll(SceneFitness.CanJudge))
-        {
-            StandardFile.WriteOutput($"A scene has more than {SceneFitness.MostModels} models: too many to try mistakes on." + Environment.NewLine);
-            return exitCode;
-        }
-        var fitness = SceneFitness.Of(scenes, threads);
-        StandardFile.WriteOutput(FitnessReport.Text(fitness));
-        return exitCode;
+            throw new ProblemException($"A scene has more than {SceneFitness.MostModels} models: too many to try mistakes on.");
+        var fitness = SceneFitness.Of(scenes, threads, Asked(line[Option.For]));
+        var absent = required.Where(id => fitness.Asked.All(mistake => mistake.Id != id)
+            || fitness.Hidden.Concat(fitness.NotTried).Any(mistake => mistake.Id == id)).ToArray();
+        if (json) StandardFile.WriteOutput(FitnessReport.Json(fitness, absent));
+        else if (!quiet) StandardFile.WriteOutput(FitnessReport.Text(fitness));
+        if (absent.Length == 0) return ExitCode.Done;
+        StandardFile.WriteError($"required, but not shown: {string.Join(", ", absent)}{Environment.NewLine}");
+        return ExitCode.No;
+    }
+
+    /// <summary>What a program can make wrong that draws some shapes only; all without a word.</summary>
+    private static Mistake[] Asked(string? shapes)
+    {
+        if (shapes is null) return [.. MistakeCatalog.All];
+        var names = NameList.Of(shapes, ',', NameList.Shapes, "a kind of shape");
+        return [.. MistakeCatalog.All.Where(mistake => mistake.Touches(names))];
     }
 }

@@ -3,12 +3,13 @@ namespace RayCaster.Cli;
 /// <summary>Says which mistake makes a wrong picture.</summary>
 internal sealed class DiagnoseCommand : Command
 {
-    public override Option[] Options { get; } = [Option.Hint, Option.Json, Option.Threads];
+    public override Option[] Options { get; } = [Option.Hint, Option.Done, Option.Json, Option.Threads];
 
     public override string Help => """
         Description:
-          Finds out which mistake makes a wrong picture. It draws the scene with each mistake of
-          a catalogue, and with pairs of them, and names the one that comes nearest.
+          Finds out what makes a wrong picture: what the program does not draw yet, or which
+          mistake it has. It draws the scene with each mistake of a catalogue, and with pairs
+          of them, and names the one that comes nearest.
 
         Usage:
           raycaster diagnose <scene> <mine> [options]
@@ -20,7 +21,10 @@ internal sealed class DiagnoseCommand : Command
         Options:
               --hint <level>   How much is told: symptom (what is to be seen), question (what to ask
                                yourself) or answer (what is wrong, and the slide). [default: question]
-              --json           Everything as JSON, the answers too.
+              --done <parts>   What your program draws already, as plane,sphere: plane, sphere, aabb,
+                               circle, triangle, mesh, attenuation, clipping. If one of these is not
+                               to be seen, that is a mistake; the rest may be missing.
+              --json           Everything as JSON, the answers too; what is in the way as well.
           -t, --threads <n>    How many threads draw. [default: one per core]
 
         Examples:
@@ -35,11 +39,30 @@ internal sealed class DiagnoseCommand : Command
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
+        try
+        {
+            return Judge(line, cancellation);
+        }
+        catch (Exception e) when (line.Has(Option.Json) && e is (ProblemException or PictureFileException))
+        {
+            StandardFile.WriteOutput(DiagnosisReport.Json(e.Message)); // a program reads there, whatever happens
+            throw;
+        }
+    }
+
+    private static int Judge(CommandLine line, CancellationToken cancellation)
+    {
         var operands = line.Exactly("<scene>", "<mine>");
         var (scenePath, picturePath) = (operands[0], operands[1]);
         var level = Level(line[Option.Hint]);
-        var threads = line.ThreadCount();
-        if (SceneInput.Read(scenePath, null, threads, quiet: true, cancellation) is not { } scene) return ExitCode.CouldNot;
+        string[] parts = [.. NameList.Shapes, Diagnosis.Attenuation, Diagnosis.Clipping];
+        string[] done = line[Option.Done] is { } named ? NameList.Of(named, ',', parts, "a part of a program") : [];
+        var (threads, json) = (line.ThreadCount(), line.Has(Option.Json));
+        if (SceneInput.Read(scenePath, null, threads, quiet: true, cancellation) is not { } scene)
+        {
+            if (json) StandardFile.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
+            return ExitCode.CouldNot;
+        }
         SceneInput.WarnOfEditedJudge(scenePath, scene);
 
         var picture = PictureFile.Read(picturePath);
@@ -51,10 +74,12 @@ internal sealed class DiagnoseCommand : Command
                 "it is compared with the scene drawn in that size" + Environment.NewLine);
             scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
         }
-        var diagnosis = Diagnosis.Of(scene, picture, threads);
-        StandardFile.WriteOutput(line.Has(Option.Json)
-            ? DiagnosisReport.Json(diagnosis)
-            : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level));
+        var prepared = new SceneDiagnosis(scene, threads);
+        var diagnosis = prepared.Judge(picture, done);
+        var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
+        StandardFile.WriteOutput(json
+            ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden)
+            : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden));
         return diagnosis.Finding == Finding.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
     }
 

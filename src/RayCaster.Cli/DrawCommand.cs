@@ -9,7 +9,7 @@ internal sealed class DrawCommand : Command
     public override Option[] Options { get; } =
     [
         Option.Output, Option.Format, Option.Size, Option.Rows, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress,
-        Option.Map, Option.Ledger, Option.Plain, Option.Preview, Option.Color, Option.Version,
+        Option.Map, Option.Mistake, Option.Ledger, Option.Plain, Option.Preview, Option.Color, Option.Version,
     ];
 
     public override string Help => HelpText.Full;
@@ -21,7 +21,10 @@ internal sealed class DrawCommand : Command
         var path = ScenePath(line);
         if (line.Has(Option.Map) && (line.Has(Option.Rows) || line.Has(Option.Resume)))
             throw ProblemException.Usage("a map is drawn whole: leave --rows and --resume out");
+        if (line.Has(Option.Mistake) && (line.Has(Option.Map) || line.Has(Option.Rows) || line.Has(Option.Resume)))
+            throw ProblemException.Usage("a wrong picture is drawn whole: leave --map, --rows and --resume out");
         if (line.Has(Option.Map)) return MapOutput.Run(line, path, cancellation);
+        if (line.Has(Option.Mistake)) return MistakeOutput.Run(line, path, cancellation);
         var (size, threads, quiet, rows) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet), line[Option.Rows]);
         if (rows is not null) Rows.Check(rows);
         var isPart = rows is not null || line.Has(Option.Resume);

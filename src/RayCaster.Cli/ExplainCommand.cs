@@ -23,8 +23,8 @@ internal sealed class ExplainCommand : Command
 
         Options:
           -s, --size <W>x<H>       Overrides the scene's picture size, in pixels.
-              --reference <file>   Another picture of the scene: adds what it has there and,
-                                   if that is wrong, which model would have given it.
+              --reference <file>   Another picture of the scene, as your program drew it: adds what
+                                   it has there and, if that is wrong, which model would have given it.
               --json               Writes JSON with all digits; docs/explain.md lists its
                                    fields.
           -q, --quiet              Prints errors only, no warnings of the scene.

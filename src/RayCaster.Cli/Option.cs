@@ -23,6 +23,10 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Scene = new("--scene");
     public static readonly Option Reference = new("--reference");
     public static readonly Option Hint = new("--hint");
+    public static readonly Option Done = new("--done");
+    public static readonly Option For = new("--for");
+    public static readonly Option Require = new("--require");
+    public static readonly Option Mistake = new("--mistake");
     public static readonly Option JUnit = new("--junit");
     public static readonly Option Seed = new("--seed");
     public static readonly Option Mine = new("--mine");
@@ -44,7 +48,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option[] All =
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
-        Threads, Map, Color, Scene, Reference, Hint, Open, Solution, JUnit, Seed, Mine, Port,
+        Threads, Map, Color, Scene, Reference, Hint, Done, For, Require, Mistake, Open, Solution, JUnit, Seed, Mine, Port,
         Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, NoBrowser, Version, Help,
     ];
 

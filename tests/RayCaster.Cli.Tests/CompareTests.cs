@@ -80,10 +80,10 @@ public sealed class CompareTests : IDisposable
     }
 
     [Fact]
-    public void TheFirstWrongPixelIsToldBothWays()
+    public void AWrongPixelIsToldBothWays()
     {
         app.Run("compare", Mine(picture => picture[3, 2] = (1, 2, 3)), Mine(name: "right.png"));
-        Assert.Contains("\n  The first: column 3, line 2 from the top (row 317 from the bottom): (1, 2, 3) instead of (0, ", app.OutputText);
+        Assert.Contains("\n  In the middle of the widest wrong place: column 3, line 2 from the top (row 317 from the bottom): (1, 2, 3) instead of (0, ", app.OutputText);
     }
 
     [Fact]
@@ -130,7 +130,7 @@ public sealed class CompareTests : IDisposable
         Assert.Equal("TopBottom", answer.GetProperty("recognised").GetProperty("turn").GetString());
         Assert.True(answer.GetProperty("scene").GetProperty("referenceIsItsPicture").GetBoolean());
         Assert.Equal(9, answer.GetProperty("scene").GetProperty("models").GetArrayLength());
-        var first = answer.GetProperty("firstWrong");
+        var first = answer.GetProperty("wrongMiddle");
         Assert.Equal(319, first.GetProperty("line").GetInt32() + first.GetProperty("row").GetInt32());
         Assert.InRange(answer.GetProperty("measures").GetProperty("ssim").GetDouble(), 0, 0.99);
     }

@@ -43,14 +43,15 @@ internal sealed class ReferenceComparison
 
     private bool SameSize => (expected.Width, expected.Height) == (actual.Width, actual.Height);
 
-    /// <summary>What is wrong, in one line.</summary>
+    /// <summary>What is wrong, and the command that explains the first wrong pixel.</summary>
     public string Describe(string name)
     {
         if (!SameSize) return $"{name}: expected {expected.Width} × {expected.Height} pixels, got {actual.Width} × {actual.Height}";
         if (first is not var (x, y))
             return $"{name}: {OffByOne} of {Pixels} pixels ({100.0 * OffByOne / Pixels:0.##} %) are off by 1; at most 1 % may be";
         return $"{name}: {Wrong} of {Pixels} pixels ({100.0 * Wrong / Pixels:0.##} %) differ, by at most {largest}; "
-            + $"the first at column {x}, row {expected.Height - 1 - y} from the bottom: expected {expected[x, y]}, got {actual[x, y]}";
+            + $"the first at column {x}, line {y} from the top: expected {expected[x, y]}, got {actual[x, y]}\n"
+            + $"  dotnet run --project src/RayCaster.Cli -- explain scenes/{name}.json {x} {y} --size {expected.Width}x{expected.Height}";
     }
 
     /// <summary>The reference, dark; red where the picture differs, yellow where it is off by 1; nothing if the sizes differ.</summary>

@@ -47,9 +47,9 @@ public static class ComparisonJson
         json.WriteNumber("blue", d.WrongByChannel.B);
         json.WriteEndObject();
         var last = d.Mine.Height - 1;
-        if (d.FirstWrong is var (x, y))
+        if (d.WrongMiddle is var (x, y))
         {
-            json.WriteStartObject("firstWrong");
+            json.WriteStartObject("wrongMiddle");
             json.WriteNumber("column", x);
             json.WriteNumber("line", y);
             json.WriteNumber("row", last - y);

@@ -59,9 +59,9 @@ public static class ComparisonText
 
     private static void AppendPlaces(StringBuilder text, PictureComparison comparison, PictureDifference d, string mine)
     {
-        var ((x, y), area) = (d.FirstWrong!.Value, d.WrongArea!.Value);
+        var ((x, y), area) = (d.WrongMiddle!.Value, d.WrongArea!.Value);
         var last = d.Mine.Height - 1;
-        text.Append($"  The first: column {x}, line {y} from the top (row {last - y} from the bottom): " +
+        text.Append($"  In the middle of the widest wrong place: column {x}, line {y} from the top (row {last - y} from the bottom): " +
             $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n");
         text.Append($"  All lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n");

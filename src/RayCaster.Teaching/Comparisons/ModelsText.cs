@@ -22,7 +22,7 @@ internal static class ModelsText
         }
         // Where a change of the whole picture explains all, its models are not to blame.
         if (comparison.Recognition is not null || comparison.Mine.IsOneColor) return;
-        AppendSentences(text, comparison.Scene!, scene);
+        foreach (var sentence in Sentences(comparison.Scene!, scene)) text.Append(sentence).Append('\n');
         if (scene.ReferenceToOwn.Wrong > 0)
             text.Append($"The reference itself differs from the picture of this scene in {ComparisonText.Count(scene.ReferenceToOwn.Wrong, "pixel")}.\n");
         AppendTable(text, scene);
@@ -45,34 +45,29 @@ internal static class ModelsText
         text.Append('\n');
     }
 
-    private static void AppendSentences(StringBuilder text, Scene scene, SceneDifference all)
+    /// <summary>What is said of the models that are wrong, a sentence each.</summary>
+    public static IEnumerable<string> Sentences(Scene scene, SceneDifference all)
     {
-        var (pixels, unexplained, most) = (0, 0, 0);
+        var (pixels, unexplained) = (0, 0);
         foreach (var model in all.Models)
         {
             pixels += model.Pixels;
-            most = Math.Max(most, model.Wrong);
             if (!model.IsMissing && model.OtherColor is null) unexplained += model.Wrong;
         }
         if (unexplained > pixels / 2) // what is behind a "missing" model may as well be a picture taken from elsewhere
-        {
-            text.Append("No single model explains it. Is the camera another one, or its target, which sets the light?\n");
-            return;
-        }
-        // Single pixels of a model beside a wrong one are its edges, or where it ties: no word about these.
-        var (wrong, edges) = (0, 0);
-        foreach (var model in all.Models)
-        {
-            if (IsMeant(model)) wrong++;
-            else edges += model.Wrong;
-        }
-        var agree = wrong != 1 ? "" : edges == 0 ? "; all others agree" : $"; all others agree, but for {ComparisonText.Count(edges, "pixel")}";
-        var left = MostSentences;
-        foreach (var model in all.Models)
-            if (IsMeant(model) && (Sentence(scene, model) ?? (wrong == 1 ? $"{PartOf(model)} are wrong" : null)) is { } sentence && left-- > 0)
-                text.Append($"{sentence}{agree}.\n");
+            return ["No single model explains it. Is the camera another one, or its target, which sets the light?"];
+        var meant = Meant(all);
+        var edges = all.Models.Sum(model => model.Wrong) - meant.Sum(model => model.Wrong);
+        var agree = meant.Count != 1 ? "" : edges == 0 ? "; all others agree" : $"; all others agree, but for {ComparisonText.Count(edges, "pixel")}";
+        return meant.Select(model => Sentence(scene, model) ?? (meant.Count == 1 ? $"{PartOf(model)} are wrong" : null))
+            .OfType<string>().Take(MostSentences).Select(sentence => $"{sentence}{agree}.");
+    }
 
-        bool IsMeant(ModelDifference model) => model.Wrong > 0 && (model.Wrong >= 0.01 * most || model.Wrong >= 0.01 * model.Pixels);
+    /// <summary>The models that are to be spoken of: single pixels of one beside a wrong one are its edges, or where it ties.</summary>
+    public static IReadOnlyList<ModelDifference> Meant(SceneDifference all)
+    {
+        var most = all.Models.Select(model => model.Wrong).DefaultIfEmpty().Max();
+        return [.. all.Models.Where(model => model.Wrong > 0 && (model.Wrong >= 0.01 * most || model.Wrong >= 0.01 * model.Pixels))];
     }
 
     /// <summary>What can be said of a model beyond how much of it is wrong; null for nothing.</summary>

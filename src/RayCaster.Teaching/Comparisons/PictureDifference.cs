@@ -49,8 +49,11 @@ public sealed class PictureDifference
     /// <summary>The largest difference of a channel anywhere.</summary>
     public int Largest { get; }
 
-    /// <summary>The first pixel beyond rounding, reading from the top; null if there is none.</summary>
-    public (int X, int Y)? FirstWrong { get; private set; }
+    /// <summary>
+    /// A pixel to look at: in the middle of the widest wrong area, as far from right pixels as any, so that it is not on an outline; null if none is
+    /// beyond rounding.
+    /// </summary>
+    public (int X, int Y)? WrongMiddle => WrongArea is null ? null : FindMiddle();
 
     /// <summary>
     /// The columns and the lines, counted from the top, between which all pixels beyond rounding lie, ends included; null if there are none.
@@ -102,9 +105,30 @@ public sealed class PictureDifference
         else if (light == 0) OneDarker++;
     }
 
+    /// <summary>The middle one of the pixels that are farthest from right ones, in steps that may be diagonal.</summary>
+    private (int X, int Y) FindMiddle()
+    {
+        var (width, height) = (Mine.Width, Mine.Height);
+        var away = new int[levels.Length];
+        for (var i = 0; i < away.Length; i++) away[i] = levels[i] > 1 ? 1 + Least(i, -1) : 0;
+        for (var i = away.Length - 1; i >= 0; i--) away[i] = Math.Min(away[i], 1 + Least(i, 1));
+        var farthest = away.Max();
+        int[] places = [.. Enumerable.Range(0, away.Length).Where(i => away[i] == farthest)];
+        var middle = places[places.Length / 2];
+        return (middle % width, middle / width);
+
+        // Of the four neighbours that come before a pixel, or after it; what is beyond the border counts as right.
+        int Least(int i, int step)
+        {
+            var (x, y) = (i % width, i / width);
+            if (x == 0 || x == width - 1 || y + step < 0 || y + step >= height) return 0;
+            var other = i + step * width;
+            return Math.Min(Math.Min(away[i + step], away[other]), Math.Min(away[other - 1], away[other + 1]));
+        }
+    }
+
     private void Surround(int x, int y)
     {
-        FirstWrong ??= (x, y);
         WrongArea = WrongArea is var (left, top, right, _)
             ? (Math.Min(left, x), top, Math.Max(right, x), y)
             : (x, y, x, y);

@@ -40,6 +40,9 @@ public sealed class SceneDifference
     /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not that picture.</summary>
     public IReadOnlyList<ModelDifference> Models { get; }
 
+    /// <summary>The model that a pixel shows in the scene's own picture, by the pixel's place in reading order; −1 for the background.</summary>
+    internal int ModelAt(int pixel) => hits.Model[pixel];
+
     /// <summary>Compares model by model.</summary>
     /// <param name="scene">The scene, in any size.</param>
     /// <param name="difference">The pictures.</param>

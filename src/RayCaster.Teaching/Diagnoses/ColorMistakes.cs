@@ -5,108 +5,144 @@ internal static class ColorMistakes
 {
     public static Mistake[] All =>
     [
-        new("att-depth", Concerns.Color, Slides.Attenuation, "attenuation by the depth t · (−d·W), not by t",
-            lab => lab.Distance.Becomes(_ => lab.Depth))
-        {
-            Hint = new("The borders of the picture are too bright; all places are right.",
-                "From where does the attenuation measure: from the camera, or from a plane through it?",
-                "1 − t / (2 |T − P|), with t itself."),
-        },
-        new("att-no2", Concerns.Color, Slides.Attenuation, "1 − t / |T − P|: the 2 is missing",
-            lab => lab.Attenuation.Becomes(fade => t => fade(2 * t)))
-        {
-            Hint = new("The picture is too dark, and black from the target on.",
-                "How bright should the target be?",
-                "1 − t / (2 |T − P|): the target has half of its light."),
-        },
-        new("att-inv", Concerns.Color, Slides.Attenuation, "t / (2 |T − P|): far is bright",
-            lab => lab.Attenuation.Becomes(fade => t => 1 - fade(t)))
-        {
-            Hint = new("Far things are brighter than near ones.",
-                "How bright should a thing at t = 0 be?",
-                "1 − t / (2 |T − P|)."),
-        },
-        new("att-none", Concerns.Color, Slides.Attenuation, "no attenuation: the model's colour as it is",
-            lab => lab.Attenuation.Becomes(_ => _ => 1))
-        {
-            Rewrites = true,
-            Hint = new("Everything is flat: each model has one colour.",
-                "What makes a farther hit darker?",
-                "colour = (1 − t / (2 |T − P|)) · the model's colour."),
-        },
-        new("att-origin", Concerns.Color, Slides.Attenuation, "attenuation by the hit's distance from the origin of the world",
-            lab => lab.Distance.Becomes(_ => (t, d) => lab.Length.Do(lab.P + t * d)))
-        {
-            Rewrites = true,
-            Hint = new("What is close to the point (0, 0, 0) is bright, wherever the camera is.",
-                "|X| is the distance of X from which point?",
-                "1 − t / (2 |T − P|): t is the distance from the camera."),
-        },
-        new("att-int", Concerns.Color, Slides.Attenuation, "the attenuation cut to an integer: 0",
-            lab => lab.Attenuation.Becomes(fade => t => Math.Truncate(fade(t))))
-        {
-            Hint = new("Every model is black.",
-                "Of which type is your attenuation, and what is (int)0.7?",
-                "Compute in double up to the byte, and only then cast."),
-        },
-        new Mistake("noclamp", Concerns.Color, Slides.Picture, "nothing is clamped to 0 … 1, so that a byte wraps round",
-            lab =>
+        new("att-depth", Concerns.Color, Slides.Shading, "attenuation by the depth t · (−d·W), not by t",
+            lab => lab.Distance.Is((t, d) => lab.Depth.Do(t, d)),
+            "The borders of the picture are too bright; all places are right.",
+            "From where does the attenuation measure: from the camera, or from a plane through it?",
+            "1 − t / (2 |T − P|), with t itself."),
+        new Mistake("att-no2", Concerns.Color, Slides.Shading, "1 − t / |T − P|: the 2 is missing",
+            lab => lab.Attenuation.Becomes(fade => t => fade(2 * t)),
+            "The picture is too dark, and black from the target on.",
+            "How bright should the target be?",
+            "1 − t / (2 |T − P|): the target has half of its light.")
+            .Or("1 − t / (|T − P| / 2)", lab => lab.Attenuation.Becomes(fade => t => fade(4 * t)))
+            .Or("1 − t / (4 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(t / 2))),
+        new Mistake("att-inv", Concerns.Color, Slides.Shading, "t / (2 |T − P|): far is bright",
+            lab => lab.Attenuation.Becomes(fade => t => 1 - fade(t)),
+            "Far things are brighter than near ones.",
+            "How bright should a thing at t = 0 be?",
+            "1 − t / (2 |T − P|).")
+            .Or("1 + t / (2 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(-t))),
+        new("att-none", Concerns.Color, Slides.Shading, "no attenuation: the model's colour as it is",
+            lab => lab.Attenuation.Is(_ => 1),
+            "Everything is flat: each model has one colour.",
+            "What makes a farther hit darker?",
+            "colour = (1 − t / (2 |T − P|)) · the model's colour."),
+        new Mistake("att-origin", Concerns.Color, Slides.Shading, "attenuation by the hit's distance from the origin of the world",
+            lab => lab.Distance.Is((t, d) => lab.Length.Do(lab.P + t * d)),
+            "What is close to the point (0, 0, 0) is bright, wherever the camera is.",
+            "|X| is the distance of X from which point?",
+            "1 − t / (2 |T − P|): t is the distance from the camera.")
+            .Or("attenuation by the hit's distance from the target", lab => lab.Distance.Is((t, d) => lab.Length.Do(lab.P + t * d - lab.T)))
+            .Or("1 − t / (2 |T|)", lab => lab.Reach.Is(() => 2 * lab.Length.Do(lab.T)))
+            .Or("1 − t / (2 |P|)", lab => lab.Reach.Is(() => 2 * lab.Length.Do(lab.P))),
+        new Mistake("att-int", Concerns.Color, Slides.Shading, "the attenuation cut to an integer: 0",
+            lab => lab.Attenuation.Becomes(fade => t => Math.Truncate(fade(t))),
+            "Every model is black.",
+            "Of which type is your attenuation, and what is (int)0.7?",
+            "Compute in double up to the byte, and only then cast.")
+            .Or("t and 2 |T − P| cut to integers, and divided as such", lab => lab.Attenuation.Is(t =>
+                (int)lab.Reach.Do() is var reach and not 0 ? 1 - (int)t / reach : double.NaN)),
+        new Mistake("att-square", Concerns.Color, Slides.Shading, "attenuation by the square: 1 − t² / (2 |T − P|)²",
+            Fade((t, D, _) => 1 - t * t / (4 * D * D)),
+            "Near things are too bright or all too dark: the light falls in another curve.",
+            "At half of the way to 2 |T − P|, how much light is left?",
+            "1 − t / (2 |T − P|), without a square.")
+            .Or("1 − t² / (2 |T − P|)", Fade((t, D, _) => 1 - t * t / (2 * D)))
+            .Or("1 − t² / (2 |T − P|²)", Fade((t, D, _) => 1 - t * t / (2 * D * D)))
+            .Or("(1 − t / (2 |T − P|))²", Fade((t, D, _) => Math.Pow(Math.Max(0, 1 - t / (2 * D)), 2))),
+        new Mistake("att-inverse", Concerns.Color, Slides.Shading, "attenuation 1 / t",
+            Fade((t, _, _) => 1 / t),
+            "The light never ends, and falls in another curve: everything is nearly black, or what is close has full light.",
+            "At which t is all light gone on the slide?",
+            "1 − t / (2 |T − P|): a straight line from 1 to 0.")
+            .Or("1 / (1 + t)", Fade((t, _, _) => 1 / (1 + t)))
+            .Or("|T − P| / t", Fade((t, D, _) => D / t))
+            .Or("2 |T − P| / t", Fade((t, D, _) => 2 * D / t)),
+        new Mistake("att-inverse-square", Concerns.Color, Slides.Shading, "attenuation 1 / t²",
+            Fade((t, _, _) => 1 / (t * t)),
+            "Everything is black, or what is close has full light and the rest hardly any.",
+            "At which t is all light gone on the slide?",
+            "1 − t / (2 |T − P|): a straight line from 1 to 0.")
+            .Or("1 / (1 + t²)", Fade((t, _, _) => 1 / (1 + t * t)))
+            .Or("(|T − P| / t)²", Fade((t, D, _) => D * D / (t * t)))
+            .Or("(2 |T − P| / t)²", Fade((t, D, _) => 4 * D * D / (t * t))),
+        new Mistake("att-zfar", Concerns.Color, Slides.Shading, "1 − t / zFar: zFar where 2 |T − P| is meant",
+            Fade((t, _, camera) => 1 - t / camera.ZFar),
+            "The light ends at zFar, not at twice the target's distance.",
+            "How bright should the target be, wherever zFar is?",
+            "1 − t / (2 |T − P|).")
+            .Or("1 − t / (2 zFar)", Fade((t, _, camera) => 1 - t / (2 * camera.ZFar)))
+            .Or("1 − depth / zFar", lab =>
             {
-                lab.Dark.Becomes(_ => attenuation => attenuation);
-                lab.Clamp.Becomes(_ => channel => channel);
-                lab.Byte.Becomes(_ => channel => Wrapped(255 * channel + 0.5));
+                Fade((t, _, camera) => 1 - t / camera.ZFar)(lab);
+                lab.Distance.Is((t, d) => lab.Depth.Do(t, d));
             })
-        {
-            Rewrites = true,
-            Hint = new("The brightest or the farthest places have wild colours.",
-                "What does a cast to byte make of 306, and what of −25?",
-                "Clamp each channel to 0 … 1 before you multiply by 255."),
-        }
-        .Or("the same, and truncated",
+            .Or("1 − (t − zNear) / (zFar − zNear)", Fade((t, _, camera) => 1 - (t - camera.ZNear) / (camera.ZFar - camera.ZNear))),
+        new Mistake("noclamp", Concerns.Color, Slides.Template, "nothing is clamped to 0 … 1, so that a byte wraps round",
             lab =>
             {
-                lab.Dark.Becomes(_ => attenuation => attenuation);
-                lab.Clamp.Becomes(_ => channel => channel);
-                lab.Byte.Becomes(_ => channel => Wrapped(255 * channel));
+                lab.Dark.Is(attenuation => attenuation);
+                lab.Clamp.Is(channel => channel);
+                lab.Byte.Is(channel => Wrapped(255 * channel + 0.5));
+            },
+            "The brightest or the farthest places have wild colours.",
+            "What does a cast to byte make of 306, and what of −25?",
+            "Clamp each channel to 0 … 1 before you multiply by 255.")
+            .Or("the same, and truncated",
+            lab =>
+            {
+                lab.Dark.Is(attenuation => attenuation);
+                lab.Clamp.Is(channel => channel);
+                lab.Byte.Is(channel => Wrapped(255 * channel));
+            })
+            .Or("only what is less than 0 is not clamped", lab =>
+            {
+                lab.Dark.Is(attenuation => attenuation);
+                lab.Clamp.Is(channel => Math.Min(channel, 1));
+                lab.Byte.Is(channel => Wrapped(255 * channel + 0.5));
+            })
+            .Or("only what is more than 1 is not clamped", lab =>
+            {
+                lab.Clamp.Is(channel => Math.Max(channel, 0));
+                lab.Byte.Is(channel => Wrapped(255 * channel + 0.5));
             }),
-        new("x256", Concerns.Color, Slides.Picture, "256 · channel",
-            lab => lab.Byte.Becomes(_ => channel => (byte)Math.Min(256 * channel, 255)))
-        {
-            Rewrites = true,
-            IsWithinRounding = true,
-            Hint = new("Many channels differ by one level.",
-                "What is the greatest number in a byte?",
-                "(byte)(255 · channel + 0.5), the channel between 0 and 1."),
-        },
-        new("round", Concerns.Color, Slides.Picture, "(byte)(255 · channel): truncated, not rounded",
-            lab => lab.Byte.Becomes(_ => channel => (byte)(255 * channel)))
-        {
-            Rewrites = true,
-            IsWithinRounding = true,
-            Hint = new("Many channels are one level too low.",
-                "What does a cast to byte do with 127.9?",
-                "(byte)(255 · channel + 0.5)."),
-        },
-        new Mistake("gamma", Concerns.Color, Slides.Picture, "a gamma of 2: the root of each channel",
-            lab => lab.Clamp.Becomes(clamp => channel => Math.Sqrt(clamp(channel))))
-        {
-            Hint = new("The picture is too bright and pale; black and full light are right.",
-                "Is there anything between the channel and × 255?",
-                "No gamma: the channel between 0 and 1, times 255, rounded."),
-        }
-        .Or("a gamma of 2.2", lab => lab.Clamp.Becomes(clamp => channel => Math.Pow(clamp(channel), 1 / 2.2))),
-        new Mistake("ppm-255", Concerns.Color, Slides.Picture, "255 forgotten: each channel cut to 0 or 1 before it is multiplied",
-            lab => lab.Byte.Becomes(_ => channel => (byte)(255 * (int)channel)))
-        {
-            Rewrites = true,
-            Hint = new("The picture is black but for places in full light.",
-                "What is (int)0.7?",
-                "First times 255, then the cast: (byte)(255 · channel + 0.5)."),
-        }
-        .Or("255 forgotten: (byte)channel, 0 or 1 of 255", lab => lab.Byte.Becomes(_ => channel => (byte)channel))
-        .Or("255 forgotten: each channel rounded to 0 or 1 of 1",
-            lab => lab.Byte.Becomes(_ => channel => (byte)(255 * (int)(channel + 0.5)))),
+        new("x256", Concerns.Color, Slides.Template, "256 · channel",
+            lab => lab.Byte.Is(channel => (byte)Math.Min(256 * channel, 255)),
+            "Many channels differ by one level.",
+            "What is the greatest number in a byte?",
+            "(byte)(255 · channel + 0.5), the channel between 0 and 1.", isWithinRounding: true),
+        new("round", Concerns.Color, Slides.Template, "(byte)(255 · channel): truncated, not rounded",
+            lab => lab.Byte.Is(channel => (byte)(255 * channel)),
+            "Many channels are one level too low.",
+            "What does a cast to byte do with 127.9?",
+            "(byte)(255 · channel + 0.5).", isWithinRounding: true),
+        new Mistake("gamma", Concerns.Color, Slides.Template, "a gamma of 2: the root of each channel",
+            lab => lab.Clamp.Becomes(clamp => channel => Math.Sqrt(clamp(channel))),
+            "The picture is too bright and pale; black and full light are right.",
+            "Is there anything between the channel and × 255?",
+            "No gamma: the channel between 0 and 1, times 255, rounded.")
+            .Or("a gamma of 2.2", Gamma(1 / 2.2))
+            .Or("a gamma of 1.8", Gamma(1 / 1.8))
+            .Or("the gamma of sRGB", lab => lab.Clamp.Becomes(clamp => channel =>
+                clamp(channel) is var c and <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(clamp(channel), 1 / 2.4) - 0.055))
+            .Or("a gamma of 2 the wrong way: each channel squared", Gamma(2))
+            .Or("a gamma of 2.2 the wrong way", Gamma(2.2)),
+        new Mistake("ppm-255", Concerns.Color, Slides.Template, "255 forgotten: each channel cut to 0 or 1 before it is multiplied",
+            lab => lab.Byte.Is(channel => (byte)(255 * (int)channel)),
+            "The picture is black but for places in full light.",
+            "What is (int)0.7?",
+            "First times 255, then the cast: (byte)(255 · channel + 0.5).")
+            .Or("255 forgotten: (byte)channel, 0 or 1 of 255", lab => lab.Byte.Is(channel => (byte)channel))
+            .Or("255 forgotten: each channel rounded to 0 or 1 of 1",
+            lab => lab.Byte.Is(channel => (byte)(255 * (int)(channel + 0.5)))),
     ];
+
+    /// <summary>Another attenuation, from t, |T − P| and the camera.</summary>
+    private static Action<Lab> Fade(Func<double, double, Camera, double> attenuation) => lab =>
+        lab.Attenuation.Is(t => attenuation(t, lab.Reach.Do() / 2, lab.Camera));
+
+    private static Action<Lab> Gamma(double exponent) => lab => lab.Clamp.Becomes(clamp => channel => Math.Pow(clamp(channel), exponent));
 
     /// <summary>The lowest eight bits of the whole part; 0 for no number.</summary>
     private static byte Wrapped(double level) => unchecked((byte)(int)level);

@@ -6,7 +6,10 @@ public enum Finding
     /// <summary>The picture is the scene's, but for rounding and single pixels on outlines.</summary>
     Matches,
 
-    /// <summary>One mistake of the catalogue, or two, explain the picture.</summary>
+    /// <summary>Some kinds of shape are not drawn yet, and what is drawn is right.</summary>
+    Unfinished,
+
+    /// <summary>One mistake of the catalogue, or two, explain the picture; some kinds of shape may be missing besides.</summary>
     Mistake,
 
     /// <summary>The picture is wrong, and no mistake of the catalogue explains it.</summary>
@@ -18,11 +21,13 @@ public enum Finding
 /// <param name="Unexplained">In about how many pixels the picture looks otherwise nevertheless, by more than rounding.</param>
 /// <param name="OtherSample">Whether the picture is also sampled at the other place in its pixels than the scene says: centres for corners.</param>
 /// <param name="Twins">Mistakes that give the same picture of this scene, so that nothing can tell them apart.</param>
-public sealed record Suspect(IReadOnlyList<Mistake> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins);
+/// <param name="NotYet">What is not drawn yet besides, as in <see cref="Diagnosis.NotYet"/>.</param>
+public sealed record Suspect(
+    IReadOnlyList<Mistake> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet);
 
 /// <summary>
-/// Finds out which mistake makes a picture: draws some of the scene's pixels with each mistake of the catalogue, and with pairs of them,
-/// and sees which comes nearest.
+/// Finds out what makes a wrong picture: draws some of the scene's pixels as programs do that are not finished, with each mistake of the
+/// catalogue, and with pairs of them, and sees which comes nearest.
 /// </summary>
 /// <remarks>
 /// A picture of somebody else's program never agrees to the last bit: a channel may be off by two levels, and the pixels may be sampled
@@ -31,26 +36,26 @@ public sealed record Suspect(IReadOnlyList<Mistake> Mistakes, double Unexplained
 /// </remarks>
 public sealed class Diagnosis
 {
+    /// <summary>In <see cref="NotYet"/>: no model grows darker with its distance.</summary>
+    public const string Attenuation = "attenuation";
+
+    /// <summary>In <see cref="NotYet"/>: zNear and zFar are not asked; only what lies behind the camera is left out.</summary>
+    public const string Clipping = "clipping";
+
     /// <summary>How many pixels are drawn with each mistake, at most.</summary>
     private const int Pixels = 6000;
 
-    /// <summary>What share of these tells whether a mistake is worth a closer look.</summary>
-    private const double FirstLook = 0.1;
-
-    /// <summary>How many mistakes, or pairs of mistakes, get the closer look.</summary>
-    private const int Closer = 24;
-
-    /// <summary>How many single mistakes are tried together with every other.</summary>
-    private const int Partners = 10;
-
-    /// <summary>What a mistake may leave unexplained, as a share of the wrong pixels, for the search to end.</summary>
+    /// <summary>What may be left unexplained, as a share of the wrong pixels, for a cause to be certain.</summary>
     private const double Explained = 0.05;
 
-    /// <summary>Two mistakes must leave less than this share of what one leaves: two explain any picture better than one.</summary>
-    private const double PairGain = 0.6;
+    /// <summary>The share that one mistake may leave without asking whether a number of the scene explains more.</summary>
+    private const double Certain = 0.01;
 
-    /// <summary>The share of the wrong pixels that the nearest mistake may leave before it is taken for chance.</summary>
-    private const double Foreign = 0.5;
+    /// <summary>The share of the wrong pixels that unfinished programs may leave for the rest to be right.</summary>
+    private const double Nearly = 0.001;
+
+    /// <summary>The share of the wrong pixels that one mistake may leave before it is taken for chance; of more than one, less.</summary>
+    private const double Foreign = 0.35, ForeignPair = 0.2;
 
     /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all.</summary>
     private const double Idle = 0.8;
@@ -58,80 +63,68 @@ public sealed class Diagnosis
     /// <summary>As many models are left out, one at a time, to see whether one is missing.</summary>
     private const int MostMissing = 32;
 
-    private static readonly Mistake center = MistakeCatalog.Named("center")!;
-
-    private readonly Scene scene;
+    private readonly SceneDiagnosis prepared;
     private readonly Evidence evidence;
-    private readonly Mistake[] known; // those that can show in this scene at all
-    private readonly int? threads;
 
-    private Diagnosis(Scene scene, Picture picture, int? threads)
+    internal Diagnosis(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done)
     {
-        (this.scene, this.threads) = (scene, threads);
-        var possible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding).ToArray();
-        known = [.. possible.Where(mistake => new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles)];
-        NotTried = [.. possible.Except(known)];
-        TooManyModels = scene.Models.Count > Lab.MostModels;
-        var right = Renderer.Render(scene, threads);
-        var most = Math.Clamp(Pixels * 500L / Math.Max(1, scene.Models.Count), 300, Pixels); // the time stays
-        evidence = new(scene, right, picture, (int)most, !TooManyModels);
+        this.prepared = prepared;
+        var (scene, right) = (prepared.Scene, prepared.Right);
+        var most = (int)Math.Clamp(Pixels * 500L / Math.Max(1, scene.Models.Count), 300, Pixels); // the time stays
+        evidence = new(scene, right, picture, most, !TooManyModels);
         if (evidence.WrongCount < evidence.OutlineCount && evidence.OutlineCount > SceneFitness.LeastPixels)
         {
-            var strict = new Evidence(scene, right, picture, (int)most, forgiveOutlines: false);
-            if (known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
+            var strict = new Evidence(scene, right, picture, most, forgiveOutlines: false);
+            if (prepared.Known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
         }
         ProvesNothing = right.IsOneColor;
         PixelCount = evidence.PixelCount;
         WrongCount = evidence.WrongCount;
         OutlineCount = evidence.OutlineCount;
         DarkerShare = evidence.DarkerShare;
-        if (WrongCount == 0)
+        if (WrongCount == 0 || (TooManyModels && evidence.IsOnlyOutlines))
         {
             Finding = Finding.Matches;
             return;
         }
-
-        if (TooManyModels)
-        {
-            Finding = evidence.IsOnlyOutlines ? Finding.Matches : Finding.NoneOfThese;
-            return;
-        }
+        Finding = Finding.NoneOfThese;
+        if (TooManyModels) return;
 
         MissingModel = FindMissingModel();
-        var singles = WithoutIdle(Best(Singles()));
-        var single = singles[0];
-        var ranked = singles;
-        if (MissingModel is null && single.Misfit.Unexplained > Explained * WrongCount && Best(Pairs(singles)) is [var pair, ..]
-            && pair.Misfit.Unexplained < PairGain * single.Misfit.Unexplained)
-            ranked = [pair, .. singles];
-        var left = ranked[0].Misfit.Unexplained / WrongCount;
-        Finding = evidence.IsOnlyOutlines && left > Foreign ? Finding.Matches
-            : left > Foreign ? Finding.NoneOfThese
-            : Finding.Mistake;
-        if (Finding == Finding.Mistake) Suspects = [.. Distinct(ranked).Take(5).Select(AsSuspect)];
-        if (Finding == Finding.NoneOfThese && left < Idle) Nearest = AsSuspect(ranked[0]);
+        var ranked = new DiagnosisSearch(scene, prepared.Known, evidence, prepared.Threads)
+            .Run(Unfinished.Ways(scene, done), () => Unfinished.ByColors(scene, right, picture, done));
+        Answer(ranked, picture, done);
     }
+
+    /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
+    public bool TooManyModels => prepared.TooManyModels;
+
+    /// <summary>What might be in the picture but takes too long to try: the scene has too many triangles for it.</summary>
+    public IReadOnlyList<Mistake> NotTried => prepared.NotTried;
+
+    /// <summary>
+    /// What the program does not do yet, as far as the picture shows it: kinds of shape as a scene file calls them, "attenuation", "clipping". With
+    /// <see cref="Finding.Unfinished"/> all else is right, otherwise there are mistakes besides.
+    /// </summary>
+    public IReadOnlyList<string> NotYet { get; private set; } = [];
+
+    /// <summary>What sort of difference it is where no mistake explains it: sentences, the most telling first.</summary>
+    public IReadOnlyList<string> Likely { get; private set; } = [];
 
     /// <summary>The model without which the scene gives the picture, as texts call it; null where none does.</summary>
     public string? MissingModel { get; }
-
-    /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
-    public bool TooManyModels { get; }
 
     /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches says little.</summary>
     public bool ProvesNothing { get; }
 
     /// <summary>What it comes to.</summary>
-    public Finding Finding { get; }
+    public Finding Finding { get; private set; }
 
     /// <summary>What may have made the picture, the most likely first.</summary>
-    public IReadOnlyList<Suspect> Suspects { get; } = [];
+    public IReadOnlyList<Suspect> Suspects { get; private set; } = [];
 
     /// <summary>The nearest of what did not make the picture, where none of these did.</summary>
-    public Suspect? Nearest { get; }
-
-    /// <summary>What might be in the picture but takes too long to try: the scene has too many triangles for it.</summary>
-    public IReadOnlyList<Mistake> NotTried { get; }
+    public Suspect? Nearest { get; private set; }
 
     /// <summary>How many pixels the picture has.</summary>
     public int PixelCount { get; }
@@ -148,95 +141,88 @@ public sealed class Diagnosis
     /// <summary>What share of the picture so many pixels are.</summary>
     public double Share(double pixels) => pixels / PixelCount;
 
-    /// <summary>Diagnoses a picture.</summary>
+    /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
     /// <param name="scene">The scene that it is meant to show, at the picture's size.</param>
     /// <param name="picture">The picture; its size is the scene's, or that turned by a quarter.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
-    public static Diagnosis Of(Scene scene, Picture picture, int? threads = null)
+    public static Diagnosis Of(Scene scene, Picture picture, int? threads = null) => new SceneDiagnosis(scene, threads).Judge(picture);
+
+    /// <summary>What the trials come to, the best of which stands first.</summary>
+    private void Answer(List<WrongProgram> ranked, Picture picture, IReadOnlyCollection<string> done)
     {
-        var (width, height) = (scene.Camera.Width, scene.Camera.Height);
-        if ((picture.Width, picture.Height) != (width, height) && (picture.Width, picture.Height) != (height, width))
-            throw new ArgumentException($"a picture of {picture.Width} x {picture.Height} for a scene of {width} x {height}", nameof(picture));
-        return new(scene, picture, threads);
+        var best = ranked[0];
+        var left = best.Misfit.Unexplained / WrongCount;
+        var isNamed = left <= Explained
+            || (MissingModel is null && left <= (best.Wordings.Count + best.Base.Kinds.Count() > 1 ? ForeignPair : Foreign));
+        var doubtful = left > (best.Named.Count > 1 ? Nearly : Certain);
+        if (doubtful && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
+        {
+            var byModels = SceneDifference.Find(prepared.Scene, new(picture, prepared.Right), prepared.Threads);
+            if (LikelyCause.Certain(prepared, byModels, evidence, left) is { } certain) (isNamed, Likely) = (false, [certain]);
+            else if (!isNamed) Likely = [.. LikelyCause.Hints(prepared.Scene, byModels, picture, prepared.Right)];
+        }
+        if (!isNamed)
+        {
+            if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
+            else if (left < Idle && Likely.Count == 0) Nearest = AsSuspect(best);
+            return;
+        }
+        NotYet = best.Base.NotYet;
+        if (best.Wordings.Count == 0 && best.Base.Kinds.Any() && left > (best.OtherSample ? Certain : Nearly)
+            && !IsRestRight([.. best.Base.Kinds], picture, done)) return;
+        Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
+        var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= Foreign * WrongCount);
+        if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
+            named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
+        WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named)).Take(5)];
+        Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(AsSuspect)];
     }
 
-    /// <summary>A way to draw the scene wrong, and how near it comes. Each mistake in one of its wordings.</summary>
-    private sealed record Trial(IReadOnlyList<Mistake> Wordings, bool OtherSample, Misfit Misfit = default)
+    /// <summary>Beside shapes that are missing a small mistake counts for little: what is drawn is judged once more by itself.</summary>
+    private bool IsRestRight(string[] kinds, Picture picture, IReadOnlyCollection<string> done)
     {
-        public string Id { get; } = string.Join(' ', Wordings.Select(wording => wording.Id).Order(StringComparer.Ordinal));
+        var drawn = prepared.Scene with { Models = [.. prepared.Scene.Models.Where(model => !kinds.Contains(model.Kind))] };
+        var rest = new SceneDiagnosis(drawn, prepared.Threads).Judge(picture, done);
+        if (rest.Finding == Finding.Matches) return true;
+        NotYet = [.. kinds, .. rest.NotYet];
+        (Finding, Suspects, Likely) = (rest.Finding, rest.Suspects, rest.Likely);
+        return false;
     }
+
+    private bool SameSize(Picture picture) => (picture.Width, picture.Height) == (prepared.Right.Width, prepared.Right.Height);
 
     private string? FindMissingModel()
     {
-        if (scene.Models.Count > MostMissing) return null;
-        for (var i = 0; i < scene.Models.Count; i++)
+        if (prepared.Scene.Models.Count > MostMissing) return null;
+        for (var i = 0; i < prepared.Scene.Models.Count; i++)
         {
-            var without = new Lab(scene with { Models = [.. scene.Models.Where((_, place) => place != i)] });
-            if (Explains(without, FirstLook) && Explains(without, 1)) return ModelName.Of(scene, i);
+            var without = new Lab(prepared.Scene with { Models = [.. prepared.Scene.Models.Where((_, place) => place != i)] });
+            if (Explains(without, 0.1) && Explains(without, 1)) return ModelName.Of(prepared.Scene, i);
         }
         return null;
 
         bool Explains(Lab lab, double share) => evidence.Misfit(lab, share).Unexplained <= Explained * WrongCount;
     }
 
-    private List<Trial> Singles() =>
-    [
-        .. from mistake in known
-           from wording in mistake.Wordings
-           from otherSample in mistake == center ? (bool[])[false] : [false, true]
-           select new Trial([wording], otherSample),
-    ];
-
     /// <summary>
     /// Whether a mistake is all that is wrong, outlines too: a box that loses its edge to 0 · ∞ is not forgiven. A mistake of the camera may by
     /// chance be the last bits of another program.
     /// </summary>
     private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Concerns & Concerns.Camera) == 0
-        && mistake.Wordings.Any(wording => strict.Misfit(new Lab(scene, wording)).Unexplained <= Explained * strict.WrongCount);
+        && mistake.Wordings.Any(wording => ((double[])[0.1, 1]).All(share =>
+            strict.Misfit(new Lab(prepared.Scene, wording), share).Unexplained <= Explained * strict.WrongCount));
 
-    /// <summary>Without those that stand beside rays through the other place of each pixel and explain no more than these alone.</summary>
-    private static List<Trial> WithoutIdle(List<Trial> singles)
-    {
-        if (singles.Find(trial => trial.Id == center.Id) is not { } alone) return singles;
-        return [.. singles.Where(trial => !trial.OtherSample || trial.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
-    }
-
-    /// <summary>The nearest single mistakes, each with every other.</summary>
-    private List<Trial> Pairs(List<Trial> singles) =>
-    [
-        .. from single in Distinct(singles).Take(Partners)
-           from other in known
-           where other.Id != single.Id && !(single.OtherSample && other == center)
-           from wording in other.Wordings
-           select single with { Wordings = [single.Wordings[0], wording] },
-    ];
-
-    /// <summary>Each once, in its nearest wording.</summary>
-    private static IEnumerable<Trial> Distinct(IEnumerable<Trial> trials) => trials.DistinctBy(trial => trial.Id);
-
-    /// <summary>Looks at all, looks closer at the best, and sorts these.</summary>
-    private List<Trial> Best(List<Trial> trials) => Measured(Measured(trials, FirstLook)[..Math.Min(Closer, trials.Count)], 1);
-
-    private List<Trial> Measured(List<Trial> trials, double share)
-    {
-        var measured = new Trial[trials.Count];
-        Parallel.For(0, trials.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount },
-            i => measured[i] = trials[i] with { Misfit = evidence.Misfit(Draw(trials[i]), share) });
-        return [.. measured.OrderBy(trial => trial.Misfit)]; // stable: of equals the first in the catalogue
-    }
-
-    private Lab Draw(Trial trial) => new(scene, [.. trial.Wordings, .. trial.OtherSample ? (Mistake[])[center] : []]);
-
-    private Suspect AsSuspect(Trial trial)
+    private Suspect AsSuspect(WrongProgram trial)
     {
         Mistake[] twins = [];
-        var own = Draw(trial);
-        if (trial.Wordings is [var wording] && !own.Scatters)
+        var own = trial.Draw(prepared.Scene);
+        if (trial.Named is [var named] && !own.Scatters)
         {
-            twins = [.. known.Where(other => other.Id != wording.Id &&
-                other.Wordings.Any(wording => evidence.AreAlike(own, Draw(trial with { Wordings = [wording] }))))];
+            var way = trial.Wordings.Count > 0 ? trial.Base : Unfinished.Nothing;
+            twins = [.. prepared.Known.Where(other => other != named &&
+                other.Wordings.Any(wording => evidence.AreAlike(own, new WrongProgram(way, [wording], trial.OtherSample).Draw(prepared.Scene))))];
         }
-        return new([.. trial.Wordings.Select(wording => MistakeCatalog.Named(wording.Id)!)], trial.Misfit.Unexplained, trial.OtherSample, twins);
+        return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet);
     }
 }

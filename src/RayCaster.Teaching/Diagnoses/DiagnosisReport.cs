@@ -19,42 +19,74 @@ public static class DiagnosisReport
         var text = new StringBuilder();
         if (diagnosis.Finding == Finding.Matches)
         {
-            if (diagnosis.ProvesNothing)
-                text.AppendLine($"The picture of {scene} is of one colour, as that of an empty world: it proves nothing.");
-            text.AppendLine($"{picture} matches: it is the picture of {scene}{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {Pixels(outlines)} on outlines" : "")}.");
-            if (diagnosis.DarkerShare > 0.05)
-                text.AppendLine($"{Percent(diagnosis.DarkerShare)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, where truncating takes 255 x.");
+            AppendMatch(text, diagnosis, picture, scene);
             return text.ToString();
         }
-
         text.AppendLine($"{picture} is not the picture of {scene}: {Pixels(diagnosis.WrongCount)} of {diagnosis.PixelCount:N0} ({Percent(diagnosis.Share(diagnosis.WrongCount))}) differ.");
         text.AppendLine();
-        var suspects = diagnosis.Suspects;
-        if (diagnosis.MissingModel is { } missing)
+        if (diagnosis.NotYet.Count > 0)
+            Wrap(text, "", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(diagnosis.Finding == Finding.Unfinished ? " The rest is right." : "")}");
+        else if (diagnosis.MissingModel is { } missing)
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
-        if (diagnosis.Finding == Finding.NoneOfThese)
-        {
-            if (diagnosis.MissingModel is not null)
-            {
-                text.AppendLine("No known mistake loses just that. Is it in your scene, and in the list that your program casts rays at?");
-                return text.ToString();
-            }
-            if (diagnosis.TooManyModels)
-            {
-                text.AppendLine(string.Create(CultureInfo.InvariantCulture,
-                    $"The known mistakes were not tried: the scene has more than {Lab.MostModels:N0} models. Make a smaller one."));
-                return text.ToString();
-            }
-            Wrap(text, "", "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
-                "not scaled, cropped or compressed on its way?");
-            Wrap(text, "", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
-                "colours; \"explain\" shows how a pixel should come about.");
-            if (diagnosis.Nearest is { } nearest)
-                text.AppendLine($"The nearest, though not near: {Names(nearest)} would leave {Rest(diagnosis, nearest)}.");
-            AppendNotTried(text, diagnosis);
-            return text.ToString();
-        }
+        foreach (var likely in diagnosis.Likely) Wrap(text, "", likely);
+        if (diagnosis.Finding == Finding.NoneOfThese) AppendNone(text, diagnosis);
+        else if (diagnosis.Finding == Finding.Unfinished) AppendLost(text, diagnosis);
+        else AppendSuspects(text, diagnosis, level);
+        return text.ToString();
+    }
 
+    private static void AppendMatch(StringBuilder text, Diagnosis diagnosis, string picture, string scene)
+    {
+        if (diagnosis.ProvesNothing)
+            text.AppendLine($"The picture of {scene} is of one colour, as that of an empty world: it proves nothing.");
+        text.AppendLine($"{picture} matches: it is the picture of {scene}{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {Pixels(outlines)} on outlines" : "")}.");
+        if (diagnosis.DarkerShare > 0.05)
+            text.AppendLine($"{Percent(diagnosis.DarkerShare)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, where truncating takes 255 x.");
+    }
+
+    /// <summary>After "matches": the mistakes that the scene would not show, so that a right picture is not taken for a right program.</summary>
+    public static string HiddenText(IReadOnlyList<Mistake> hidden)
+    {
+        if (hidden.Count == 0) return "";
+        var text = new StringBuilder();
+        Wrap(text, "", $"This scene cannot show {hidden.Count} of the {MistakeCatalog.All.Count} known mistakes: {string.Join(", ", hidden.Select(mistake => mistake.Id))}. \"check\" says why.");
+        return text.ToString();
+    }
+
+    private static void AppendNone(StringBuilder text, Diagnosis diagnosis)
+    {
+        if (diagnosis.MissingModel is not null)
+        {
+            text.AppendLine("No known mistake loses just that. Is it in your scene, and in the list that your program casts rays at?");
+            return;
+        }
+        if (diagnosis.TooManyModels)
+        {
+            text.AppendLine(string.Create(CultureInfo.InvariantCulture,
+                $"The known mistakes were not tried: the scene has more than {Lab.MostModels:N0} models. Make a smaller one."));
+            return;
+        }
+        Wrap(text, "", diagnosis.Likely.Count > 0
+            ? "None of the known mistakes makes this picture. Is it of this scene?"
+            : "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
+                "not scaled, cropped or compressed on its way?");
+        Wrap(text, "", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
+            "colours; \"explain\" shows how a pixel should come about.");
+        if (diagnosis.Nearest is { } nearest)
+            text.AppendLine($"The nearest, though not near: {Names(nearest)} would leave {Rest(diagnosis, nearest)}.");
+        AppendNotTried(text, diagnosis);
+    }
+
+    /// <summary>Some mistakes lose a shape as well as not having written it.</summary>
+    private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
+    {
+        if (diagnosis.Suspects.Count > 0)
+            Wrap(text, "", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
+    }
+
+    private static void AppendSuspects(StringBuilder text, Diagnosis diagnosis, HintLevel level)
+    {
+        var suspects = diagnosis.Suspects;
         AppendSuspect(text, diagnosis, suspects[0], level);
         if (suspects.Count > 1)
         {
@@ -69,21 +101,29 @@ public static class DiagnosisReport
             text.AppendLine();
             text.AppendLine($"More help: --hint {(level == HintLevel.Symptom ? "question, or --hint answer" : "answer")}");
         }
-        return text.ToString();
     }
 
     /// <summary>Everything, the answers too.</summary>
-    public static string Json(Diagnosis diagnosis)
+    /// <param name="diagnosis">What was found.</param>
+    /// <param name="picture">The picture's size; left out if null.</param>
+    /// <param name="scene">The size that the scene's picture should have.</param>
+    /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
+    public static string Json(Diagnosis diagnosis, (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null)
     {
         using var bytes = new MemoryStream();
         using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
         {
             json.WriteStartObject();
-            json.WriteString("finding", diagnosis.Finding switch { Finding.Matches => "matches", Finding.Mistake => "mistake", _ => "none of these" });
+            json.WriteString("finding", diagnosis.Finding switch { Finding.Matches => "matches", Finding.Unfinished => "unfinished", Finding.Mistake => "mistake", _ => "none of these" });
+            WriteSize(json, "mine", picture);
+            WriteSize(json, "scene", scene);
             json.WriteNumber("pixels", diagnosis.PixelCount);
             json.WriteNumber("wrong", diagnosis.WrongCount);
             json.WriteNumber("darkerByOne", diagnosis.DarkerShare);
             if (diagnosis.MissingModel is { } missing) json.WriteString("missing", missing);
+            WriteStrings(json, "notYet", diagnosis.NotYet);
+            WriteStrings(json, "likely", diagnosis.Likely);
+            if (hidden is not null) WriteStrings(json, "cannotShow", hidden.Select(mistake => mistake.Id));
             json.WriteStartArray("suspects");
             foreach (var suspect in diagnosis.Suspects) WriteSuspect(json, suspect);
             json.WriteEndArray();
@@ -95,6 +135,36 @@ public static class DiagnosisReport
             json.WriteEndObject();
         }
         return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
+    }
+
+    /// <summary>Where nothing could be diagnosed: the same object, with what was in the way.</summary>
+    public static string Json(string error)
+    {
+        using var bytes = new MemoryStream();
+        using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
+        {
+            json.WriteStartObject();
+            json.WriteString("finding", "could not tell");
+            json.WriteString("error", error);
+            json.WriteEndObject();
+        }
+        return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
+    }
+
+    private static void WriteSize(Utf8JsonWriter json, string name, (int Width, int Height)? size)
+    {
+        if (size is not var (width, height)) return;
+        json.WriteStartObject(name);
+        json.WriteNumber("width", width);
+        json.WriteNumber("height", height);
+        json.WriteEndObject();
+    }
+
+    private static void WriteStrings(Utf8JsonWriter json, string name, IEnumerable<string> values)
+    {
+        json.WriteStartArray(name);
+        foreach (var value in values) json.WriteStringValue(value);
+        json.WriteEndArray();
     }
 
     private static void WriteSuspect(Utf8JsonWriter json, Suspect suspect)
@@ -115,9 +185,8 @@ public static class DiagnosisReport
         json.WriteEndArray();
         json.WriteNumber("unexplained", Math.Round(suspect.Unexplained));
         json.WriteBoolean("otherSample", suspect.OtherSample);
-        json.WriteStartArray("twins");
-        foreach (var twin in suspect.Twins) json.WriteStringValue(twin.Id);
-        json.WriteEndArray();
+        WriteStrings(json, "twins", suspect.Twins.Select(twin => twin.Id));
+        WriteStrings(json, "notYet", suspect.NotYet);
         json.WriteEndObject();
     }
 

@@ -124,8 +124,8 @@ internal sealed class Evidence
         [
             .. from dc in (double[])[-nudge, nudge]
                from dr in (double[])[-nudge, nudge]
-               select new Lab(scene, new Mistake("nudge", Concerns.Camera, Slides.RayThroughPixel, "rays a thousandth of a pixel off",
-                   lab => lab.Sample.Becomes(sample => (c, r) => sample(c + dc, r + dr))) { Hint = new("", "", "") }),
+               select new Lab(scene, new Mistake("nudge", Concerns.Camera, Slides.PixelTranslation, "rays a thousandth of a pixel off",
+                   lab => lab.Sample.Becomes(sample => (c, r) => sample(c + dc, r + dr)), "", "", "")),
         ];
     }
 

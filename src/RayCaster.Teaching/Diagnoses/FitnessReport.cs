@@ -1,5 +1,6 @@
 using System.Globalization;
 using System.Text;
+using System.Text.Json;
 
 namespace RayCaster.Teaching;
 
@@ -17,19 +18,15 @@ public static class FitnessReport
     [
         new(scene => scene.Models.Count == 0, "the world is empty: add models"),
         new(scene => scene.Camera.Width == scene.Camera.Height, "the picture is square: make it 3:2, say 300 x 200",
-            "aspect-inv", "aspect-none", "aspect-int", "fov-horiz", "whswap", "transpose", "size-mixed"),
+            "aspect-inv", "aspect-none", "aspect-int", "fov-horiz", "whswap", "transpose", "size-mixed", "uv-swap"),
         new(scene => scene.Camera.Width < 2 * scene.Camera.Height && scene.Camera.Width > scene.Camera.Height, "width / height in whole numbers is 1",
             "aspect-int"),
         new(scene => scene.Camera.W.Z == 0 || scene.Camera.Up * scene.Camera.W == 0,
             "the camera is level, at right angles to up: raise its position or lower its target", "u-unnorm", "cross-z", "len-nosqrt", "v-up"),
-        new(HasNo<Sphere>, "there is no sphere", "r-nosq", "disc-nan", "far-root", "near-root-only", "oc-sign", "disc-2", "dir-unnorm-a1"),
-        new(HasNo<Plane>, "there is no plane", "plane-sign", "plane-cull"),
-        new(HasNo<Aabb>, "there is no box", "slab-noswap", "slab-minmin", "slab-2axes", "slab-tmax", "slab-inv-nan", "slab-inside"),
-        new(HasNo<Circle>, "there is no circle", "circ-nosq", "circ-inf"),
-        new(scene => HasNo<Triangle>(scene) && !scene.Models.Any(model => model is Mesh), "there is no triangle", "tri-uv", "tri-cull", "tri-neg", "tri-area"),
-        new(scene => scene.Models.OfType<Model<Sphere>>().All(model => model.Primitive.Radius == 1), "every sphere has the radius 1: take another", "r-nosq"),
+        new(scene => scene.Models.OfType<Model<Sphere>>().All(model => model.Primitive.Radius == 1), "every sphere has the radius 1: take another", "r-nosq", "d-nosq"),
         new(scene => scene.Models.OfType<Model<Circle>>().All(model => model.Primitive.Radius == 1), "every circle has the radius 1: take another", "circ-nosq"),
         new(_ => true, "no camera is inside a sphere: put one there", "near-root-only"),
+        new(_ => true, "no camera is inside a sphere and looks away from its middle: turn it about", "tca-positive"),
         new(_ => true, "no camera is inside a box: put one there", "slab-inside"),
         new(_ => true, "no coordinate of the camera lies on a box's face while a ray runs along it: give camera, target and a box one coordinate in common", "slab-inv-nan"),
         new(_ => true, "nothing near is cut by zNear, or nothing shows behind what is cut: move zNear into the scene",
@@ -49,15 +46,22 @@ public static class FitnessReport
     {
         var text = new StringBuilder();
         var one = fitness.Scenes.Count == 1;
-        var shown = MistakeCatalog.All.Count - fitness.Hidden.Count - fitness.NotTried.Count;
-        text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {fitness.Scenes.Count} scenes together show")} {shown} of the {MistakeCatalog.All.Count} known mistakes.");
+        text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {fitness.Scenes.Count} scenes together show")} {Shown(fitness)} of the {fitness.Asked.Count} known mistakes.");
         if (fitness.Reduced) text.AppendLine("A large picture was judged by a smaller one of the same shape.");
         var hidden = fitness.Hidden.Except(fitness.WithinRounding).ToArray();
         if (hidden.Length > 0)
         {
             text.AppendLine($"{(hidden.Length == 1 ? "One makes" : $"{hidden.Length} make")} no difference that can be seen:");
             foreach (var group in hidden.GroupBy(mistake => ReasonFor(mistake, fitness)))
-                text.AppendLine($"  {group.Key}\n    {string.Join(", ", group.Select(mistake => mistake.Id))}");
+            {
+                text.AppendLine($"  {group.Key}");
+                foreach (var mistake in group) text.AppendLine($"    {mistake.Id,-14} {mistake.Cause}");
+            }
+        }
+        if (fitness.HiddenAtFirst.Count > 0)
+        {
+            text.AppendLine("These show in one form and are hidden in another:");
+            foreach (var mistake in fitness.HiddenAtFirst) text.AppendLine($"    {mistake.Id,-14} hidden as: {mistake.Cause}");
         }
         if (fitness.WithinRounding.Count > 0)
             text.AppendLine($"Only a comparison of the bytes shows {string.Join(", ", fitness.WithinRounding.Select(mistake => mistake.Id))}: they change a channel by a level.");
@@ -76,14 +80,66 @@ public static class FitnessReport
         return text.ToString();
     }
 
+    /// <summary>The same for programs.</summary>
+    /// <param name="fitness">What the scenes are fit for.</param>
+    /// <param name="absent">What was required and does not show.</param>
+    public static string Json(SceneFitness fitness, IReadOnlyList<string> absent)
+    {
+        using var bytes = new MemoryStream();
+        using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
+        {
+            json.WriteStartObject();
+            json.WriteNumber("scenes", fitness.Scenes.Count);
+            json.WriteNumber("known", fitness.Asked.Count);
+            json.WriteNumber("shown", Shown(fitness));
+            json.WriteBoolean("reduced", fitness.Reduced);
+            json.WriteStartArray("hidden");
+            foreach (var mistake in fitness.Hidden)
+            {
+                json.WriteStartObject();
+                json.WriteString("id", mistake.Id);
+                json.WriteString("cause", mistake.Cause);
+                json.WriteString("why", fitness.WithinRounding.Contains(mistake) ? "it changes a channel by a level" : ReasonFor(mistake, fitness));
+                json.WriteEndObject();
+            }
+            json.WriteEndArray();
+            json.WritePropertyName("hiddenInOneForm");
+            WriteStrings(json, fitness.HiddenAtFirst.Select(mistake => mistake.Id));
+            json.WriteStartArray("twins");
+            foreach (var group in fitness.Twins) WriteStrings(json, group.Select(mistake => mistake.Id));
+            json.WriteEndArray();
+            json.WritePropertyName("notTried");
+            WriteStrings(json, fitness.NotTried.Select(mistake => mistake.Id));
+            json.WritePropertyName("requiredButHidden");
+            WriteStrings(json, absent);
+            json.WriteNumber("pixels", fitness.PixelCount);
+            json.WriteNumber("fragilePixels", fitness.FragilePixels);
+            json.WriteEndObject();
+        }
+        return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
+    }
+
+    private static void WriteStrings(Utf8JsonWriter json, IEnumerable<string> values)
+    {
+        json.WriteStartArray();
+        foreach (var value in values) json.WriteStringValue(value);
+        json.WriteEndArray();
+    }
+
+    private static int Shown(SceneFitness fitness) => fitness.Asked.Count - fitness.Hidden.Count - fitness.NotTried.Count;
+
     private static string ReasonFor(Mistake mistake, SceneFitness fitness)
     {
         if (fitness.ShowsNothing && !fitness.Scenes.All(scene => scene.Models.Count == 0)) return "the picture is of one colour: nothing is to be seen in it";
+        if (fitness.Scenes.Any(scene => scene.Models.Count > 0) && !fitness.Scenes.Any(mistake.Touches)) return $"there is no {Needs(mistake)}";
         foreach (var reason in reasons)
             if ((reason.Ids.Length == 0 || reason.Ids.Contains(mistake.Id)) && fitness.Scenes.All(reason.Holds))
                 return reason.Why;
         return "nothing in the picture depends on it";
     }
 
-    private static bool HasNo<P>(Scene scene) where P : struct, IPrimitive => !scene.Models.Any(model => model is Model<P>);
+    private static string Needs(Mistake mistake) => string.Join(" or ", new[]
+    {
+        (Concerns.Spheres, "sphere"), (Concerns.Planes, "plane"), (Concerns.Boxes, "box"), (Concerns.Circles, "circle"), (Concerns.Triangles, "triangle"),
+    }.Where(shape => (mistake.Concerns & shape.Item1) != 0).Select(shape => shape.Item2));
 }

@@ -5,108 +5,108 @@ internal static class HitMistakes
 {
     public static Mistake[] All =>
     [
-        new("no-t0", Concerns.Hit, Slides.NearestHit, "no least t at all: what lies behind the camera shows",
+        new Mistake("no-t0", Concerns.Hit, Slides.Bias, "no least t at all: what lies behind the camera shows",
             lab =>
             {
-                lab.Ahead.Becomes(_ => t => t > double.NegativeInfinity);
-                lab.Near.Becomes(_ => (_, _) => true);
-            })
-        {
-            Hint = new("Things from behind the camera are in the picture, upside down and glaring.",
-                "Where on the ray is a point with t = −3?",
-                "A crossing counts only if t > bias, and from zNear on."),
-        },
-        new("last-hit", Concerns.Hit, Slides.NearestHit, "the last model hit shows, not the nearest",
-            lab => lab.Better.Becomes(_ => (_, _) => true))
-        {
-            Hint = new("Far things cover near ones; the order of the models changes the picture.",
-                "When may a hit replace the one that was found before?",
-                "Keep a hit only if its t is less than the best t so far."),
-        },
-        new("far-hit", Concerns.Hit, Slides.NearestHit, "the farthest hit shows",
+                lab.Ahead.Is(t => t > double.NegativeInfinity);
+                lab.Near.Is((_, _) => true);
+            },
+            "Things from behind the camera are in the picture, upside down and glaring.",
+            "Where on the ray is a point with t = −3?",
+            "A crossing counts only if t > bias, and from zNear on.")
+            .Or("no least t for planes", lab => BackToo(lab, Concerns.Planes))
+            .Or("no least t for spheres", lab => BackToo(lab, Concerns.Spheres))
+            .Or("no least t for boxes", lab => BackToo(lab, Concerns.Boxes)),
+        new Mistake("last-hit", Concerns.Hit, Slides.RayCasting, "the last model hit shows, not the nearest",
+            lab => lab.Better.Is((_, _) => true),
+            "Far things cover near ones; the order of the models changes the picture.",
+            "When may a hit replace the one that was found before?",
+            "Keep a hit only if its t is less than the best t so far.")
+            .Or("the first model hit shows, not the nearest", lab => lab.Better.Is((_, best) => double.IsPositiveInfinity(best))),
+        new("far-hit", Concerns.Hit, Slides.RayCasting, "the farthest hit shows",
             lab =>
             {
-                lab.Start.Becomes(_ => () => double.NegativeInfinity);
-                lab.Better.Becomes(_ => (t, best) => t > best);
-            })
-        {
-            Hint = new("Far things cover near ones.",
-                "Which t is the best: the least or the greatest?",
-                "Start with the best t = +∞ and keep a hit only if t < best."),
-        },
-        new("best0", Concerns.Hit, Slides.NearestHit, "the best t starts at 0, so that no hit is nearer",
-            lab => lab.Start.Becomes(_ => () => 0))
-        {
-            Hint = new("There is nothing but background.",
-                "With which t is the first hit compared?",
-                "Start with the best t = +∞."),
-        },
+                lab.Start.Is(() => double.NegativeInfinity);
+                lab.Better.Is((t, best) => t > best);
+            },
+            "Far things cover near ones.",
+            "Which t is the best: the least or the greatest?",
+            "Start with the best t = +∞ and keep a hit only if t < best."),
+        new Mistake("best0", Concerns.Hit, Slides.RayCasting, "the best t starts at 0, so that no hit is nearer",
+            lab => lab.Start.Is(() => 0),
+            "There is nothing but background.",
+            "With which t is the first hit compared?",
+            "Start with the best t = +∞.")
+            .Or("the best t starts at 1", lab => lab.Start.Is(() => 1)),
         new("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
-            lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)))
-        {
-            Hint = new("What the near plane cuts is cut along a wrong line.",
-                "What does the scene's \"clip\" say that zNear measures?",
-                "For \"depth\": zNear ≤ t · (−d·W); for \"distance\": zNear ≤ t."),
-        },
+            lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)),
+            "What the near plane cuts is cut along a wrong line.",
+            "What does the scene's \"clip\" say that zNear measures?",
+            "For \"depth\": zNear ≤ t · (−d·W); for \"distance\": zNear ≤ t."),
         new("zfar-t", Concerns.Hit, Slides.ClipPlanes, "zFar compared with t where depth is meant (with depth where t is meant)",
-            lab => lab.Far.Becomes(far => (t, depth) => far(depth, t)))
-        {
-            Hint = new("What the far plane cuts is cut along a wrong line: round for straight, or straight for round.",
-                "What does the scene's \"clip\" say that zFar measures?",
-                "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar."),
-        },
+            lab => lab.Far.Becomes(far => (t, depth) => far(depth, t)),
+            "What the far plane cuts is cut along a wrong line: round for straight, or straight for round.",
+            "What does the scene's \"clip\" say that zFar measures?",
+            "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar."),
         new("zboth-t", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
             lab =>
             {
                 lab.Near.Becomes(near => (t, depth) => near(depth, t));
                 lab.Far.Becomes(far => (t, depth) => far(depth, t));
-            })
-        {
-            Hint = new("What the near and the far plane cut is cut along wrong lines.",
-                "What does the scene's \"clip\" say that zNear and zFar measure?",
-                "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar."),
-        },
-        new("clip-after", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar asked only after the nearest hit was chosen",
+            },
+            "What the near and the far plane cut is cut along wrong lines.",
+            "What does the scene's \"clip\" say that zNear and zFar measure?",
+            "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar."),
+        new Mistake("clip-after", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar asked only after the nearest hit was chosen",
             lab => lab.Clipped.Becomes(clipped =>
             {
-                lab.Kept.Becomes(_ => clipped);
+                lab.Kept.Is(clipped);
                 return (t, _) => t <= double.MaxValue;
-            }))
-        {
-            Hint = new("A near thing that is cut away leaves a hole where what is behind it should show.",
-                "A hit before zNear: may it hide another one?",
-                "Ask each crossing whether it counts before it may become the nearest."),
-        },
-        new("no-znear", Concerns.Hit, Slides.ClipPlanes, "zNear ignored", lab => lab.Near.Becomes(_ => (_, _) => true))
-        {
-            Hint = new("Something close to the camera is in the way.",
-                "Which test uses zNear?",
-                "A crossing counts only from zNear on."),
-        },
-        new("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Becomes(_ => (t, _) => t <= double.MaxValue))
-        {
-            Hint = new("There is something where the background should be, far away.",
-                "Which test uses zFar?",
-                "A crossing counts only up to zFar."),
-        },
-        new("bias-big", Concerns.Hit, Slides.ClipPlanes, "a bias of 1 in place of zNear",
+            }),
+            "A near thing that is cut away leaves a hole where what is behind it should show.",
+            "A hit before zNear: may it hide another one?",
+            "Ask each crossing whether it counts before it may become the nearest.")
+            .Or("zNear asked only after the nearest hit was chosen", lab => lab.Near.Becomes(near =>
+            {
+                lab.Kept.Is(near);
+                return (_, _) => true;
+            })),
+        new("no-znear", Concerns.Hit, Slides.ClipPlanes, "zNear ignored", lab => lab.Near.Is((_, _) => true),
+            "Something close to the camera is in the way.",
+            "Which test uses zNear?",
+            "A crossing counts only from zNear on."),
+        new("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
+            "There is something where the background should be, far away.",
+            "Which test uses zFar?",
+            "A crossing counts only up to zFar."),
+        new Mistake("bias-big", Concerns.Hit, Slides.Bias, "a bias of 1 in place of zNear",
             lab =>
             {
-                lab.Ahead.Becomes(_ => t => t > 1);
-                lab.Near.Becomes(_ => (_, _) => true);
+                lab.Ahead.Is(t => t > 1);
+                lab.Near.Is((_, _) => true);
+            },
+            "What is close to the camera is cut at a wrong place.",
+            "What is the bias for, and what is zNear for?",
+            "t > bias with the scene's tiny bias, and zNear as a test of its own.")
+            .Or("a bias of 0.1 in place of zNear", lab =>
+            {
+                lab.Ahead.Is(t => t > 0.1);
+                lab.Near.Is((_, _) => true);
             })
-        {
-            Hint = new("What is close to the camera is cut at a wrong place.",
-                "What is the bias for, and what is zNear for?",
-                "t > bias with the scene's tiny bias, and zNear as a test of its own."),
-        },
+            .Or("a bias of 1", lab => lab.Ahead.Is(t => t > 1)),
         new("clip-root", Concerns.Hit, Slides.ClipPlanes,
             "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",
-            lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)))
-        {
-            Hint = new("A sphere or a box that the near plane cuts has a hole through it.",
-                "If the first crossing is cut away, what of the second?",
-                "The first crossing that counts is the hit; ask both."),
-        },
+            lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),
+            "A sphere or a box that the near plane cuts has a hole through it.",
+            "If the first crossing is cut away, what of the second?",
+            "The first crossing that counts is the hit; ask both."),
     ];
+
+    /// <summary>The first crossing of such shapes counts, behind the camera too.</summary>
+    private static void BackToo(Lab lab, Concerns shapes) => lab.Hit.Becomes(hit => (model, d) =>
+    {
+        if ((Mistake.KindOf(model) & shapes) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);
+        double t = crossed.Near;
+        return t <= double.MaxValue && lab.Far.Do(t, lab.Depth.Do(t, d)) ? t : null;
+    });
 }

@@ -22,6 +22,7 @@ internal sealed class Lab
         AxisW = new((p, t) => -Unit(t - p));
         AxisU = new((up, w) => Unit(Cross.Do(up, w)));
         AxisV = new((w, u) => Cross.Do(w, u));
+        PlaneHeight = new(fovY => 2 * Tan.Do(fovY * Math.PI / 180 / 2));
         PlaneWidth = new(h => h * camera.Width / camera.Height);
         Sample = new((c, r) => (c + half, r + half));
         Uc = new(c => w * c / camera.Width - w / 2);
@@ -39,23 +40,24 @@ internal sealed class Lab
         Near = new((t, depth) => clip.IsBeyondNear(isDepth ? depth : t));
         Far = new((t, depth) => clip.IsWithinFar(isDepth ? depth : t));
         Clipped = new((t, depth) => Near.Do(t, depth) && Far.Do(t, depth));
+        Depth = new((t, d) => t * -(d * W));
         First = new((crossed, d) => Counts(crossed.Near, d) ? crossed.Near : Counts(crossed.Far, d) ? crossed.Far : null);
         Hit = new(HitOf);
 
+        Norm = new(a => Length.Do(a));
+        Reach = new(() => Length.Do(2 * (T - P)));
         Attenuation = new(t => 1 - t / reach);
         Row = new(y => camera.Height - 1 - y);
         Shown = new((x, y) => Cast(Column.Do(x), Row.Do(y)));
 
-        // What rewrites a formula goes first, so that what changes its numbers or its outcome stays around it.
-        foreach (var mistake in mistakes) if (mistake.Rewrites) mistake.Deviate(this);
-        foreach (var mistake in mistakes) if (!mistake.Rewrites) mistake.Deviate(this);
+        foreach (var mistake in mistakes) mistake.Deviate(this);
 
         W = AxisW.Do(P, T);
         U = AxisU.Do(camera.Up, W);
         V = AxisV.Do(W, U);
         h = PlaneHeight.Do(camera.FovY);
         w = PlaneWidth.Do(h);
-        reach = Length.Do(2 * (T - P));
+        reach = Reach.Do();
     }
 
     /// <summary>As many models as a ray may try; with more a scene's mistakes are not tried at all.</summary>
@@ -64,7 +66,7 @@ internal sealed class Lab
     /// <summary>As many triangles as a ray may try one by one; with more a mistake is not tried at all.</summary>
     public const int MostTriangles = 20_000;
 
-    private readonly Model[] models;
+    private Model[] models;
     private readonly double h, w, reach;
 
     /// <summary>What is drawn.</summary>
@@ -88,6 +90,12 @@ internal sealed class Lab
     /// <summary>Backwards.</summary>
     public Vector3 W { get; }
 
+    /// <summary>width / height of the picture.</summary>
+    public double Wide => (double)Camera.Width / Camera.Height;
+
+    /// <summary>height / width of the picture.</summary>
+    public double Tall => (double)Camera.Height / Camera.Width;
+
     /// <summary>Pixels in a line of the file.</summary>
     public int Width { get; private set; }
 
@@ -98,6 +106,9 @@ internal sealed class Lab
 
     /// <summary>a → |a|.</summary>
     public Step<Func<Vector3, double>> Length { get; } = new(a => a.Length);
+
+    /// <summary>a → |a|, by which a is divided to be normalised.</summary>
+    public Step<Func<Vector3, double>> Norm { get; }
 
     /// <summary>(a, b) → a × b.</summary>
     public Step<Func<Vector3, Vector3, Vector3>> Cross { get; } = new((a, b) => a % b);
@@ -113,8 +124,11 @@ internal sealed class Lab
     /// <summary>(W, U) → V.</summary>
     public Step<Func<Vector3, Vector3, Vector3>> AxisV { get; }
 
+    /// <summary>An angle → its tangent.</summary>
+    public Step<Func<double, double>> Tan { get; } = new(Math.Tan);
+
     /// <summary>fovY in degrees → h.</summary>
-    public Step<Func<double, double>> PlaneHeight { get; } = new(fovY => 2 * Math.Tan(fovY * Math.PI / 180 / 2));
+    public Step<Func<double, double>> PlaneHeight { get; }
 
     /// <summary>h → w.</summary>
     public Step<Func<double, double>> PlaneWidth { get; }
@@ -159,6 +173,9 @@ internal sealed class Lab
 
     // ---- Which crossing counts ----
 
+    /// <summary>(t, d) → how far t is along the view direction.</summary>
+    public Step<Func<double, Vector3, double>> Depth { get; }
+
     /// <summary>t → whether it is ahead: t &gt; bias.</summary>
     public Step<Func<double, bool>> Ahead { get; }
 
@@ -193,7 +210,10 @@ internal sealed class Lab
     /// <summary>(t, d) → what the attenuation measures.</summary>
     public Step<Func<double, Vector3, double>> Distance { get; } = new((t, _) => t);
 
-    /// <summary>That → the attenuation.</summary>
+    /// <summary>→ 2 |T − P|, the distance at which all light is gone.</summary>
+    public Step<Func<double>> Reach { get; }
+
+    /// <summary>The distance → the attenuation.</summary>
     public Step<Func<double, double>> Attenuation { get; }
 
     /// <summary>That → the same, not below 0.</summary>
@@ -216,6 +236,10 @@ internal sealed class Lab
     /// <summary>(x, y) → what the file shows there.</summary>
     public Step<Func<int, int, (byte R, byte G, byte B)>> Shown { get; }
 
+    /// <summary>Leaves out all models of a kind.</summary>
+    /// <param name="kind">As a scene file calls it.</param>
+    public void LeaveOut(string kind) => models = [.. models.Where(model => model.Kind != kind)];
+
     /// <summary>Swaps the file's width and height.</summary>
     public void SwapSides() => (Width, Height) = (Height, Width);
 
@@ -234,19 +258,27 @@ internal sealed class Lab
     }
 
     /// <summary>a / |a|.</summary>
-    public Vector3 Unit(Vector3 a) => a / Length.Do(a);
-
-    /// <summary>How far t is along the view direction.</summary>
-    public double Depth(double t, Vector3 d) => t * -(d * W);
+    public Vector3 Unit(Vector3 a) => a / Norm.Do(a);
 
     /// <summary>Whether a crossing counts.</summary>
-    public bool Counts(double t, Vector3 d) => Ahead.Do(t) && Clipped.Do(t, Depth(t, d));
+    public bool Counts(double t, Vector3 d) => Ahead.Do(t) && Clipped.Do(t, Depth.Do(t, d));
 
     /// <summary>How many triangles of meshes each ray must try, one by one.</summary>
     public long TrianglesTried => TrianglesReachOut ? models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount) : 0;
 
     /// <summary>The ray from the camera in a direction.</summary>
     public Ray<Scalar> RayOf(Vector3 d) => new(P, d);
+
+    /// <summary>The crossings of a ray with a model, nearest first; null for a mesh, and for a model that chooses among them by itself.</summary>
+    public Crossed? CrossingsOf(Model model, Vector3 d) => model switch
+    {
+        Model<Plane> plane => Plane.Do(plane.Primitive, d),
+        Model<Sphere> sphere => Sphere.Do(sphere.Primitive, d),
+        Model<Aabb> box => Box.Do(box.Primitive, d),
+        Model<Circle> circle => Circle.Do(circle.Primitive, d),
+        Model<Triangle> triangle => Triangle.Do(triangle.Primitive, d),
+        _ => model.Cross(RayOf(d)),
+    };
 
     private (byte R, byte G, byte B) Cast(int column, int row)
     {
@@ -258,25 +290,18 @@ internal sealed class Lab
         {
             if (Hit.Do(models[i], d) is { } t && Better.Do(t, best)) (hit, best) = (models[i], t);
         }
-        if (hit is null || !Kept.Do(best, Depth(best, d))) return Bytes(Scene.Background);
+        if (hit is null || !Kept.Do(best, Depth.Do(best, d))) return Bytes(Scene.Background);
         return Bytes(Dark.Do(Attenuation.Do(Distance.Do(best, d))) * hit.Color);
     }
 
     private double? HitOf(Model model, Vector3 d) => model switch
     {
-        Model<Plane> plane => First.Do(Plane.Do(plane.Primitive, d), d),
-        Model<Sphere> sphere => First.Do(Sphere.Do(sphere.Primitive, d), d),
-        Model<Aabb> box => First.Do(Box.Do(box.Primitive, d), d),
-        Model<Circle> circle => First.Do(Circle.Do(circle.Primitive, d), d),
-        Model<Triangle> triangle => HitOf(triangle.Primitive, d),
         Mesh mesh => TriangleTree.Of(mesh).Nearest(this, d),
-        _ => model.Cross(RayOf(d)) is { } crossed ? First.Do(crossed, d) : model.Intersect(WholeRay(d)),
+        // Most rays pass a triangle by, which its bounds say sooner than its formula.
+        Model<Triangle> { Primitive: var triangle } when !TrianglesReachOut
+            && TriangleTree.Misses(triangle.Bounds, this, TriangleTree.Inverse(d)) => null,
+        _ => CrossingsOf(model, d) is { } crossed ? First.Do(crossed, d) : model.Intersect(WholeRay(d)),
     };
-
-    /// <summary>Most rays pass a triangle by, which its bounds say sooner than its formula.</summary>
-    private double? HitOf(in Triangle triangle, Vector3 d) =>
-        !TrianglesReachOut && TriangleTree.Misses(triangle.Bounds, this, TriangleTree.Inverse(d)) ? null
-        : First.Do(Triangle.Do(triangle, d), d);
 
     /// <summary>A ray for a model that chooses among its crossings by itself.</summary>
     private Ray WholeRay(Vector3 d) =>

@@ -46,9 +46,23 @@ public sealed class Mistake
 {
     private readonly List<Mistake> wordings = [];
 
-    internal Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate)
+    /// <summary>States a mistake.</summary>
+    /// <param name="id">Its name, for ever.</param>
+    /// <param name="concerns">What it touches.</param>
+    /// <param name="slide">The slide that has the right formula.</param>
+    /// <param name="cause">What is wrong in the program.</param>
+    /// <param name="deviate">Plants it.</param>
+    /// <param name="symptom">What is to be seen.</param>
+    /// <param name="question">What to ask oneself.</param>
+    /// <param name="answer">What to write instead.</param>
+    /// <param name="isWithinRounding">Whether it moves no channel by more than a level, as rounding does, so that no wrong pixel can be its work.</param>
+    internal Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate,
+        string symptom, string question, string answer, bool isWithinRounding = false)
+        : this(id, concerns, slide, cause, deviate, new Hint(symptom, question, answer)) => IsWithinRounding = isWithinRounding;
+
+    private Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate, Hint hint)
     {
-        (Id, Concerns, Slide, Cause, Deviate) = (id, concerns, slide, cause, deviate);
+        (Id, Concerns, Slide, Cause, Deviate, Hint) = (id, concerns, slide, cause, deviate, hint);
         wordings.Add(this);
     }
 
@@ -62,7 +76,7 @@ public sealed class Mistake
     public string Slide { get; }
 
     /// <summary>Help in three steps.</summary>
-    public required Hint Hint { get; init; }
+    public Hint Hint { get; }
 
     /// <summary>What it touches.</summary>
     public Concerns Concerns { get; }
@@ -73,35 +87,48 @@ public sealed class Mistake
     /// <summary>Plants the mistake.</summary>
     internal Action<Lab> Deviate { get; }
 
-    /// <summary>Whether it puts another formula in the place of a step, not around it; it is planted before such as do not.</summary>
-    internal bool Rewrites { get; init; }
-
     /// <summary>Whether it moves no channel by more than a level, as rounding does, so that no wrong pixel can be its work.</summary>
-    internal bool IsWithinRounding { get; init; }
+    internal bool IsWithinRounding { get; }
 
     /// <summary>Whether a scene has what the mistake touches; where not, its picture is right.</summary>
-    public bool Touches(Scene scene)
+    public bool Touches(Scene scene) => TouchesAny(scene.Models.Select(KindOf));
+
+    /// <summary>Whether a program has what the mistake touches that draws these kinds of shape, as a scene file calls them.</summary>
+    public bool Touches(IEnumerable<string> kinds) => TouchesAny(kinds.Select<string, Concerns>(kind => kind switch
+    {
+        "plane" => Concerns.Planes,
+        "sphere" => Concerns.Spheres,
+        "aabb" => Concerns.Boxes,
+        "circle" => Concerns.Circles,
+        "triangle" or "mesh" => Concerns.Triangles,
+        _ => default(Concerns),
+    }));
+
+    private bool TouchesAny(IEnumerable<Concerns> shapes)
     {
         const Concerns always = Concerns.Camera | Concerns.Hit | Concerns.Color | Concerns.File;
-        if ((Concerns & always) != 0) return true;
-        foreach (var model in scene.Models)
-        {
-            if ((Concerns & KindOf(model)) != 0) return true;
-        }
-        return false;
+        return shapes.Any(shape => (Concerns & shape) != 0) || (Concerns & always) != 0;
     }
 
     /// <summary>Its id.</summary>
     public override string ToString() => Id;
 
-    /// <summary>Adds a wording.</summary>
+    /// <summary>Adds a wording: another place where the same thought goes wrong.</summary>
     internal Mistake Or(string cause, Action<Lab> deviate)
     {
-        wordings.Add(new Mistake(Id, Concerns, Slide, cause, deviate) { Hint = Hint, Rewrites = Rewrites });
+        wordings.Add(new Mistake(Id, Concerns, Slide, cause, deviate, Hint));
         return this;
     }
 
-    private static Concerns KindOf(Model model) => model switch
+    /// <summary>Adds a family of wordings.</summary>
+    internal Mistake Or(IEnumerable<(string Cause, Action<Lab> Deviate)> family)
+    {
+        foreach (var (cause, deviate) in family) Or(cause, deviate);
+        return this;
+    }
+
+    /// <summary>The formula that a model is drawn by.</summary>
+    internal static Concerns KindOf(Model model) => model switch
     {
         Model<Plane> => Concerns.Planes,
         Model<Sphere> => Concerns.Spheres,

@@ -1,3 +1,5 @@
+using System.Collections.Concurrent;
+
 namespace RayCaster.Teaching;
 
 /// <summary>
@@ -15,27 +17,48 @@ public sealed class SceneFitness
     /// <summary>A larger picture is judged by a smaller one of the same shape.</summary>
     private const int MostPixels = 1_000_000;
 
-    /// <summary>How many pixels of each picture tell most mistakes apart; the others need the whole picture.</summary>
+    /// <summary>How many pixels of each picture tell most mistakes apart; the others need a second look.</summary>
     private const int Samples = 4096;
 
-    private SceneFitness(IReadOnlyList<Scene> scenes, int? threads)
+    /// <summary>How many pixels the second look takes: at a mistake, and at each of its other wordings.</summary>
+    private const int SecondLook = 60_000, ThirdLook = 15_000;
+
+    private SceneFitness(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
     {
         Scenes = [.. scenes.Select(Judged)];
         Reduced = !Scenes.SequenceEqual(scenes);
-        scenes = Scenes;
-        var known = MistakeCatalog.All.Where(mistake => scenes.All(scene => new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles)).ToArray();
-        NotTried = [.. MistakeCatalog.All.Except(known)];
-        var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
-        var views = scenes.Select(scene => new View(scene)).ToArray();
-        foreach (var view in views) Parallel.For(0, known.Length, options, i => view.Look(known[i], IndexOf(known[i])));
-
-        Hidden = [.. known.Where(mistake => !views.Any(view => view.Shows(IndexOf(mistake))))];
-        WithinRounding = [.. Hidden.Where(mistake => views.Any(view => view.ShowsByALevel(IndexOf(mistake))))];
+        Asked = asked;
+        var (known, views) = Look(Scenes, asked, threads);
+        NotTried = [.. asked.Except(known)];
+        Hidden = HiddenOf(known, views);
+        HiddenAtFirst = [.. known.Except(Hidden).Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))];
+        WithinRounding = [.. Hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))];
         Twins = Groups(views, [.. known.Except(Hidden)]);
         ShowsNothing = views.All(view => view.IsOfOneColor);
         FragilePixels = views.Sum(view => FragilePixelsOf(view.Scene, threads));
-        PixelCount = scenes.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height);
+        PixelCount = Scenes.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height);
     }
+
+    private static (Mistake[] Known, View[] Views) Look(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
+    {
+        Mistake[] known = [.. asked.Where(mistake => scenes.All(scene => new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles))];
+        View[] views = [.. scenes.Select(scene => new View(scene))];
+        var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
+        foreach (var view in views) Parallel.ForEach(known, options, view.Look);
+        return (known, views);
+    }
+
+    private static Mistake[] HiddenOf(Mistake[] known, View[] views) => [.. known.Where(mistake => !views.Any(view => view.Shows(mistake)))];
+
+    /// <summary>The mistakes of the catalogue that a scene's picture cannot show.</summary>
+    internal static IReadOnlyList<Mistake> HiddenIn(Scene scene, int? threads)
+    {
+        var (known, views) = Look([Judged(scene)], [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads);
+        return HiddenOf(known, views);
+    }
+
+    /// <summary>The mistakes that the scenes were judged for.</summary>
+    public IReadOnlyList<Mistake> Asked { get; }
 
     /// <summary>What was judged, with the sizes of picture that were.</summary>
     public IReadOnlyList<Scene> Scenes { get; }
@@ -45,6 +68,9 @@ public sealed class SceneFitness
 
     /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
     public IReadOnlyList<Mistake> Hidden { get; }
+
+    /// <summary>The mistakes that show in another wording only than the catalogue's first: a program may well have them, and its picture be right.</summary>
+    public IReadOnlyList<Mistake> HiddenAtFirst { get; }
 
     /// <summary>Those of the hidden ones that do change pixels, by a level: a comparison shows them, the eye does not.</summary>
     public IReadOnlyList<Mistake> WithinRounding { get; }
@@ -67,7 +93,9 @@ public sealed class SceneFitness
     /// <summary>Judges a set of scenes.</summary>
     /// <param name="scenes">At least one, each fit for <see cref="CanJudge"/>.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
-    public static SceneFitness Of(IReadOnlyList<Scene> scenes, int? threads = null) => new(scenes, threads);
+    /// <param name="asked">The mistakes that they should show; all of the catalogue if left out.</param>
+    public static SceneFitness Of(IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? asked = null) =>
+        new(scenes, asked ?? MistakeCatalog.All, threads);
 
     /// <summary>Whether a scene has so few models that mistakes can be tried on it.</summary>
     public static bool CanJudge(Scene scene) => scene.Models.Count <= MostModels;
@@ -81,19 +109,13 @@ public sealed class SceneFitness
         return scene with { Camera = camera.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink))) };
     }
 
-    private static int IndexOf(Mistake mistake)
-    {
-        for (var i = 0; ; i++)
-            if (MistakeCatalog.All[i] == mistake) return i;
-    }
-
     /// <summary>The groups of mistakes that no picture tells apart.</summary>
     private static List<IReadOnlyList<Mistake>> Groups(View[] views, List<Mistake> seen)
     {
         var groups = new List<IReadOnlyList<Mistake>>();
         while (seen is [var first, ..])
         {
-            Mistake[] group = [.. seen.Where(other => other == first || views.All(view => view.AreAlike(IndexOf(first), IndexOf(other))))];
+            Mistake[] group = [.. seen.Where(other => other == first || views.All(view => view.AreAlike(first, other)))];
             seen.RemoveAll(group.Contains);
             if (group.Length > 1) groups.Add(group);
         }
@@ -106,44 +128,59 @@ public sealed class SceneFitness
         private readonly int count = scene.Camera.Width * scene.Camera.Height;
         private readonly GoldenSteps places = new(scene.Camera.Width * scene.Camera.Height); // of samples
         private readonly Picture right = Renderer.Render(scene);
-        private readonly byte[][] samples = new byte[MistakeCatalog.All.Count][];
-        private readonly int[] changed = new int[MistakeCatalog.All.Count];   // pixels beyond rounding, at least as many as matter
-        private readonly bool[] byALevel = new bool[MistakeCatalog.All.Count];
+        private readonly ConcurrentDictionary<Mistake, byte[]> samples = [];
+        private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [], byALevel = [];
 
         public Scene Scene => scene;
 
         public bool IsOfOneColor => right.IsOneColor;
 
-        public bool Shows(int mistake) => changed[mistake] >= LeastPixels;
+        /// <summary>Whether the picture shows a mistake, in any of its wordings.</summary>
+        public bool Shows(Mistake mistake) => shown.GetValueOrDefault(mistake);
 
-        public bool ShowsByALevel(int mistake) => byALevel[mistake];
+        /// <summary>The same for its first wording.</summary>
+        public bool ShowsFirst(Mistake mistake) => shownFirst.GetValueOrDefault(mistake);
 
-        /// <summary>Draws samples of the picture, and all of it where they do not show the mistake.</summary>
-        public void Look(Mistake mistake, int index)
+        public bool ShowsByALevel(Mistake mistake) => byALevel.GetValueOrDefault(mistake);
+
+        /// <summary>Draws samples of the picture, and more of it where they do not show the mistake.</summary>
+        public void Look(Mistake mistake)
         {
             var lab = new Lab(scene, mistake);
             var most = lab.TrianglesTried == 0 ? Samples : Math.Min(Samples, Evidence.MostTests / lab.TrianglesTried);
             var pixels = new byte[3 * Math.Min(most, count)];
             for (var k = 0; k < pixels.Length / 3; k++) Put(lab, places[k], pixels, 3 * k);
-            samples[index] = pixels;
-            changed[index] = SizeOf(lab) != (right.Width, right.Height) ? LeastPixels : CountSamples(pixels);
-            // Triangles that reach out of themselves change large parts of a picture: if the samples show nothing, nothing is there.
-            if (Shows(index) || !mistake.Touches(scene) || lab.TrianglesTried > 0) return;
-            changed[index] = 0;
-            var pixel = new byte[3];
-            for (var i = 0; i < count && !Shows(index); i++)
+            samples[mistake] = pixels;
+            shownFirst[mistake] = SizeOf(lab) != (right.Width, right.Height) || CountSamples(pixels) >= LeastPixels
+                || (mistake.Touches(scene) && Changes(mistake, SecondLook));
+            shown[mistake] = shownFirst[mistake]
+                || (mistake.Touches(scene) && mistake.Wordings.Skip(1).Any(wording => Changes(wording, ThirdLook)));
+        }
+
+        /// <summary>Whether a wording changes enough pixels of a part of the picture.</summary>
+        private bool Changes(Mistake wording, int most)
+        {
+            var lab = new Lab(scene, wording);
+            // Triangles that reach out of themselves change large parts of a picture: the samples would have shown it.
+            if (SizeOf(lab) != (right.Width, right.Height)) return true;
+            if (lab.TrianglesTried > 0) return false;
+            most = Math.Min(most, count);
+            var least = (int)Math.Ceiling((double)LeastPixels * most / count);
+            var (changed, pixel) = (0, new byte[3]);
+            for (var k = 0; k < most && changed < least; k++)
             {
-                Put(lab, i, pixel, 0);
-                var difference = Difference(pixel, 0, right.Rgb, 3 * i);
-                if (difference > Evidence.Tolerance) changed[index]++;
-                byALevel[index] |= difference > 0;
+                Put(lab, places[k], pixel, 0);
+                var difference = Difference(pixel, 0, right.Rgb, 3 * places[k]);
+                if (difference > Evidence.Tolerance) changed++;
+                if (difference > 0) byALevel[wording] = true;
             }
+            return changed >= least;
         }
 
         /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
-        public bool AreAlike(int a, int b)
+        public bool AreAlike(Mistake a, Mistake b)
         {
-            var (one, other) = (new Lab(scene, MistakeCatalog.All[a]), new Lab(scene, MistakeCatalog.All[b]));
+            var (one, other) = (new Lab(scene, a), new Lab(scene, b));
             if (SizeOf(one) != SizeOf(other)) return false;
             var different = 0;
             for (var k = 0; k < Math.Min(samples[a].Length, samples[b].Length) && different < LeastPixels; k += 3)

@@ -11,10 +11,26 @@ internal static class SlideFormulas
     /// <summary>No crossing.</summary>
     public static Crossed None => new(double.NaN);
 
-    /// <summary>The crossing of a surface at −t for t.</summary>
-    public static Crossed Mirrored(Crossed crossed) => new(-crossed.Near);
+    /// <summary>Both crossings, the far one first.</summary>
+    public static Crossed Turned(Crossed crossed) => new(crossed.Far, crossed.Near);
 
-    /// <summary>Slide "Sphere – Analytic Solution": the roots of a t² + b t + c = 0, from its discriminant.</summary>
+    /// <summary>tca ∓ thc.</summary>
+    public static Crossed Roots(double tca, double thc) => new(tca - thc, tca + thc);
+
+    /// <summary>Slide "Sphere – Geometric Solution", for d·d = 1 with any d.</summary>
+    /// <param name="lab">Where the ray starts.</param>
+    /// <param name="s">The sphere.</param>
+    /// <param name="d">The ray's direction.</param>
+    /// <param name="roots">(R, tca, D²) → the crossings; tca ∓ √(R² − D²) if left out.</param>
+    public static Crossed Geometric(Lab lab, Sphere s, Vector3 d, Func<double, double, double, Crossed>? roots = null)
+    {
+        var L = s.Center - lab.P;
+        var tca = L * d;
+        var D2 = L * L - tca * tca;
+        return roots is null ? Roots(tca, Math.Sqrt(s.Radius * s.Radius - D2)) : roots(s.Radius, tca, D2);
+    }
+
+    /// <summary>Slide "Sphere – Analytical Solution": the roots of a t² + b t + c = 0, from its discriminant.</summary>
     public static Crossed Roots(double a, double b, double discriminant) =>
         new((-b - Math.Sqrt(discriminant)) / (2 * a), (-b + Math.Sqrt(discriminant)) / (2 * a));
 
@@ -25,44 +41,60 @@ internal static class SlideFormulas
     /// <param name="slab">(lo, hi, origin, direction) → the ways in and out of a slab.</param>
     /// <param name="lastIn">Of two ways in the one that counts.</param>
     /// <param name="firstOut">Of two ways out the one that counts.</param>
-    public static Crossed Slabs(Lab lab, Aabb box, Vector3 d, Func<double, double, double, double, (double In, double Out)> slab,
+    public static Crossed Slabs(Lab lab, Aabb box, Vector3 d, InSlab slab, Func<double, double, double> lastIn, Func<double, double, double> firstOut) =>
+        Slabs(lab, box, d, (slab, slab, slab), lastIn, firstOut);
+
+    /// <summary>The same with a formula for each slab.</summary>
+    public static Crossed Slabs(Lab lab, Aabb box, Vector3 d, (InSlab X, InSlab Y, InSlab Z) slabs,
         Func<double, double, double> lastIn, Func<double, double, double> firstOut)
     {
-        var x = slab(box.Min.X, box.Max.X, lab.P.X, d.X);
-        var y = slab(box.Min.Y, box.Max.Y, lab.P.Y, d.Y);
-        var z = slab(box.Min.Z, box.Max.Z, lab.P.Z, d.Z);
+        var x = slabs.X(box.Min.X, box.Max.X, lab.P.X, d.X);
+        var y = slabs.Y(box.Min.Y, box.Max.Y, lab.P.Y, d.Y);
+        var z = slabs.Z(box.Min.Z, box.Max.Z, lab.P.Z, d.Z);
         var tMin = lastIn(lastIn(x.In, y.In), z.In);
         var tMax = firstOut(firstOut(x.Out, y.Out), z.Out);
         return tMin <= tMax ? new(tMin, tMax) : None;
     }
 
+    /// <summary>(lo, hi, origin, direction) → the ways in and out of a slab.</summary>
+    public delegate (double In, double Out) InSlab(double lo, double hi, double origin, double direction);
+
     /// <summary>One slab: t0 and t1 sorted; a ray along it is in it for ever or never, on its face too.</summary>
     public static (double In, double Out) Slab(double lo, double hi, double origin, double direction) =>
         direction == 0 ? AlongSlab(lo, hi, origin) : Sorted((lo - origin) / direction, (hi - origin) / direction);
 
+    /// <summary>One slab: t0 at its lower face, t1 at its upper one.</summary>
+    public static (double In, double Out) Faces(double lo, double hi, double origin, double direction) =>
+        direction == 0 ? AlongSlab(lo, hi, origin) : ((lo - origin) / direction, (hi - origin) / direction);
+
     /// <summary>A slab that the ray runs along.</summary>
-    public static (double In, double Out) AlongSlab(double lo, double hi, double origin) => lo <= origin && origin <= hi
+    private static (double In, double Out) AlongSlab(double lo, double hi, double origin) => lo <= origin && origin <= hi
         ? (double.NegativeInfinity, double.PositiveInfinity)
         : (double.PositiveInfinity, double.NegativeInfinity);
 
     /// <summary>The lesser first; no number if one is none.</summary>
     public static (double, double) Sorted(double t0, double t1) => (Math.Min(t0, t1), Math.Max(t0, t1));
 
-    /// <summary>Slide "Triangle – Barycentric Coordinates": n = (B − A) × (C − A), u and v are shares of its length.</summary>
+    /// <summary>Slide "Triangle": n = (B − A) × (C − A), u and v are shares of its length.</summary>
     /// <param name="lab">Whose cross product is used.</param>
     /// <param name="triangle">The triangle.</param>
     /// <param name="d">The ray's direction.</param>
     /// <param name="inside">(u, v) → whether X is in the triangle.</param>
-    public static Crossed Triangle(Lab lab, Triangle triangle, Vector3 d, Func<double, double, bool> inside)
+    /// <param name="crossing">(A, n) → the t where the ray crosses the triangle's plane; the right one if left out.</param>
+    public static Crossed Triangle(Lab lab, Triangle triangle, Vector3 d, Func<double, double, bool> inside, Func<Vector3, Vector3, double>? crossing = null)
     {
         var (A, B, C) = (triangle.A, triangle.B, triangle.C);
         var (n, t) = CrossPlane(lab, triangle, d);
+        if (crossing is not null) t = crossing(A, n);
         if (!lab.Counts(t, d)) return None; // only to be done sooner
         var X = lab.P + t * d;
         var u = lab.Cross.Do(A - C, X - C) * n / (n * n);
         var v = lab.Cross.Do(B - A, X - A) * n / (n * n);
         return inside(u, v) ? new(t) : None;
     }
+
+    /// <summary>Whether u and v are those of a point in the triangle.</summary>
+    public static bool IsInside(double u, double v) => u >= 0 && v >= 0 && u + v <= 1;
 
     /// <summary>The areas of the triangles that X makes with the sides add up to the triangle's, where X is in it.</summary>
     public static Crossed TriangleByAreas(Lab lab, Triangle triangle, Vector3 d)

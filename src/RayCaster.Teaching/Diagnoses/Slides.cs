@@ -1,26 +1,29 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The titles of the slides, as docs/slides-to-code.md has them.</summary>
+/// <summary>The titles of the slides, as the slides have them; docs/slides-to-code.md lists them all.</summary>
 internal static class Slides
 {
-    public const string Vectors = "Vectors";
-    public const string CrossProduct = "Cross product";
+    public const string Vectors = "IDE & Vectors";
+    public const string RayCasting = "Ray Casting";
+    public const string Template = "Template";
+    public const string RayPlane = "Ray – Plane Intersection";
     public const string Camera = "Camera";
-    public const string RayThroughPixel = "Ray through a pixel";
-    public const string ClipPlanes = "Near and far plane";
-    public const string NearestHit = "Nearest hit";
-    public const string Plane = "Plane";
-    public const string Circle = "Circle";
+    public const string PixelTranslation = "Camera Pixel Translation";
+    public const string Shading = "Primitive Shading";
+    public const string ClipPlanes = "zNear & zFar";
+    public const string Bias = "Bias";
+    public const string Box = "AABB (Axis Aligned Bounding Box)";
+    public const string BoxParameters = "AABB – intersection parameters";
+    public const string BoxTest = "AABB checking for intersection";
     public const string Sphere = "Sphere – Geometric Solution";
-    public const string Box = "Axis-aligned bounding box";
-    public const string Triangle = "Triangle – Barycentric Coordinates";
-    public const string Attenuation = "Attenuation";
-    public const string Picture = "Picture";
+    public const string SphereAnalytical = "Sphere – Analytical Solution";
+    public const string Circle = "Circle";
+    public const string Triangle = "Triangle";
 
     /// <summary>The slide of a shape's formula, by what a scene file calls the shape; null for a shape of one's own.</summary>
     public static string? OfShape(string type) => type switch
     {
-        "plane" => Plane,
+        "plane" => RayPlane,
         "circle" => Circle,
         "sphere" => Sphere,
         "aabb" => Box,

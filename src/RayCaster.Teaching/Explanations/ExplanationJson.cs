@@ -70,7 +70,7 @@ internal sealed class ExplanationJson
         Vector("origin", pixel.Ray.Origin);
         Vector("direction", pixel.Ray.Direction);
         Number("zPerT", pixel.Ray.ZPerT);
-        json.WriteString("slide", Slides.RayThroughPixel);
+        json.WriteString("slide", Slides.PixelTranslation);
         List("steps", pixel.RaySteps, Step);
     }
 
@@ -172,7 +172,7 @@ internal sealed class ExplanationJson
         Numbers("full", [full.R, full.G, full.B]);
         Numbers("value", [pixel.Color.R, pixel.Color.G, pixel.Color.B]);
         Bytes("bytes", pixel.Bytes);
-        json.WriteString("slide", Slides.Attenuation);
+        json.WriteString("slide", Slides.Shading);
         List("steps", [.. pixel.AttenuationSteps, .. pixel.ColorSteps], Step);
     }
 

@@ -113,11 +113,11 @@ internal sealed class ExplanationText
 
     private void Reference(ReferenceExplanation reference)
     {
-        Section("Reference", "");
+        Section("The other picture", "");
         var ((r, g, b), difference) = (reference.Bytes, reference.Difference);
         var verdict = difference == (0, 0, 0) ? "the same" : reference.Agrees ? "the same but for rounding" : "different";
-        Line(2, $"The other picture has {r} {g} {b} here: {verdict}");
-        if (difference != (0, 0, 0)) Line(2, $"difference (reference − mine): {Signed(difference.R)} {Signed(difference.G)} {Signed(difference.B)}");
+        Line(2, $"It has {r} {g} {b} here: {verdict}");
+        if (difference != (0, 0, 0)) Line(2, $"difference (its bytes less these): {Signed(difference.R)} {Signed(difference.G)} {Signed(difference.B)}");
         if (reference.Agrees) return;
         foreach (var cause in reference.Causes) Line(2, $"Perhaps: {cause}.");
         if (reference.Causes.Count == 0) Line(2, "No crossing of this ray gives that colour.");

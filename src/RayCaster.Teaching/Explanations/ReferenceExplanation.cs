@@ -26,7 +26,7 @@ public sealed record ReferenceExplanation(
     {
         var scene = pixel.Scene;
         var background = scene.Background.ToBytes();
-        if (pixel.Winner is not null && AreNear(background, other)) yield return "the reference's colour is the background's: there the ray hits nothing";
+        if (pixel.Winner is not null && AreNear(background, other)) yield return "the other picture's colour is the background's: there the ray hits nothing";
 
         var explainer = new ModelExplainer(scene, pixel.Ray, pixel.Winner);
         foreach (var trial in pixel.Trials)
@@ -36,14 +36,14 @@ public sealed record ReferenceExplanation(
             {
                 var t = crossing.Untested ?? crossing.T;
                 if (crossing.Verdict is Verdict.Shows || !double.IsFinite(t) || !AreNear(scene.Shade(t, trial.Model).ToBytes(), other)) continue;
-                yield return $"the reference's colour is what {model.Name} would give: its crossing at t = {Digits.Of(t)} {Fate(crossing)}";
+                yield return $"the other picture's colour is what {model.Name} would give: its crossing at t = {Digits.Of(t)} {Fate(crossing)}";
             }
-            if (AreNear(trial.Model.Color.ToBytes(), other)) yield return $"the reference's colour is that of {model.Name}, not attenuated";
+            if (AreNear(trial.Model.Color.ToBytes(), other)) yield return $"the other picture's colour is that of {model.Name}, not attenuated";
         }
         foreach (var neighbour in pixel.Neighbours)
             if (neighbour.Model != pixel.Winner && neighbour.Model is { } shown
                 && AreNear(scene.Shade(neighbour.T, scene.Models[shown]).ToBytes(), other))
-                yield return $"the reference's colour is that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
+                yield return $"the other picture's colour is that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
     }
 
     private static string Fate(CrossingExplanation crossing) => crossing.Verdict switch

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>
-/// A point or a direction in space (slide "Vectors"). Also what a formula's constants are: the corner of a box, a normal.
+/// A point or a direction in space (slide "IDE &amp; Vectors"). Also what a formula's constants are: the corner of a box, a normal.
 /// </summary>
 /// <param name="X">The coordinate along the x axis.</param>
 /// <param name="Y">The coordinate along the y axis.</param>
@@ -49,10 +49,10 @@ public readonly record struct Vector3(double X, double Y, double Z)
     /// <summary>Divides each coordinate, which rounds once where multiplying by 1 / b would round twice.</summary>
     public static Vector3 operator /(Vector3 a, double b) => new(a.X / b, a.Y / b, a.Z / b);
 
-    /// <summary>Dot product: |a| |b| cos of the angle between them (slide "Dot product").</summary>
+    /// <summary>Dot product: |a| |b| cos of the angle between them (slide "IDE &amp; Vectors").</summary>
     public static double operator *(Vector3 a, Vector3 b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 
-    /// <summary>Cross product: perpendicular to both, |a| |b| sin of the angle long, right-handed (slide "Cross product").</summary>
+    /// <summary>Cross product: perpendicular to both, |a| |b| sin of the angle long, right-handed (slide "IDE &amp; Vectors").</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)] // the one operator that the compiler finds too long
     public static Vector3 operator %(Vector3 a, Vector3 b) =>
         new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);

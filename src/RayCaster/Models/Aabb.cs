@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A box with its sides along the axes (slide "Axis-aligned bounding box"); it may be flat.</summary>
+/// <summary>A box with its sides along the axes (slide "AABB (Axis Aligned Bounding Box)"); it may be flat.</summary>
 /// <param name="Min">B0, the corner with the least coordinates.</param>
 /// <param name="Max">B1, the corner with the greatest coordinates.</param>
 public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBounded, ISurface

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A triangle, visible from both sides whatever the order of its corners (slide "Triangle – Barycentric Coordinates").</summary>
+/// <summary>A triangle, visible from both sides whatever the order of its corners (slide "Triangle").</summary>
 /// <param name="A">The first corner.</param>
 /// <param name="B">The second corner.</param>
 /// <param name="C">The third corner, not on one line with the others.</param>

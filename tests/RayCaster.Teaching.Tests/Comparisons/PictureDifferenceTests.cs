@@ -17,7 +17,7 @@ public class PictureDifferenceTests
     public void EqualPicturesDifferNowhere()
     {
         var none = new PictureDifference(SomePictures.Still(), still);
-        Assert.Equal((0, 0, 0, null, null), (none.Wrong, none.OffByOne, none.Largest, none.FirstWrong, none.WrongArea));
+        Assert.Equal((0, 0, 0, null, null), (none.Wrong, none.OffByOne, none.Largest, none.WrongMiddle, none.WrongArea));
     }
 
     [Fact]
@@ -31,7 +31,15 @@ public class PictureDifferenceTests
     public void TheLargestDifferenceIsThatOfAChannel() => Assert.Equal(255, difference.Largest);
 
     [Fact]
-    public void TheFirstIsTheUppermostAndThenTheLeftmost() => Assert.Equal((50, 3), difference.FirstWrong);
+    public void ThePixelToLookAtIsInTheMiddleOfTheWidestWrongArea()
+    {
+        var mine = still.With(picture =>
+        {
+            for (var y = 2; y < 6; y++) picture[3, y] = (9, 99, 9); // a line: the outline of something, say
+            for (var i = 0; i < 25; i++) picture[20 + i % 5, 10 + i / 5] = (9, 99, 9);
+        });
+        Assert.Equal((22, 12), new PictureDifference(mine, still).WrongMiddle);
+    }
 
     [Fact]
     public void TheAreaHoldsAllThatIsBeyondRounding() => Assert.Equal((7, 3, 50, 5), difference.WrongArea);

@@ -50,17 +50,25 @@ public class CatalogTests
     }
 
     [Fact]
-    public void EveryWordingKeepsTheIdAndHasAPictureOfItsOwn()
+    public void EveryWordingKeepsTheIdAndShowsSomewhere()
     {
         foreach (var mistake in MistakeCatalog.All)
         {
             Assert.Same(mistake, mistake.Wordings[0]);
             if (mistake.Wordings.Count == 1) continue; // SceneFitnessTests see to it that no two mistakes have the same pictures
             Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id));
-            var pictures = mistake.Wordings.Select(wording => Pictures(wording)).Append(Pictures());
-            Assert.Equal(mistake.Wordings.Count + 1, pictures.Distinct().Count()); // and none is the right one
+            var hidden = mistake.Wordings.Where(wording => small.All(scene => AreAlike(scene.Right, WrongPicture.Draw(scene.Scene, [wording]))));
+            Assert.Empty(hidden.Except([MistakeCatalog.Named("round")!, MistakeCatalog.Named("x256")!]).Select(wording => $"{wording}: {wording.Cause}"));
         }
     }
+
+    /// <summary>The scenes with few pixels, and their pictures.</summary>
+    private static readonly (Scene Scene, Picture Right)[] small = [.. scenes.Values
+        .Select(scene => scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) })
+        .Select(scene => (scene, ScalarRenderer.Render(scene)))];
+
+    private static bool AreAlike(Picture a, Picture b) =>
+        (a.Width, a.Height) == (b.Width, b.Height) && a.Rgb.AsSpan().SequenceEqual(b.Rgb);
 
     [Fact]
     public void WhatASceneDoesNotHaveIsNotTouched()

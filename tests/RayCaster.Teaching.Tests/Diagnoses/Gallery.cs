@@ -49,8 +49,8 @@ internal static class Gallery
                 dotnet run --project src/RayCaster.Cli -- diagnose scenes/mistakes/generic.json mine.png
 
             says which of them makes `mine.png`, your own program's picture of a scene, and lets you choose how much it tells: `--hint symptom`, `question` or `answer`
-            ([how it finds out](diagnosis.md)). Here too the question and the answer are folded, so that you can look without being told. Draw the four scenes of
-            [scenes/mistakes](../scenes/mistakes) with your program: whoever draws all four right has made none of these. [How much of each scene a mistake changes](mistakes-table.md)
+            ([how it finds out](diagnosis.md)). Here too the question and the answer are folded, so that you can look without being told. Draw the five scenes of
+            [scenes/mistakes](../scenes/mistakes) with your program: whoever draws all five right has made none of these. [How much of each scene a mistake changes](mistakes-table.md)
             is in a table. Each title of a slide leads to [where its formula stands](slides-to-code.md).
 
             This page is made from the [catalogue](../src/RayCaster.Teaching/Diagnoses/MistakeCatalog.cs), by `RAYCASTER_ACCEPT=1 dotnet test --filter GalleryTests`.

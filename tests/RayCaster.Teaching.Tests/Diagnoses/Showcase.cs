@@ -48,7 +48,7 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
 
     /// <summary>All scenes that show mistakes, the one that shows most first.</summary>
     public static IReadOnlyList<Showcase> Whole { get; } =
-        [new("generic", TileWidth), new("portrait", 80), new("inside", TileWidth), new("axis", TileWidth)];
+        [new("generic", TileWidth), new("portrait", 80), new("inside", TileWidth), new("axis", TileWidth), new("bubble", TileWidth)];
 
     /// <summary>The part that was chosen for a mistake, or the whole of the first scene that shows it.</summary>
     public static Showcase Of(Mistake mistake) =>

@@ -155,7 +155,7 @@ public class PixelExplanationTests
         var explanation = ReferenceExplanation.Of(PixelExplanation.Of(scene, 0, 0), ScalarRenderer.Render(scene with { Models = [far] }));
         Assert.False(explanation.Agrees);
         Assert.Equal((-223, 191, 0), explanation.Difference);
-        Assert.Equal("the reference's colour is what wall would give: its crossing at t = 10 is hidden by ball, whose t = 5 < 10", Assert.Single(explanation.Causes));
+        Assert.Equal("the other picture's colour is what wall would give: its crossing at t = 10 is hidden by ball, whose t = 5 < 10", Assert.Single(explanation.Causes));
     }
 
     [Fact]

@@ -142,7 +142,7 @@ internal sealed class SlideCaster
     private double? CrossPlane(Vector3 Q, Vector3 n, Vector3 d) =>
         Stored(d * n) == 0 ? null : Stored(Stored(Stored(Q - P) * n) / Stored(d * n));
 
-    /// <summary>Slide "Sphere – Algebraic Solution": a t² + b t + c = 0.</summary>
+    /// <summary>Slide "Sphere – Analytical Solution": a t² + b t + c = 0.</summary>
     private (double?, double?) Cross(Sphere sphere, Vector3 d)
     {
         var R = sphere.Radius;
@@ -187,7 +187,7 @@ internal sealed class SlideCaster
         return Stored(CX * CX) <= Stored(limit) || Is(CircInf) ? t : null;
     }
 
-    /// <summary>Slide "Triangle – Barycentric Coordinates": u and v are shares of the area.</summary>
+    /// <summary>Slide "Triangle": u and v are shares of the area.</summary>
     private double? Cross(Triangle triangle, Vector3 d)
     {
         var (A, B, C) = (Stored(triangle.A), Stored(triangle.B), Stored(triangle.C));

@@ -34,7 +34,7 @@ public class SphereTests
         Assert.Equal(6, Model.Of(sphere).Intersect(ray));
     }
 
-    /// <summary>Slide "Sphere – Analytic Solution": the roots of t² + 2 b t + c = 0 with b = (P − C)·d and c = (P − C)² − R².</summary>
+    /// <summary>Slide "Sphere – Analytical Solution": the roots of t² + 2 b t + c = 0 with b = (P − C)·d and c = (P − C)² − R².</summary>
     [Fact]
     public void TheAnalyticSolutionOfTheSlideAgrees()
     {

@@ -37,7 +37,7 @@ public class TriangleTests
     [Fact]
     public void BehindTheOriginIsNoHit() => Assert.Null(Cast.At(new Triangle(A, B, C), new(1, 1, 10), new(0, 0, 1)));
 
-    /// <summary>u and v by Cramer's rule, as on the slide "Triangle – Barycentric Coordinates".</summary>
+    /// <summary>u and v by Cramer's rule, as on the slide "Triangle".</summary>
     [Fact]
     public void TheBarycentricCoordinatesOfTheSlideAgree()
     {

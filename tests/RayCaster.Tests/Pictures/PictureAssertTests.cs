@@ -39,10 +39,11 @@ public sealed class PictureAssertTests : IDisposable
     {
         Keep(Halves());
         var lines = FailureOf(Halves(picture => picture[3, 2] = picture[4, 2] = (100, 100, 7))).Split('\n');
-        Assert.Equal("scene.png: 2 of 200 pixels (1 %) differ, by at most 93; the first at column 3, row 7 from the bottom: "
+        Assert.Equal("scene.png: 2 of 200 pixels (1 %) differ, by at most 93; the first at column 3, line 2 from the top: "
             + "expected (100, 100, 100), got (100, 100, 7)", lines[0]);
-        Assert.Equal("  " + folder["scene.received.png"], lines[1]);
-        Assert.Equal("  " + folder["scene.diff.png"], lines[2]);
+        Assert.Equal("  dotnet run --project src/RayCaster.Cli -- explain scenes/scene.json 3 2 --size 20x10", lines[1]);
+        Assert.Equal("  " + folder["scene.received.png"], lines[2]);
+        Assert.Equal("  " + folder["scene.diff.png"], lines[3]);
         Assert.Equal(["scene.diff.png", "scene.png", "scene.received.png"], folder.Names);
         Assert.Equal((255, 0, 0), PictureFile.Read(folder["scene.diff.png"])[3, 2]);
         Assert.Equal((100, 100, 7), PictureFile.Read(folder["scene.received.png"])[3, 2]);
@@ -91,6 +92,6 @@ public sealed class PictureAssertTests : IDisposable
         Keep(Halves(), outline);
         var actual = Halves(picture => picture[x, 5] = (red, green, green));
         if (passes) PictureAssert.Equal("scene", actual, folder.Path);
-        else Assert.Contains($"the first at column {x}, row 4 from the bottom", FailureOf(actual));
+        else Assert.Contains($"the first at column {x}, line 5 from the top", FailureOf(actual));
     }
 }

@@ -1,0 +1,34 @@
+namespace RayCaster.Cli;
+
+/// <summary>Drawing with --mistake: the picture of a program that is wrong, for exams and for trying a rubric.</summary>
+internal static class MistakeOutput
+{
+    /// <summary>Reads the scene, draws it wrong, writes the picture.</summary>
+    /// <param name="line">The command line.</param>
+    /// <param name="path">The scene.</param>
+    /// <param name="cancellation">Ends the work.</param>
+    /// <exception cref="ProblemException">The command line does not do.</exception>
+    /// <exception cref="PictureFileException">The picture's file does not do.</exception>
+    public static int Run(CommandLine line, string path, CancellationToken cancellation)
+    {
+        var mistakes = NameList.Of(line[Option.Mistake]!, '+', [.. MistakeCatalog.All.Select(mistake => mistake.Id)], "a mistake")
+            .Select(id => MistakeCatalog.Named(id)!).ToArray();
+        var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
+        var output = line[Option.Output] ?? $"{DrawCommand.NameOf(path)}.{string.Join('+', mistakes.Select(mistake => mistake.Id))}.png";
+        var format = line.PictureFormat()
+            ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+        PictureOutput.KeepOffTerminal(output);
+        if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
+
+        var picture = Abandonable.Run(() => WrongPicture.Draw(scene, mistakes, threads), cancellation);
+        PictureOutput.Write(output, cancellation, stream =>
+        {
+            using var writer = PictureWriter.Create(format, stream, picture.Width, picture.Height, null);
+            writer.WriteRows(picture.Rgb);
+            writer.Finish();
+        });
+        if (!quiet)
+            StandardFile.WriteError($"{PictureOutput.NameOf(output)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}{Environment.NewLine}");
+        return ExitCode.Done;
+    }
+}

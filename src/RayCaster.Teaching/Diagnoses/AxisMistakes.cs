@@ -1,0 +1,59 @@
+namespace RayCaster.Teaching;
+
+/// <summary>In the camera's axes W, U and V.</summary>
+internal static class AxisMistakes
+{
+    public static Mistake[] All =>
+    [
+        new Mistake("w-sign", Concerns.Camera, Slides.Camera, "W = +(T − P) normalised, so that the camera looks backwards",
+            lab => lab.AxisW.Becomes(W => (p, t) => -W(p, t)),
+            "The picture shows what is behind the camera, or nothing.",
+            "Which way does W point: to the target, or away from it?",
+            "W = −(T − P) normalised: it points backwards, and d has −W in it.")
+            .Or("W = +(T − P) normalised, while the depth is measured along −W", lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, -ur))),
+        new Mistake("dir-plus-w", Concerns.Camera, Slides.PixelTranslation, "d = uc U + ur V + W",
+            lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(-uc, -ur)),
+            "Nothing before the camera is in the picture.",
+            "W points backwards. With which sign does it go into d?",
+            "d = (uc U + ur V − W) normalised.")
+            .Or("d = uc U + ur V + W, and the depth is measured along +W, too", lab =>
+            {
+                lab.AxisW.Becomes(W => (p, t) => -W(p, t)); // turns U about, but not V
+                lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur));
+            }),
+        new("u-cross", Concerns.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
+            lab => lab.AxisU.Becomes(U => (up, w) => -U(up, w)),
+            "The picture is turned by 180 degrees.",
+            "a × b = −(b × a). In which order does the slide have up and W?",
+            "U = (up × W) normalised."),
+        new("v-cross", Concerns.Camera, Slides.Camera, "V = U × W, so that V points down",
+            lab => lab.AxisV.Becomes(V => (w, u) => -V(w, u)),
+            "The picture is upside down, and a row off.",
+            "Does V point up? Try W and U of a level camera by hand.",
+            "V = W × U."),
+        new("u-only", Concerns.Camera, Slides.Camera, "U points to the left while V is right",
+            lab => lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur)),
+            "The picture is mirrored left to right, and a column off.",
+            "Look along −W, with V upwards: on which side is U?",
+            "U = (up × W) normalised, V = W × U, and uc is multiplied by U as it is."),
+        new Mistake("t-dir", Concerns.Camera, Slides.Camera, "W = −T normalised: the target taken for a direction",
+            lab => lab.AxisW.Becomes(W => (p, t) => W(Vector3.Zero, t)),
+            "The camera looks somewhere else; moving it does not turn it.",
+            "The target is a point. Which vector leads from P to it?",
+            "W = −(T − P) normalised.")
+            .Or("W = P normalised: the camera looks at the origin", lab => lab.AxisW.Becomes(W => (p, t) => W(p, Vector3.Zero)))
+            .Or("W = −(T + P) normalised", lab => lab.AxisW.Becomes(W => (p, t) => W(-p, t))),
+        new Mistake("v-up", Concerns.Camera, Slides.Camera, "V = up, which is not perpendicular to W",
+            lab => lab.AxisV.Is((w, u) => lab.Unit(lab.Camera.Up)),
+            "A tilted camera shows everything stretched upwards, and shifted.",
+            "Which angle do V and W have where the camera looks down?",
+            "V = W × U.")
+            .Or("V = up, not normalised", lab => lab.AxisV.Is((w, u) => lab.Camera.Up))
+            .Or("V = (0, 0, 1)", lab => lab.AxisV.Is((w, u) => new(0, 0, 1))),
+        new("uv-swap", Concerns.Camera, Slides.PixelTranslation, "U and V swapped: d = uc V + ur U − W",
+            lab => lab.Towards.Becomes(towards => (uc, ur) => towards(ur, uc)),
+            "The picture is mirrored at its rising diagonal; in a wide picture it is stretched, too.",
+            "Columns count to the right. Which of U and V points to the right?",
+            "d = (uc U + ur V − W) normalised."),
+    ];
+}

@@ -1,0 +1,64 @@
+using static RayCaster.Teaching.SlideFormulas;
+
+namespace RayCaster.Teaching;
+
+/// <summary>In the formula of the box.</summary>
+internal static class BoxMistakes
+{
+    public static Mistake[] All =>
+    [
+        new Mistake("slab-noswap", Concerns.Boxes, Slides.BoxParameters, "box: t0 and t1 not sorted, which is wrong where d is negative",
+            Unsorted("xyz"),
+            "Boxes show from one side and vanish from another.",
+            "Where d is negative, which face of a slab comes first?",
+            "If t0 > t1, swap them, for each of x, y and z.")
+            .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", Unsorted(axes))),
+        new Mistake("slab-minmin", Concerns.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
+            lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Min)),
+            "Boxes smear over the picture.",
+            "The ray is in the box when it is in all three slabs. Has it entered at the first way in, or at the last?",
+            "t_min = max of the ways in, t_max = min of the ways out.")
+            .Or("box: t_max is the last way out, not the first", lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Max, Math.Max)))
+            .Or("box: t_min is the least way in, t_max the last way out", lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Max))),
+        new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
+            cross(new(box.Min with { Z = double.NegativeInfinity }, box.Max with { Z = double.PositiveInfinity }), d)),
+            "Boxes are endless columns.",
+            "How many slabs make a box?",
+            "Do the same for x, y and z.")
+            .Or("box: the slab of x forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
+                cross(new(box.Min with { X = double.NegativeInfinity }, box.Max with { X = double.PositiveInfinity }), d)))
+            .Or("box: the slab of y forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
+                cross(new(box.Min with { Y = double.NegativeInfinity }, box.Max with { Y = double.PositiveInfinity }), d))),
+        new Mistake("slab-tmax", Concerns.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
+            lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Far)),
+            "Boxes look hollow and too dark: you see their far faces from inside.",
+            "Which of t_min and t_max comes first?",
+            "t = t_min, and t_max only if that does not count.")
+            .Or("box: t_max is tried first, then t_min", lab => lab.Box.Becomes(cross => (box, d) => Turned(cross(box, d)))),
+        new("slab-inv-nan", Concerns.Boxes, Slides.BoxParameters, "box: (B − P) · (1 / d) with d = 0 gives 0 · ∞, NaN, which loses the box",
+            lab => lab.Box.Is((box, d) => Slabs(lab, box, d, (lo, hi, origin, direction) =>
+                Sorted((lo - origin) * (1 / direction), (hi - origin) * (1 / direction)), Math.Max, Math.Min)),
+            "A box lacks a line one pixel wide, at its edge or right through it.",
+            "What is 0 · (1 / 0) in doubles?",
+            "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0."),
+        new("slab-inside", Concerns.Boxes, Slides.BoxTest, "box: t_min or none, so that it is not seen from inside",
+            lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Near)),
+            "A box that the camera is in, or that is cut open, is not there.",
+            "From inside, what is the sign of t_min?",
+            "Where t_min does not count, try t_max."),
+        new Mistake("box-size", Concerns.Boxes, Slides.Box, "box: the second corner taken for its size, B1 = B0 + B1",
+            Corners(box => new(box.Min, box.Min + box.Max)),
+            "Boxes have a wrong size or place, or are gone.",
+            "The scene's \"max\": is it a corner, or how far it is from corner to corner?",
+            "B0 = min and B1 = max, as the scene has them.")
+            .Or("box: the first corner taken for its middle, the second for its size", Corners(box => new(box.Min - 0.5 * box.Max, box.Min + 0.5 * box.Max)))
+            .Or("box: the first corner taken for its middle, the second for half its size", Corners(box => new(box.Min - box.Max, box.Min + box.Max))),
+    ];
+
+    private static Action<Lab> Corners(Func<Aabb, Aabb> other) => lab => lab.Box.Becomes(cross => (box, d) => cross(other(box), d));
+
+    /// <summary>The first way in is the lower face's for these axes, whichever way the ray goes.</summary>
+    private static Action<Lab> Unsorted(string axes) => lab =>
+        lab.Box.Is((box, d) => Slabs(lab, box, d,
+            (axes.Contains('x') ? Faces : Slab, axes.Contains('y') ? Faces : Slab, axes.Contains('z') ? Faces : Slab), Math.Max, Math.Min));
+}

@@ -1,0 +1,129 @@
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// Tries what a program may not do yet, each mistake in each of its wordings, and pairs of them, on a picture's <see cref="Evidence"/>: each
+/// round looks at more pixels of fewer trials, so that most of what is far off costs a hundred rays.
+/// </summary>
+internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known, Evidence evidence, int? threads)
+{
+    /// <summary>What a mistake may leave unexplained, as a share of the wrong pixels, for the search to end.</summary>
+    private const double Explained = 0.05;
+
+    /// <summary>The share of the evidence that each round looks at, and how many trials are left for it at least.</summary>
+    private static readonly (double Share, int Trials)[] rounds = [(0.016, int.MaxValue), (0.1, 60), (1, 24)];
+
+    /// <summary>How many single mistakes are tried together with every other: of a finished program, and of an unfinished one.</summary>
+    private const int Partners = 10, UnfinishedPartners = 4;
+
+    /// <summary>How many of all pairs get a closer look than fifty pixels.</summary>
+    private const int Closer = 400;
+
+    /// <summary>How many wordings of a mistake are tried where all pairs are.</summary>
+    private const int MostWordings = 5;
+
+    /// <summary>How many of the nearest mistakes are tried beside each way to be unfinished.</summary>
+    private const int Besides = 3;
+
+    /// <summary>How many ways to be unfinished are tried with mistakes on top.</summary>
+    private const int Ways = 8;
+
+    private static readonly Mistake center = MistakeCatalog.Named("center")!;
+
+    private int Wrong => evidence.WrongCount;
+
+    /// <summary>All that was looked at closely, the best first.</summary>
+    /// <param name="unfinished">All ways to be unfinished.</param>
+    /// <param name="likely">The ways to be unfinished that are tried with mistakes on top.</param>
+    public List<WrongProgram> Run(IEnumerable<Unfinished> unfinished, Func<IEnumerable<Unfinished>> likely)
+    {
+        var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
+        var singles = WithoutIdle(Best(Singles(Unfinished.Nothing, [false, true])));
+        // Beside a mistake that changes everything a missing shape counts for little, so it is looked for even where the mistake explains most.
+        var beside = Best(
+        [
+            .. from single in singles.DistinctBy(single => single.Id).Take(Besides)
+               from way in unfinished
+               where way.Kinds.Any()
+               select single with { Base = way },
+        ]);
+        List<WrongProgram> all = [.. plain, .. singles, .. beside];
+        if (IsDone(all)) return Sorted(all);
+
+        Unfinished[] ways = [.. likely().Take(Ways)];
+        bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
+        var onTop = Best([.. ways.SelectMany(way => Singles(way, samples))]);
+        all.AddRange(onTop);
+        if (IsDone(all)) return Sorted(all);
+
+        all.AddRange(Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]));
+        if (!IsDone(all)) all.AddRange(Best(Reworded(Best([.. Measured(AllPairs(), 0.008).Take(Closer)]))));
+        return Sorted(all);
+    }
+
+    private bool IsDone(List<WrongProgram> all) => all.Exists(trial => trial.Misfit.Unexplained <= Explained * Wrong);
+
+    private List<WrongProgram> Sorted(List<WrongProgram> trials) => [.. trials.OrderBy(trial => trial.Cost(Wrong))]; // stable: of equals the first in the catalogue
+
+    private List<WrongProgram> Singles(Unfinished way, bool[] samples) =>
+    [
+        .. from mistake in known
+           where !way.AsMistakes.Contains(mistake)
+           from wording in mistake.Wordings
+           from otherSample in mistake == center ? (bool[])[false] : samples
+           select new WrongProgram(way, [wording], otherSample),
+    ];
+
+    /// <summary>Without those that stand beside rays through the other place of each pixel and explain no more than these alone.</summary>
+    private static List<WrongProgram> WithoutIdle(List<WrongProgram> singles)
+    {
+        if (singles.Find(trial => trial.Id == center.Id) is not { } alone) return singles;
+        return [.. singles.Where(trial => !trial.OtherSample || trial.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
+    }
+
+    /// <summary>The nearest single mistakes, each with every other.</summary>
+    private IEnumerable<WrongProgram> Pairs(List<WrongProgram> singles, int partners) =>
+        from single in singles.DistinctBy(trial => trial.Id).Take(partners)
+        from other in known
+        where other.Id != single.Wordings[0].Id && !(single.OtherSample && other == center)
+        from wording in other.Wordings
+        select single with { Wordings = [single.Wordings[0], wording] };
+
+    /// <summary>All pairs, one of both in its first wording: of two mistakes that change everything, neither is near by itself.</summary>
+    private List<WrongProgram> AllPairs() =>
+    [
+        .. from one in known
+           from other in known
+           where one != other
+           from wording in other.Wordings.Take(MostWordings)
+           select new WrongProgram(Unfinished.Nothing, [one, wording], false),
+    ];
+
+    /// <summary>The best pairs with one of both in another wording, and with rays through the other place of each pixel.</summary>
+    private static List<WrongProgram> Reworded(List<WrongProgram> pairs) =>
+    [
+        .. from pair in pairs.Take(Partners)
+           from place in (int[])[0, 1]
+           from wording in pair.Wordings[place].Wordings
+           from otherSample in (bool[])[false, true]
+           select pair with { Wordings = place == 0 ? [wording, pair.Wordings[1]] : [pair.Wordings[0], wording], OtherSample = otherSample },
+    ];
+
+    /// <summary>Looks at all, looks closer at the best, and sorts these.</summary>
+    private List<WrongProgram> Best(List<WrongProgram> trials)
+    {
+        foreach (var (share, most) in rounds)
+        {
+            var kept = Math.Min(trials.Count, most == int.MaxValue ? most : Math.Max(most, share < 1 ? trials.Count / 8 : most));
+            trials = Measured(trials[..kept], share);
+        }
+        return trials;
+    }
+
+    private List<WrongProgram> Measured(List<WrongProgram> trials, double share)
+    {
+        var measured = new WrongProgram[trials.Count];
+        Parallel.For(0, trials.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount },
+            i => measured[i] = trials[i] with { Misfit = evidence.Misfit(trials[i].Draw(scene), share) });
+        return Sorted([.. measured]);
+    }
+}

@@ -1,0 +1,60 @@
+namespace RayCaster.Teaching;
+
+/// <summary>What sort of difference a wrong picture shows, where no mistake of the catalogue is certain.</summary>
+internal static class LikelyCause
+{
+    /// <summary>What may be left unexplained, as a share of the wrong pixels.</summary>
+    private const double Explained = 0.1;
+
+    /// <summary>What surely is so: one number of the scene is another, or one model is missing or has another colour.</summary>
+    /// <param name="prepared">The scene.</param>
+    /// <param name="byModels">The picture beside the right one.</param>
+    /// <param name="evidence">Of the picture.</param>
+    /// <param name="left">The share of the wrong pixels that the nearest mistakes leave unexplained.</param>
+    public static string? Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence, double left)
+    {
+        if (ModelsText.Meant(byModels) is [{ } model] && (model.IsMissing || model.OtherColor is not null))
+            return ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault();
+        var (unexplained, says) = OtherNumber.Find(prepared.Scene, evidence, prepared.Threads);
+        return unexplained <= Math.Min(Explained, left / 4) * evidence.WrongCount ? says : null;
+    }
+
+    /// <summary>What may be said besides.</summary>
+    public static IEnumerable<string> Hints(Scene scene, SceneDifference byModels, Picture picture, Picture right)
+    {
+        var meant = ModelsText.Meant(byModels);
+        var kinds = meant.Where(model => model.Model >= 0).Select(model => scene.Models[model.Model].Kind).Distinct().ToArray();
+        if (HasSameOutlines(scene, byModels, picture, right))
+        {
+            yield return meant is [{ } only] ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
+                : kinds is [var kind] && scene.Models.Any(model => model.Kind != kind) ? $"Only what is of the type {kind}: the same outlines, but another light. Is its t right?"
+                : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
+        }
+        else if (meant.Count == 1)
+        {
+            foreach (var sentence in ModelsText.Sentences(scene, byModels)) yield return sentence;
+        }
+        else if (kinds is [var kind] && meant.All(model => model.Model >= 0) && scene.Models.Any(model => model.Kind != kind))
+        {
+            yield return $"Only what is of the type {kind} is wrong: look at its formula.";
+        }
+    }
+
+    /// <summary>Whether every pixel shows the model that it should, in some light.</summary>
+    private static bool HasSameOutlines(Scene scene, SceneDifference byModels, Picture picture, Picture right)
+    {
+        var (wrong, same, edges) = (0, 0, 0);
+        for (var i = 0; i < right.Width * right.Height; i++)
+        {
+            var (x, y) = (i % right.Width, i / right.Width);
+            var shown = picture[x, y];
+            if (PictureDifference.Levels(shown, right[x, y]) <= Evidence.Tolerance) continue;
+            wrong++;
+            var model = byModels.ModelAt(i);
+            if (model >= 0 && Unfinished.IsShadeOf(shown, scene.Models[model].Color)) same++;
+            // Of two grey models each is a shade of the other: there a new edge tells.
+            if (x > 0 && PictureDifference.Levels(right[x, y], right[x - 1, y]) <= 8 && PictureDifference.Levels(shown, picture[x - 1, y]) > 40) edges++;
+        }
+        return same >= 0.97 * wrong && edges <= 0.02 * wrong;
+    }
+}

@@ -1,0 +1,131 @@
+using System.Globalization;
+
+namespace RayCaster.Teaching;
+
+/// <summary>One number of the scene or of the camera's plane that may be another in a picture, and what that would look like.</summary>
+/// <param name="Draw">The scene with another number: x is by how much it differs, or the logarithm of how many times it is what it should be.</param>
+/// <param name="Tries">The x that are tried first.</param>
+/// <param name="Says">What is to be said of an x.</param>
+internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double> Tries, Func<double, string> Says)
+{
+    /// <summary>As many models are tried as those with another size or place.</summary>
+    private const int MostModels = 24;
+
+    /// <summary>How many numbers get a closer look, and how many steps towards the best x.</summary>
+    private const int Closer = 6, Steps = 14;
+
+    private static readonly double[] times = [.. Both([0.07, 0.15, 0.25, 0.35, 0.5, 0.7, 1, 1.5, 2, 3])];
+
+    /// <summary>The number that explains a picture best.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="evidence">Of the picture.</param>
+    /// <param name="threads">How many threads draw.</param>
+    /// <returns>How many pixels it leaves unexplained, and what it says.</returns>
+    public static (double Unexplained, string Says) Find(Scene scene, Evidence evidence, int? threads)
+    {
+        OtherNumber[] all = [.. OfCamera(scene), .. scene.Models.Take(MostModels).SelectMany((_, place) => OfModel(scene, place))];
+        var found = new (Misfit Misfit, double X)[all.Length];
+        var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
+        Parallel.For(0, all.Length, options, i => found[i] = all[i].Tries.Select(x => (evidence.Misfit(all[i].Draw(x), 0.05), x)).Min());
+        int[] best = [.. Enumerable.Range(0, all.Length).OrderBy(i => found[i].Misfit).Take(Closer)];
+        Parallel.ForEach(best, options, i => found[i] = all[i].Closest(found[i].X, evidence));
+        var first = best.MinBy(i => found[i].Misfit);
+        return (found[first].Misfit.Unexplained, all[first].Says(found[first].X));
+    }
+
+    /// <summary>Steps to either side of an x while that is better, and takes half the step where it is not.</summary>
+    private (Misfit, double) Closest(double x, Evidence evidence)
+    {
+        var best = evidence.Misfit(Draw(x), 0.2);
+        for (var (step, k) = (Math.Abs(x) / 3, 0); k < Steps; k++)
+        {
+            var (less, more) = (evidence.Misfit(Draw(x - step), 0.2), evidence.Misfit(Draw(x + step), 0.2));
+            var isLess = less.CompareTo(more) < 0;
+            if ((isLess ? less : more).CompareTo(best) < 0) (best, x) = isLess ? (less, x - step) : (more, x + step);
+            else step /= 2;
+        }
+        return (evidence.Misfit(Draw(x)), x);
+    }
+
+    private static IEnumerable<OtherNumber> OfCamera(Scene scene)
+    {
+        var c = scene.Camera;
+        var size = (c.Target - c.Position).Length;
+        double[] lengths = [.. Both([0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6]).Select(x => x * size)];
+
+        yield return Of(lab => x => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x)),
+            x => $"The same picture, about {Times(x, "large", "small")}: look at h, and at fovY.");
+        yield return Of(lab => x => lab.PlaneWidth.Becomes(w => h => w(h) / Math.Pow(2, x)), x => $"The same picture, about {Times(x, "wide", "narrow")}: look at w.");
+        yield return Of(lab => x =>
+        {
+            lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x));
+            lab.PlaneWidth.Becomes(w => h => w(h) * Math.Pow(2, x));
+        }, x => $"The same picture, about {Times(x, "high", "low")}: look at h, while w is right.");
+        yield return Of(lab => x => lab.Reach.Becomes(reach => () => reach() * Math.Pow(2, x)),
+            x => $"All outlines are right, only the light: it ends at about {Number(c.Reach * Math.Pow(2, x))}, while 2 |T − P| is {Number(c.Reach)}. Look at the attenuation, and at the camera's target.");
+        yield return new(x => new(With(c.Position, c.Target, zNear: c.ZNear * Math.Pow(2, x))), times,
+            x => $"All is right if zNear is about {Number(c.ZNear * Math.Pow(2, x))}; the scene says {Number(c.ZNear)}.");
+        yield return new(x => new(With(c.Position, c.Target, zFar: c.ZFar * Math.Pow(2, x))), times,
+            x => $"All is right if zFar is about {Number(c.ZFar * Math.Pow(2, x))}; the scene says {Number(c.ZFar)}.");
+        foreach (var (name, axis, of) in Axes)
+        {
+            yield return new(x => new(With(c.Position + x * axis, c.Target)), lengths,
+                x => $"Another camera: all is right if {name} of its position is about {Number(of(c.Position) + x)}; the scene says {Number(of(c.Position))}.");
+            yield return new(x => new(With(c.Position, c.Target + x * axis)), lengths,
+                x => $"Another camera: all is right if {name} of its target is about {Number(of(c.Target) + x)}; the scene says {Number(of(c.Target))}.");
+        }
+
+        OtherNumber Of(Func<Lab, Action<double>> edit, Func<double, string> says) => new(x => new(scene, Changed(lab => edit(lab)(x))), times, says);
+
+        Scene With(Vector3 P, Vector3 T, double? zNear = null, double? zFar = null) => scene with
+        {
+            Camera = new(P, T, c.Up, c.FovY, c.Width, c.Height, zNear ?? c.ZNear, zFar ?? c.ZFar, c.Bias, c.Clip, c.Sample),
+        };
+    }
+
+    private static IEnumerable<OtherNumber> OfModel(Scene scene, int place)
+    {
+        var model = scene.Models[place];
+        var name = ModelName.Of(scene, place);
+        if (Moved(model, Vector3.Zero, 1) is null) yield break;
+        if (model is not Model<Plane>)
+            yield return new(x => new(With(Moved(model, Vector3.Zero, Math.Pow(2, x))!)), times, x => $"Only {name}: it is about {Times(x, "large", "small")}.");
+        var size = (scene.Camera.Target - scene.Camera.Position).Length;
+        double[] lengths = [.. Both([0.01, 0.02, 0.04, 0.08, 0.15, 0.3]).Select(x => x * size)];
+        foreach (var (axisName, axis, _) in Axes)
+            yield return new(x => new(With(Moved(model, x * axis, 1)!)), lengths, x => $"Only {name}: it stands elsewhere, its {axisName} is about {Number(Math.Abs(x))} too {(x > 0 ? "large" : "small")}.");
+
+        Scene With(Model other) => scene with { Models = [.. scene.Models.Select((own, i) => i == place ? other : own)] };
+    }
+
+    /// <summary>A model at another place, or of another size; null for one of another kind.</summary>
+    private static Model? Moved(Model model, Vector3 by, double times)
+    {
+        Model? moved = model switch
+        {
+            Model<Plane> { Primitive: var p } => Model.Of(p with { Point = p.Point + by }),
+            Model<Sphere> { Primitive: var s } => Model.Of(new Sphere(s.Center + by, s.Radius * times)),
+            Model<Circle> { Primitive: var c } => Model.Of(new Circle(c.Center + by, c.Normal, c.Radius * times)),
+            Model<Aabb> { Primitive: var b } => Model.Of(new Aabb(b.Min + by + (1 - times) / 2 * (b.Max - b.Min), b.Max + by - (1 - times) / 2 * (b.Max - b.Min))),
+            Model<Triangle> { Primitive: var t } => Model.Of(new Triangle(
+                Grown(t.A, t, times) + by, Grown(t.B, t, times) + by, Grown(t.C, t, times) + by)),
+            _ => null,
+        };
+        if (moved is not null) (moved.Name, moved.Color) = (model.Name, model.Color);
+        return moved;
+    }
+
+    private static Vector3 Grown(Vector3 corner, Triangle t, double times) => times * corner + (1 - times) / 3 * (t.A + t.B + t.C);
+
+    private static (string Name, Vector3 Axis, Func<Vector3, double> Of)[] Axes =>
+        [("x", new(1, 0, 0), a => a.X), ("y", new(0, 1, 0), a => a.Y), ("z", new(0, 0, 1), a => a.Z)];
+
+    private static Mistake Changed(Action<Lab> edit) => new("number", Concerns.Camera, Slides.Camera, "another number", edit, "", "", "");
+
+    private static IEnumerable<double> Both(double[] values) => values.SelectMany<double, double>(x => [x, -x]);
+
+    private static string Times(double x, string large, string small) => $"{Number(Math.Pow(2, Math.Abs(x)))} times too {(x > 0 ? large : small)}";
+
+    /// <summary>Three digits.</summary>
+    private static string Number(double x) => x.ToString(Math.Abs(x) >= 100 ? "0" : Math.Abs(x) >= 10 ? "0.#" : "0.##", CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,58 @@
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// A scene made ready to judge many pictures: what all of them need is drawn once, so that a right picture takes a moment. It does not change, so
+/// several threads may judge pictures at once.
+/// </summary>
+/// <remarks>For a single picture <see cref="Diagnosis.Of"/> does.</remarks>
+public sealed class SceneDiagnosis
+{
+    private readonly Lazy<IReadOnlyList<Mistake>> hidden;
+
+    /// <summary>Draws the scene.</summary>
+    /// <param name="scene">The scene that the pictures are meant to show, at their size.</param>
+    /// <param name="threads">How many threads draw, and judge each picture; one per core if left out.</param>
+    public SceneDiagnosis(Scene scene, int? threads = null)
+    {
+        (Scene, Threads) = (scene, threads);
+        Right = Renderer.Render(scene, threads);
+        var possible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding).ToArray();
+        Known = [.. possible.Where(mistake => mistake.Wordings.All(wording => new Lab(scene, wording).TrianglesTried <= Lab.MostTriangles))];
+        NotTried = [.. possible.Except(Known)];
+        hidden = new(() => TooManyModels ? [] : SceneFitness.HiddenIn(scene, threads));
+    }
+
+    /// <summary>The scene.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>Its picture.</summary>
+    public Picture Right { get; }
+
+    /// <summary>The mistakes of the catalogue that the scene's picture cannot show; found out when first asked for, which takes longer than a diagnosis.</summary>
+    public IReadOnlyList<Mistake> Hidden => hidden.Value;
+
+    /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
+    internal bool TooManyModels => Scene.Models.Count > Lab.MostModels;
+
+    internal int? Threads { get; }
+
+    /// <summary>The mistakes that can show in this scene at all.</summary>
+    internal IReadOnlyList<Mistake> Known { get; }
+
+    /// <summary>What might be in a picture but takes too long to try.</summary>
+    internal IReadOnlyList<Mistake> NotTried { get; }
+
+    /// <summary>Judges a picture.</summary>
+    /// <param name="picture">The picture; its size is the scene's, or that turned by a quarter.</param>
+    /// <param name="done">
+    /// What the program surely draws: kinds of shape as a scene file calls them, "attenuation", "clipping". Of all else anything may be missing.
+    /// </param>
+    /// <exception cref="ArgumentException">The picture has another size.</exception>
+    public Diagnosis Judge(Picture picture, IReadOnlyCollection<string>? done = null)
+    {
+        var (width, height) = (Scene.Camera.Width, Scene.Camera.Height);
+        if ((picture.Width, picture.Height) != (width, height) && (picture.Width, picture.Height) != (height, width))
+            throw new ArgumentException($"a picture of {picture.Width} x {picture.Height} for a scene of {width} x {height}", nameof(picture));
+        return new(this, picture, done ?? []);
+    }
+}

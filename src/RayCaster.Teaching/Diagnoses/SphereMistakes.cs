@@ -1,0 +1,108 @@
+using static RayCaster.Teaching.SlideFormulas;
+
+namespace RayCaster.Teaching;
+
+/// <summary>In the formula of the sphere.</summary>
+internal static class SphereMistakes
+{
+    public static Mistake[] All =>
+    [
+        new Mistake("r-nosq", Concerns.Spheres, Slides.Sphere, "sphere: R where R² is meant",
+            lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = Math.Sqrt(s.Radius) }, d)),
+            "Spheres have a wrong size, or a wrong depth; one of radius 1 is right.",
+            "Are both sides of your equation squares?",
+            "thc = √(R² − D²).")
+            .Or("sphere: D² > R asked where D² > R² is meant", Sphere((R, tca, D2) => D2 > R ? None : Roots(tca, Math.Sqrt(R * R - D2))))
+            .Or("sphere: D > R² asked where D > R is meant", Sphere((R, tca, D2) => D2 > R * R * R * R ? None : Roots(tca, Math.Sqrt(R * R - D2)))),
+        new("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
+            lab =>
+            {
+                lab.Hit.Becomes(hit => (model, d) =>
+                    model is Model<Sphere> s && double.IsNaN(lab.Sphere.Do(s.Primitive, d).Near) ? double.NaN : hit(model, d));
+                lab.Better.Is((t, best) => !(t >= best)); // the same for numbers
+            },
+            "Nearly all is black where a sphere is in the scene; only what is listed after it survives.",
+            "What does Math.Sqrt give for −1, and what does NaN < 0 say?",
+            "Return no hit where R² − D² < 0, before the root."),
+        new Mistake("far-root", Concerns.Spheres, Slides.Sphere, "sphere: the far root t = tca + thc is taken",
+            lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Far)),
+            "Spheres look hollow: you see the inside of their far half.",
+            "Which of tca − thc and tca + thc comes first?",
+            "t = tca − thc, and tca + thc only if that does not count.")
+            .Or("sphere: the far root is tried first, then the near one", lab => lab.Sphere.Becomes(cross => (s, d) => Turned(cross(s, d)))),
+        new("near-root-only", Concerns.Spheres, Slides.Sphere, "sphere: the near root t = tca − thc or none",
+            lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Near)),
+            "A sphere that the camera is in, or that is cut open, is not there.",
+            "From inside, what is the sign of tca − thc?",
+            "Where tca − thc does not count, try tca + thc."),
+        new("oc-sign", Concerns.Spheres, Slides.Sphere, "sphere: P − C where C − P is meant, which mirrors the sphere at the camera",
+            lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = 2 * lab.P - s.Center }, d)),
+            "Spheres are missing; those behind the camera show.",
+            "From where to where does L point?",
+            "L = C − P, tca = L·d. (In the quadratic: b = 2 d·(P − C).)"),
+        new Mistake("disc-2", Concerns.Spheres, Slides.SphereAnalytical, "sphere: discriminant b² − a c, while b = 2 d·(P − C) has its 2",
+            Quadratic((a, b, c) => Roots(a, b, b * b - a * c)),
+            "Spheres bleed over the picture, or have a wrong size or depth.",
+            "Is the discriminant b² − 4ac or (b/2)² − ac? Which one fits your b?",
+            "With b = 2 d·(P − C): b² − 4ac and t = (−b ∓ √…) / 2a.")
+            .Or("sphere: b = d·(P − C) without its 2, while the discriminant is b² − 4 a c", Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - 4 * a * c)))
+            .Or("sphere: discriminant b² − 2 a c", Quadratic((a, b, c) => Roots(a, b, b * b - 2 * a * c)))
+            .Or("sphere: discriminant b − 4 a c", Quadratic((a, b, c) => Roots(a, b, b - 4 * a * c)))
+            .Or("sphere: discriminant b² + 4 a c", Quadratic((a, b, c) => Roots(a, b, b * b + 4 * a * c)))
+            .Or("sphere: divided by a where 2a is meant", Quadratic((a, b, c) => Roots(a / 2, b, b * b - 4 * a * c)))
+            .Or("sphere: −b − √… / 2a without brackets", Quadratic((a, b, c) => Roots(-b, Math.Sqrt(b * b - 4 * a * c) / (2 * a))))
+            .Or("sphere: c = (P − C)² + R²", lab => lab.Sphere.Is((s, d) => QuadraticOf(lab, s, d, s.Radius * s.Radius, (a, b, c) => Roots(a, b, b * b - 4 * a * c)))),
+        new Mistake("tca-positive", Concerns.Spheres, Slides.Sphere, "sphere: no hit where tca < 0, the slide's sentence taken literally",
+            lab => lab.Sphere.Becomes(cross => (s, d) => (s.Center - lab.P) * d < 0 ? None : cross(s, d)),
+            "From inside a sphere a part of it is missing: there the background shows.",
+            "You are inside a sphere, its centre is behind you. What is the sign of tca, and is there a wall before you?",
+            "tca < 0 says only that the centre lies behind; ask t = tca + thc."),
+        new Mistake("d-nosq", Concerns.Spheres, Slides.Sphere, "sphere: thc = √(R² − D), with the distance D where D² is meant",
+            Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(R * R - Math.Sqrt(D2)))),
+            "Spheres have a wrong size, or are dented: too flat or too deep.",
+            "D is a length. What is it taken from?",
+            "thc = √(R² − D²), D² = L² − tca².")
+            .Or("sphere: D > R² asked too", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - Math.Sqrt(D2)))))
+            .Or("sphere: thc = √(R² − D⁴)", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - D2 * D2)))),
+        new Mistake("thc-nosqrt", Concerns.Spheres, Slides.Sphere, "sphere: thc = R² − D² without the root",
+            Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R * R - D2)),
+            "Spheres have the right outline, but bulge or are too flat: their light is wrong, and so is what covers them.",
+            "In which unit is R² − D²: metres, or square metres?",
+            "thc = √(R² − D²).")
+            .Or("sphere: thc = R − D", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R - Math.Sqrt(D2))))
+            .Or("sphere: (−b ∓ (b² − 4ac)) / 2a", Quadratic((a, b, c) => b * b - 4 * a * c < 0 ? None : Roots(-b / (2 * a), (b * b - 4 * a * c) / (2 * a)))),
+        new Mistake("tca-only", Concerns.Spheres, Slides.Sphere, "sphere: t = tca, where the ray is nearest to the centre",
+            Sphere((R, tca, D2) => D2 > R * R ? None : new(tca)),
+            "Spheres look like flat discs, and stand too deep in what they touch.",
+            "What is at t = tca: the ray's way in, or its middle?",
+            "t = tca − thc, and tca + thc if that does not count.")
+            .Or("sphere: t = tca, and tca + thc if that does not count", Sphere((R, tca, D2) => D2 > R * R ? None : new(tca, tca + Math.Sqrt(R * R - D2)))),
+        new Mistake("r-diameter", Concerns.Spheres | Concerns.Circles, Slides.Sphere, "sphere: the radius taken for a diameter, R / 2",
+            lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d)),
+            "Round things are half as large as they should be, or twice.",
+            "How far is it from the centre to the rim?",
+            "R is the scene's radius as it is.")
+            .Or("sphere: 2 R", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius * 2 }, d)))
+            .Or("circle: R / 2", lab => lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d)))
+            .Or("circle: 2 R", lab => lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius * 2 }, d)))
+            .Or("sphere and circle: R / 2", lab =>
+            {
+                lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d));
+                lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d));
+            }),
+    ];
+
+    /// <summary>The slide's geometric formula, from R, tca and D² on.</summary>
+    private static Action<Lab> Sphere(Func<double, double, double, Crossings<Scalar>> roots) =>
+        lab => lab.Sphere.Is((s, d) => Geometric(lab, s, d, roots));
+
+    /// <summary>Slide "Sphere – Analytical Solution", from a, b = 2 d·(P − C) and c = |P − C|² − R² on.</summary>
+    private static Action<Lab> Quadratic(Func<double, double, double, Crossings<Scalar>> roots) =>
+        lab => lab.Sphere.Is((s, d) => QuadraticOf(lab, s, d, -s.Radius * s.Radius, roots));
+
+    private static Crossings<Scalar> QuadraticOf(Lab lab, Sphere s, Vector3 d, double square, Func<double, double, double, Crossings<Scalar>> roots)
+    {
+        var CP = lab.P - s.Center;
+        return roots(d * d, 2 * (d * CP), CP * CP + square);
+    }
+}

@@ -1,0 +1,137 @@
+using static RayCaster.Teaching.SlideFormulas;
+
+namespace RayCaster.Teaching;
+
+/// <summary>In the formulas of planes, and of circles and triangles, which lie in planes.</summary>
+internal static class SurfaceMistakes
+{
+    private const Concerns Flat = Concerns.Planes | Concerns.Circles | Concerns.Triangles;
+
+    /// <summary>Who may share the plane's formula.</summary>
+    private static readonly (string Names, Concerns Shapes)[] readers =
+    [
+        ("plane", Concerns.Planes), ("plane and circle", Concerns.Planes | Concerns.Circles), ("plane, circle and triangle", Flat),
+        ("circle", Concerns.Circles), ("triangle", Concerns.Triangles), ("circle and triangle", Concerns.Circles | Concerns.Triangles),
+    ];
+
+    public static Mistake[] All => [.. OfPlanes, .. OfCircles, .. OfTriangles];
+
+    private static Mistake[] OfPlanes =>
+    [
+        new Mistake("plane-sign", Flat, Slides.RayPlane, "plane: (P − Q)·n, so that t has the wrong sign",
+            lab => lab.Plane.Becomes(cross => (plane, d) => new(-cross(plane, d).Near)),
+            "Planes are missing; those behind the camera may show.",
+            "A plane before the camera: is your t positive?",
+            "t = (Q − P)·n / d·n.")
+            .Or(Readers("(P − Q)·n, so that t has the wrong sign", (P, Q, n, d) => (P - Q) * n / (d * n)).Skip(1))
+            .Or(Readers("(Q + P)·n", (P, Q, n, d) => (P + Q) * n / (d * n))),
+        new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.RayPlane, "plane: left out where n points away from the camera (d·n ≥ 0)",
+            Cull(1, 0),
+            "Some planes are missing; they come back when n is turned round.",
+            "Does the slide say anything of the sign of d·n?",
+            "Only d·n = 0 has no crossing; both sides are visible.")
+            .Or("plane: left out where n points to the camera (d·n ≤ 0)", Cull(-1, 0))
+            .Or("plane and circle: left out where n points away from the camera (d·n ≥ 0)", Cull(1, 1))
+            .Or("plane and circle: left out where n points to the camera (d·n ≤ 0)", Cull(-1, -1))
+            .Or("circle: left out where n points away from the camera (d·n ≥ 0)", Cull(0, 1))
+            .Or("circle: left out where n points to the camera (d·n ≤ 0)", Cull(0, -1)),
+        new Mistake("plane-no-p", Flat, Slides.RayPlane, "plane: Q·n / d·n, without the camera's position P",
+            At(Concerns.Planes, (_, Q, n, d) => Q * n / (d * n)),
+            "Planes lie as if the camera were at the origin, or are missing.",
+            "The ray begins at P. Where is P in your t?",
+            "t = (Q − P)·n / d·n.")
+            .Or(Readers("Q·n / d·n, without P", (_, Q, n, d) => Q * n / (d * n)).Skip(1)),
+    ];
+
+    private static Mistake[] OfCircles =>
+    [
+        new Mistake("circ-nosq", Concerns.Circles, Slides.Circle, "circle: |X − C|² ≤ R",
+            lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = Math.Sqrt(circle.Radius) }, d)),
+            "Circles have a wrong size; one of radius 1 is right.",
+            "Are both sides of your comparison lengths, or both squares?",
+            "|X − C| ≤ R, or |X − C|² ≤ R².")
+            .Or("circle: |X − C| ≤ R²", lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = circle.Radius * circle.Radius }, d))),
+        new Mistake("circ-inf", Concerns.Circles, Slides.Circle, "circle: the radius is not asked",
+            lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = double.PositiveInfinity }, d)),
+            "A circle covers the picture like an endless plane.",
+            "What is there of a circle that a plane has not?",
+            "The plane's crossing X counts only where |X − C| ≤ R.")
+            .Or("circle: |X − C| > R, an endless plane with a hole", lab => lab.Circle.Becomes(cross => (circle, d) =>
+                double.IsNaN(cross(circle, d).Near) ? cross(circle with { Radius = double.PositiveInfinity }, d) : None)),
+    ];
+
+    private static Mistake[] OfTriangles =>
+    [
+        new Mistake("tri-uv", Concerns.Triangles, Slides.Triangle, "triangle: u ≥ 0 and v ≥ 0, but no u + v ≤ 1: an endless wedge",
+            TriangleWhere((u, v) => u >= 0 && v >= 0),
+            "Triangles reach beyond the side that is opposite to their first corner.",
+            "Which condition draws the side from B to C?",
+            "u ≥ 0, v ≥ 0, u + v ≤ 1.")
+            .Or("triangle: u ≤ 1 and v ≤ 1 where u + v ≤ 1 is meant: a parallelogram", TriangleWhere((u, v) => u is >= 0 and <= 1 && v is >= 0 and <= 1)),
+        new Mistake("tri-cull", Concerns.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
+            lab => lab.Triangle.Becomes(cross => (triangle, d) => d * NormalOf(lab, triangle) >= 0 ? None : cross(triangle, d)),
+            "Some triangles are missing; they come back when two corners are swapped.",
+            "Does the slide say anything of the sign of d·n?",
+            "Only d·n = 0 has no crossing; both sides are visible.")
+            .Or("triangle: left out where its corners run counter-clockwise (d·n ≤ 0)",
+                lab => lab.Triangle.Becomes(cross => (triangle, d) => d * NormalOf(lab, triangle) <= 0 ? None : cross(triangle, d))),
+        new Mistake("tri-neg", Concerns.Triangles, Slides.Triangle, "triangle: u + v ≤ 1, but neither u ≥ 0 nor v ≥ 0: a half-plane",
+            TriangleWhere((u, v) => u + v <= 1),
+            "A triangle covers a large part of the picture.",
+            "Which conditions draw the two sides at A?",
+            "u ≥ 0, v ≥ 0, u + v ≤ 1.")
+            .Or("triangle: no u ≥ 0", TriangleWhere((u, v) => v >= 0 && u + v <= 1))
+            .Or("triangle: no v ≥ 0", TriangleWhere((u, v) => u >= 0 && u + v <= 1))
+            .Or("triangle: u ≤ 1, v ≤ 1, u + v ≤ 1", TriangleWhere((u, v) => u <= 1 && v <= 1 && u + v <= 1)),
+        new Mistake("tri-area", Concerns.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
+            lab => lab.Triangle.Is((triangle, d) => TriangleByAreas(lab, triangle, d)),
+            "Triangles are full of holes, like lace.",
+            "Is 0.1 + 0.2 equal to 0.3 in doubles?",
+            "u ≥ 0, v ≥ 0, u + v ≤ 1: no sums that must be equal to the last bit.")
+            .Or("triangle: the sum of the three areas compared with ==, in other numbers or another order, which loses other pixels", lab =>
+            {
+                lab.Triangle.Is((_, _) => None);
+                lab.Scatters = true;
+            }),
+    ];
+
+    /// <summary>Another t, from P, Q, n and d, for each group of shapes that may share the formula.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Readers(string formula, Func<Vector3, Vector3, Vector3, Vector3, double> t)
+    {
+        foreach (var (names, shapes) in readers) yield return ($"{names}: {formula}", At(shapes, t));
+    }
+
+    /// <summary>Another t, from P, Q, n and d, for some shapes; circles and triangles ask for X = P + t d.</summary>
+    private static Action<Lab> At(Concerns shapes, Func<Vector3, Vector3, Vector3, Vector3, double> t) => lab =>
+    {
+        if (shapes.HasFlag(Concerns.Planes)) lab.Plane.Is((plane, d) => new(t(lab.P, plane.Point, plane.Normal, d)));
+        if (shapes.HasFlag(Concerns.Circles))
+        {
+            lab.Circle.Is((circle, d) =>
+            {
+                var at = t(lab.P, circle.Center, circle.Normal, d);
+                return (lab.P + at * d - circle.Center).Length <= circle.Radius ? new(at) : None;
+            });
+        }
+        if (shapes.HasFlag(Concerns.Triangles))
+        {
+            lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, IsInside, (Q, n) => t(lab.P, Q, n, d)));
+            lab.TrianglesReachOut = true;
+        }
+    };
+
+    /// <summary>Leaves planes and circles out by the sign of d·n: 1 where n points away, −1 where it points to the camera, 0 never.</summary>
+    private static Action<Lab> Cull(int planes, int circles) => lab =>
+    {
+        if (planes != 0) lab.Plane.Becomes(cross => (plane, d) => planes * (d * plane.Normal) >= 0 ? None : cross(plane, d));
+        if (circles != 0) lab.Circle.Becomes(cross => (circle, d) => circles * (d * circle.Normal) >= 0 ? None : cross(circle, d));
+    };
+
+    private static Action<Lab> TriangleWhere(Func<double, double, bool> inside) => lab =>
+    {
+        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, inside));
+        lab.TrianglesReachOut = true;
+    };
+
+    private static Vector3 NormalOf(Lab lab, Triangle triangle) => lab.Cross.Do(triangle.B - triangle.A, triangle.C - triangle.A);
+}

@@ -1,0 +1,103 @@
+using static RayCaster.Teaching.Diagnosis;
+
+namespace RayCaster.Teaching;
+
+/// <summary>What a program that is not finished does not do yet, and how it draws then.</summary>
+/// <param name="NotYet">The kinds of shape that it does not draw, as a scene file calls them, "attenuation" and "clipping".</param>
+internal sealed record Unfinished(IReadOnlyList<string> NotYet)
+{
+    /// <summary>A pixel as dark as this says nothing of a model's colour.</summary>
+    private const int Dark = 24;
+
+    /// <summary>A program that does all.</summary>
+    public static Unfinished Nothing { get; } = new([]);
+
+    /// <summary>The kinds of shape that it does not draw.</summary>
+    public IEnumerable<string> Kinds => NotYet.Where(part => part is not (Attenuation or Clipping));
+
+    /// <summary>The mistakes that draw so: "no attenuation", say, is one of the catalogue, too.</summary>
+    public IEnumerable<Mistake> AsMistakes =>
+    [
+        .. NotYet.Contains(Attenuation) ? [MistakeCatalog.Named("att-none")!] : Array.Empty<Mistake>(),
+        .. NotYet.Contains(Clipping) ? [MistakeCatalog.Named("no-znear")!, MistakeCatalog.Named("no-zfar")!] : Array.Empty<Mistake>(),
+    ];
+
+    /// <summary>Takes from a lab what is not there yet.</summary>
+    public Lab In(Lab lab)
+    {
+        foreach (var kind in Kinds) lab.LeaveOut(kind);
+        return lab;
+    }
+
+    /// <summary>Every way to be unfinished: each subset of the scene's kinds of shape but none and all, with and without attenuation and clipping.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="done">What is surely there.</param>
+    public static IEnumerable<Unfinished> Ways(Scene scene, IReadOnlyCollection<string> done)
+    {
+        var kinds = KindsOf(scene);
+        return from subset in Subsets([.. kinds.Except(done)])
+               where subset.Length < kinds.Length
+               from rest in Rest(done)
+               where subset.Length + rest.Length > 0
+               select new Unfinished([.. subset, .. rest]);
+    }
+
+    /// <summary>
+    /// The ways in which just those kinds are missing whose colours the picture does not show. A colour says what is drawn, wherever it is
+    /// drawn; kinds that have no colour of their own may be there or not.
+    /// </summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="right">Its picture: what is not seen there cannot be missed.</param>
+    /// <param name="picture">The picture in question.</param>
+    /// <param name="done">What is surely there.</param>
+    public static IEnumerable<Unfinished> ByColors(Scene scene, Picture right, Picture picture, IReadOnlyCollection<string> done)
+    {
+        var kinds = KindsOf(scene);
+        var (expected, seen) = (Seen(scene, right, kinds), Seen(scene, picture, kinds));
+        string[] missing = [.. kinds.Where((kind, i) => expected[i] > 0 && seen[i] <= expected[i] / 500 && !done.Contains(kind))];
+        string[] doubtful = [.. kinds.Where((kind, i) => expected[i] == 0 && !done.Contains(kind))];
+        return from more in Subsets(doubtful)
+               where missing.Length + more.Length is var count && count > 0 && count < kinds.Length
+               from rest in Rest(done)
+               select new Unfinished([.. missing, .. more, .. rest]);
+    }
+
+    private static string[] KindsOf(Scene scene) => [.. scene.Models.Select(model => model.Kind).Distinct()];
+
+    private static IEnumerable<string[]> Rest(IReadOnlyCollection<string> done) => Subsets([.. ((string[])[Attenuation, Clipping]).Except(done)]);
+
+    private static IEnumerable<string[]> Subsets(string[] all) =>
+        Enumerable.Range(0, 1 << all.Length).Select(bits => all.Where((_, i) => (bits >> i & 1) != 0).ToArray());
+
+    /// <summary>In how many pixels of some thousands each kind shows a colour that no other kind has.</summary>
+    private static int[] Seen(Scene scene, Picture picture, string[] kinds)
+    {
+        var seen = new int[kinds.Length];
+        var places = new GoldenSteps(picture.Width * picture.Height);
+        for (var k = 0; k < Math.Min(8000, picture.Width * picture.Height); k++)
+        {
+            var (y, x) = Math.DivRem(places[k], picture.Width);
+            var (r, g, b) = picture[x, y];
+            if (Math.Max(r, Math.Max(g, b)) < Dark || (r, g, b) == scene.Background.ToBytes()) continue;
+            var (only, several) = (-1, false);
+            foreach (var model in scene.Models)
+            {
+                if (!IsShadeOf((r, g, b), model.Color)) continue;
+                var kind = Array.IndexOf(kinds, model.Kind);
+                several |= only >= 0 && only != kind;
+                only = kind;
+            }
+            if (only >= 0 && !several) seen[only]++;
+        }
+        return seen;
+    }
+
+    /// <summary>Whether bytes are a colour in some light.</summary>
+    internal static bool IsShadeOf((byte R, byte G, byte B) bytes, Color color)
+    {
+        var most = Math.Max(color.R, Math.Max(color.G, color.B));
+        if (most == 0) return bytes == default;
+        var light = Math.Max(bytes.R, Math.Max(bytes.G, bytes.B)) / most;
+        return Math.Abs(bytes.R - light * color.R) < 3 && Math.Abs(bytes.G - light * color.G) < 3 && Math.Abs(bytes.B - light * color.B) < 3;
+    }
+}

@@ -1,0 +1,190 @@
+namespace RayCaster.Teaching;
+
+/// <summary>In lengths, in products of vectors, and in what is not normalised.</summary>
+internal static class VectorMistakes
+{
+    public static Mistake[] All =>
+    [
+        new Mistake("u-unnorm", Concerns.Camera, Slides.Camera, "U = up × W, not normalised",
+            lab => lab.AxisU.Becomes(U => (up, w) => lab.Length.Do(lab.Cross.Do(up, w)) * U(up, w)),
+            "The more the camera looks up or down, the more the picture is zoomed in.",
+            "How long is up × W where they are not perpendicular?",
+            "U = (up × W) normalised.")
+            .Or("U is normalised only after V = W × U", lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, w)) * V(w, u)))
+            .Or("U is not normalised, but V is", lab => lab.Towards.Becomes(towards => (uc, ur) =>
+                towards(uc * lab.Length.Do(lab.Cross.Do(lab.Camera.Up, lab.W)), ur))),
+        new Mistake("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",
+            lab => lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t)),
+            "Everything is drawn out, the more the farther the target is, or zFar has cut all of it away.",
+            "The plane lies at distance |W| before the camera. How long is your W?",
+            "W = −(T − P) normalised.")
+            .Or("W is not normalised in d alone", LengthenW)
+            .Or("W is not normalised, but V is", lab =>
+            {
+                LengthenW(lab);
+                lab.Depth.Becomes(depth => (t, d) => depth(t, d) * lab.Length.Do(lab.T - lab.P));
+            })
+            .Or("W is not normalised, but the depth is measured along W normalised",
+                lab => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur * lab.Length.Do(lab.T - lab.P)))),
+        new Mistake("norm-copy", Concerns.Camera, Slides.Vectors,
+            "W, U and d are not normalised: Normalize() changes a copy, or its result is not used",
+            lab =>
+            {
+                LeaveAxes(lab);
+                lab.Direction.Is(d => d);
+                AllowAnyLength(lab);
+            },
+            "Everything is far too large and far too bright: a piece of it fills the picture.",
+            "Print |W|, |U| and |d|. What should they be?",
+            "A vector's method returns a new vector: d = d.Normalized.")
+            .Or("W and U are not normalised", LeaveAxes),
+        new Mistake("len-nosqrt", Concerns.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
+            lab =>
+            {
+                SquareLength(lab);
+                AllowAnyLength(lab);
+            },
+            "Nearly all is gone or has a wrong size, or the light reaches too far.",
+            "How long is (3, 4, 0)? What does your Length say?",
+            "|a| = √(x² + y² + z²).")
+            .Or("the same, and the sphere takes d·d = 1", lab =>
+            {
+                SquareLength(lab);
+                AssumeUnitLength(lab);
+            })
+            .Or("the same, with 2 · |T − P| for |2 (T − P)|", lab =>
+            {
+                SquareLength(lab);
+                AssumeUnitLength(lab);
+                lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
+            })
+            .Or("the same, the sphere for any d", lab =>
+            {
+                SquareLength(lab);
+                AllowAnyLength(lab);
+                lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
+            })
+            .Or("a vector is normalised by x² + y² + z²", lab =>
+            {
+                lab.Norm.Is(a => a * a);
+                AllowAnyLength(lab);
+            })
+            .Or("a vector is normalised by x² + y² + z², and the sphere takes d·d = 1", lab =>
+            {
+                lab.Norm.Is(a => a * a);
+                AssumeUnitLength(lab);
+            })
+            .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
+            .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
+        new Mistake("cross-y", Concerns.Camera, Slides.Vectors, "the cross product's y has the wrong sign",
+            lab => MistakeCross(lab, (_, _, n) => n with { Y = -n.Y }),
+            "The picture is turned or skewed, and triangles are torn.",
+            "What is (0, 0, 1) × (1, 0, 0)?",
+            "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
+            .Or(CrossWordings('y', "ax bz − az bx")),
+        new Mistake("cross-z", Concerns.Camera, Slides.Vectors, "the cross product's z is ax by − ay by",
+            lab => MistakeCross(lab, (a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }),
+            "The picture is skewed, and triangles are torn.",
+            "What is (1, 2, 0) × (3, 5, 0)?",
+            "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
+            .Or(CrossWordings('z', "ax by − ay by")),
+        new("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
+            lab =>
+            {
+                lab.Direction.Is(d => d);
+                AllowAnyLength(lab);
+            },
+            "The borders of the picture are too bright; all places are right.",
+            "t is a distance only if d has a certain length. Which?",
+            "d = (uc U + ur V − W) normalised."),
+        new("dir-unnorm-a1", Concerns.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
+            lab =>
+            {
+                lab.Direction.Is(d => d);
+                AssumeUnitLength(lab);
+            },
+            "Spheres bleed into wedges towards the borders, which are too bright.",
+            "The sphere's formula left out a = d·d. When is that allowed?",
+            "d = (uc U + ur V − W) normalised."),
+        new Mistake("cross-x", Concerns.Camera, Slides.Vectors, "the cross product's x has the wrong sign",
+            lab => MistakeCross(lab, (_, _, n) => n with { X = -n.X }),
+            "The picture is mirrored, turned or skewed, and triangles are torn.",
+            "What is (0, 1, 0) × (0, 0, 1)?",
+            "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
+            .Or(CrossWordings('x', "az by − ay bz")),
+    ];
+
+    private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur));
+
+    /// <summary>uc U + ur V − |T − P| W.</summary>
+    private static Vector3 Farther(Lab lab, Func<double, double, Vector3> towards, double uc, double ur)
+    {
+        var length = lab.Length.Do(lab.T - lab.P);
+        return length * towards(uc / length, ur / length);
+    }
+
+    private static void LeaveAxes(Lab lab)
+    {
+        lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t));
+        lab.AxisU.Becomes(U => (up, w) => lab.Length.Do(lab.Cross.Do(up, w)) * U(up, w));
+    }
+
+    private static void SquareLength(Lab lab) => lab.Length.Becomes(length => a => length(a) * length(a));
+
+    /// <summary>The sphere's formula for a direction of any length: t counts in its lengths.</summary>
+    private static void AllowAnyLength(Lab lab) => lab.Sphere.Becomes(cross => (s, d) =>
+    {
+        var length = d.Length;
+        var crossed = cross(s, d / length);
+        return new(crossed.Near / length, crossed.Far / length);
+    });
+
+    /// <summary>The slide's geometric formula for d·d = 1, with any d: the same as the analytic one with a = 1.</summary>
+    private static void AssumeUnitLength(Lab lab) => lab.Sphere.Is((s, d) => SlideFormulas.Geometric(lab, s, d));
+
+    /// <summary>A component with another sign, with + for −, or with one letter wrong; in the camera alone and in triangles, too.</summary>
+    /// <param name="axis">Which component.</param>
+    /// <param name="first">The one that is the mistake's first wording.</param>
+    private static IEnumerable<(string, Action<Lab>)> CrossWordings(char axis, string first)
+    {
+        const string axes = "xyz";
+        var (i, k) = ((axes.IndexOf(axis) + 1) % 3, (axes.IndexOf(axis) + 2) % 3);
+        var named = new List<(string What, Func<Vector3, Vector3, double> Is)>
+        {
+            ($"a{axes[k]} b{axes[i]} − a{axes[i]} b{axes[k]}", (a, b) => At(a, k) * At(b, i) - At(a, i) * At(b, k)),
+            ($"a{axes[i]} b{axes[k]} + a{axes[k]} b{axes[i]}", (a, b) => At(a, i) * At(b, k) + At(a, k) * At(b, i)),
+        };
+        for (var place = 0; place < 4; place++)
+        {
+            for (var turn = 1; turn < 3; turn++)
+            {
+                int[] letters = [i, k, k, i]; // a_i b_k − a_k b_i
+                letters[place] = (letters[place] + turn) % 3;
+                named.Add(($"a{axes[letters[0]]} b{axes[letters[1]]} − a{axes[letters[2]]} b{axes[letters[3]]}",
+                    (a, b) => At(a, letters[0]) * At(b, letters[1]) - At(a, letters[2]) * At(b, letters[3])));
+            }
+        }
+        foreach (var (what, component) in named)
+        {
+            Vector3 Other(Vector3 a, Vector3 b, Vector3 n) => axis switch
+            {
+                'x' => n with { X = component(a, b) },
+                'y' => n with { Y = component(a, b) },
+                _ => n with { Z = component(a, b) },
+            };
+            if (what != first) yield return ($"the cross product's {axis} is {what}", lab => MistakeCross(lab, Other));
+            yield return ($"the cross product's {axis} is {what}, but triangles do without it",
+                lab => lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b))));
+        }
+    }
+
+    private static double At(Vector3 a, int axis) => axis switch { 0 => a.X, 1 => a.Y, _ => a.Z };
+
+    /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
+    private static void MistakeCross(Lab lab, Func<Vector3, Vector3, Vector3, Vector3> other)
+    {
+        lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
+        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside));
+        lab.TrianglesReachOut = true;
+    }
+}

@@ -1,0 +1,28 @@
+namespace RayCaster.Teaching;
+
+/// <summary>A way to draw the scene wrong, and how near it comes to a picture.</summary>
+/// <param name="Base">What the program does not do yet.</param>
+/// <param name="Wordings">Its mistakes, each in one of its wordings.</param>
+/// <param name="OtherSample">Whether rays pass through the other place of each pixel.</param>
+/// <param name="Misfit">How far it is from explaining the picture.</param>
+internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Wordings, bool OtherSample, Misfit Misfit = default)
+{
+    private static readonly Mistake center = MistakeCatalog.Named("center")!;
+
+    /// <summary>Equal for trials that differ in wordings and samples alone.</summary>
+    public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id).Order(StringComparer.Ordinal)));
+
+    /// <summary>Draws the scene so.</summary>
+    public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Wordings, .. OtherSample ? (Mistake[])[center] : []]));
+
+    /// <summary>The mistakes to be named: those of the catalogue, by their first wordings.</summary>
+    public IReadOnlyList<Mistake> Named => [.. Wordings.Concat(Base.Kinds.Any() ? [] : Base.AsMistakes).Select(wording => MistakeCatalog.Named(wording.Id)!)];
+
+    /// <summary>
+    /// What it leaves unexplained, the more the more it assumes: two mistakes explain any picture better than one, and that something is not
+    /// written yet is the simplest of all.
+    /// </summary>
+    /// <param name="wrong">How many pixels are wrong.</param>
+    public double Cost(int wrong) =>
+        (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong) * Math.Pow(1 / 0.6, Math.Max(Wordings.Count, OtherSample ? 1 : 0)) * Math.Pow(1.15, Base.NotYet.Count);
+}

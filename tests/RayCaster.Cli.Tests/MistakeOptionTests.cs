@@ -1,0 +1,56 @@
+using System.Text.Json;
+
+namespace RayCaster.Cli.Tests;
+
+/// <summary>Wrong pictures on purpose, and what a scene must show.</summary>
+public sealed class MistakeOptionTests : IDisposable
+{
+    private readonly RayCasterProcess raycaster = new();
+    private static readonly string room = Path.Combine(RayCasterProcess.Scenes, "room.json");
+
+    public void Dispose() => raycaster.Dispose();
+
+    [Fact]
+    public void AWrongPictureIsDrawnAndDiagnosed()
+    {
+        raycaster.Run(room, "--mistake", "rows+bgr", "-s", "100x100");
+        Assert.Equal((0, true), (raycaster.ExitCode, raycaster.Files.Contains("room.rows+bgr.png")));
+        Assert.StartsWith("room.rows+bgr.png: wrong on purpose: row r written as line r", raycaster.Error);
+        raycaster.Run("diagnose", room, "room.rows+bgr.png", "--json");
+        using var json = JsonDocument.Parse(raycaster.Output);
+        Assert.Equal("mistake", json.RootElement.GetProperty("finding").GetString());
+        Assert.Equal(100, json.RootElement.GetProperty("mine").GetProperty("width").GetInt32());
+        Assert.Equal(500, json.RootElement.GetProperty("scene").GetProperty("width").GetInt32());
+    }
+
+    [Theory]
+    [InlineData("'row' is not a mistake; did you mean 'rows'?", "--mistake", "row")]
+    [InlineData("a wrong picture is drawn whole", "--mistake", "rows", "--rows", "1/2")]
+    public void AWrongNameIs2(string message, params string[] arguments)
+    {
+        raycaster.Run([room, .. arguments]);
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.Contains(message, raycaster.Error);
+    }
+
+    [Fact]
+    public void JsonIsOnStandardOutputWhateverIsInTheWay()
+    {
+        raycaster.Run("diagnose", room, "nothing.png", "--json");
+        Assert.Equal(2, raycaster.ExitCode);
+        using var json = JsonDocument.Parse(raycaster.Output);
+        Assert.Equal("could not tell", json.RootElement.GetProperty("finding").GetString());
+    }
+
+    [Fact]
+    public void CheckAnswersForTheShapesOfAWeekAndForWhatIsRequired()
+    {
+        raycaster.Write("small.json", File.ReadAllText(room).Replace("\"width\": 500", "\"width\": 100").Replace("\"height\": 500", "\"height\": 100"));
+        raycaster.Run("check", "small.json", "--json", "--for", "plane,sphere", "--require", "rows,aspect-inv");
+        Assert.Equal(1, raycaster.ExitCode);
+        using var json = JsonDocument.Parse(raycaster.Output);
+        Assert.Equal(["aspect-inv"], json.RootElement.GetProperty("requiredButHidden").EnumerateArray().Select(id => id.GetString()));
+        Assert.DoesNotContain(json.RootElement.GetProperty("hidden").EnumerateArray(), mistake => mistake.GetProperty("id").GetString()!.StartsWith("tri-", StringComparison.Ordinal));
+        Assert.Equal(0, raycaster.Run("check", "small.json", "-q", "--require", "rows,bgr").ExitCode);
+    }
+}

@@ -1,0 +1,72 @@
+using RayCaster.Teaching.Tests.Mistakes;
+
+namespace RayCaster.Teaching.Tests.Diagnoses;
+
+/// <summary>Pictures of scenes with a wrong number in them: no mistake of the program makes these, and none may be accused.</summary>
+public class LikelyCauseTests
+{
+    private static readonly Scene room = Small("room"), generic = Small("mistakes/generic");
+
+    [Fact]
+    public void AFartherTargetIsNoMistakeOfThePrograms()
+    {
+        var diagnosis = Of(room, Seen(room, target: new(-30, 0, 0)));
+        Assert.DoesNotContain(diagnosis.Suspects, suspect => suspect.Mistakes.Count > 1);
+        diagnosis = Of(generic, Seen(generic, target: generic.Camera.Position + 1.4 * (generic.Camera.Target - generic.Camera.Position)));
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith("All outlines are right, only the light", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    public void AnotherFarPlaneIsNamedByItsNumber()
+    {
+        var diagnosis = Of(room, Seen(room, zFar: 20));
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.Contains("zFar is about 20", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    public void AModelsOtherColorIsNamed()
+    {
+        var ball = Model.Of(((Model<Sphere>)room.Models[5]).Primitive);
+        (ball.Name, ball.Color) = ("ball", new(0.2, 0.9, 1));
+        var diagnosis = Of(room, room with { Models = [.. room.Models.Select((model, i) => i == 5 ? ball : model)] });
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith("`ball` has another colour", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    public void AnotherAngleIsToldAsASize()
+    {
+        var diagnosis = Of(generic, Seen(generic, fovY: 52));
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith("The same picture, about 1.18 times too large: look at h", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    public void TheOthersAreOrderedByWhatTheyLeave()
+    {
+        foreach (var id in new[] { "tri-uv", "aspect-none", "u-unnorm", "att-depth" })
+        {
+            var rest = Diagnosis.Of(generic, SlideCaster.Render(generic, Mistakes.Mistake.Named(id))).Suspects.Skip(1).Select(suspect => suspect.Unexplained).ToArray();
+            Assert.Equal(rest.Order(), rest);
+        }
+    }
+
+    private static Diagnosis Of(Scene scene, Scene drawn) => Diagnosis.Of(scene, SlideCaster.Render(drawn, Mistakes.Mistake.None));
+
+    private static Scene Seen(Scene scene, Vector3? target = null, double? zFar = null, double? fovY = null)
+    {
+        var c = scene.Camera;
+        return scene with
+        {
+            Camera = new(c.Position, target ?? c.Target, c.Up, fovY ?? c.FovY, c.Width, c.Height, c.ZNear, zFar ?? c.ZFar, c.Bias, c.Clip, c.Sample),
+        };
+    }
+
+    private static Scene Small(string name)
+    {
+        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
+        return scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) };
+    }
+}

@@ -1,0 +1,85 @@
+using RayCaster.Teaching.Tests.Mistakes;
+
+namespace RayCaster.Teaching.Tests.Diagnoses;
+
+/// <summary>Programs that do not draw everything yet: the pictures are <see cref="SlideCaster"/>'s, of scenes from which models were taken.</summary>
+public class UnfinishedTests
+{
+    private static readonly Scene scene = Small("mistakes/generic");
+
+    public static TheoryData<string> Subsets => ["circle,triangle", "aabb", "plane,sphere", "aabb,circle,triangle", "sphere,aabb,circle,triangle", "plane"];
+
+    [Theory]
+    [MemberData(nameof(Subsets))]
+    public void WhatIsNotDrawnYetIsSaidAndNothingElse(string kinds)
+    {
+        var diagnosis = Diagnosis.Of(scene, Drawn(kinds, "ok"));
+        Assert.Equal((Finding.Unfinished, kinds), (diagnosis.Finding, InOrder(diagnosis, kinds)));
+        Assert.Contains("The rest is right.", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+    }
+
+    [Fact]
+    public void NoAttenuationIsNotDrawnYetEither()
+    {
+        var diagnosis = Diagnosis.Of(scene, Drawn("circle,triangle", "att-none"));
+        Assert.Equal((Finding.Unfinished, "circle,triangle,attenuation"), (diagnosis.Finding, InOrder(diagnosis, "circle,triangle,attenuation")));
+    }
+
+    [Fact]
+    public void AttenuationAloneIsAMistakeOfTheCatalogueToo()
+    {
+        var diagnosis = Diagnosis.Of(scene, SlideCaster.Render(scene, Mistakes.Mistake.AttNone));
+        Assert.Equal((Finding.Mistake, "att-none"), (diagnosis.Finding, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
+        Assert.Equal([Diagnosis.Attenuation], diagnosis.NotYet);
+    }
+
+    [Theory]
+    [InlineData("circle,triangle", "rows")]
+    [InlineData("aabb", "nohalf")]
+    [InlineData("sphere,triangle", "bgr")]
+    [InlineData("aabb,circle,triangle", "far-root")]
+    public void AMistakeOnTopOfWhatIsThereIsNamed(string kinds, string id)
+    {
+        var diagnosis = Diagnosis.Of(scene, Drawn(kinds, id));
+        Assert.Equal((Finding.Mistake, kinds), (diagnosis.Finding, InOrder(diagnosis, kinds)));
+        Assert.Equal(id, Assert.Single(diagnosis.Suspects[0].Mistakes).Id);
+    }
+
+    [Fact]
+    public void WhatIsDoneIsNotTakenForMissing()
+    {
+        var picture = Drawn("sphere", "ok");
+        Assert.Equal(["sphere"], new SceneDiagnosis(scene).Judge(picture).NotYet);
+        var diagnosis = new SceneDiagnosis(scene).Judge(picture, ["sphere", "plane"]);
+        Assert.DoesNotContain("sphere", diagnosis.NotYet);
+    }
+
+    [Fact]
+    public void APreparedSceneJudgesManyPicturesLikeOne()
+    {
+        var prepared = new SceneDiagnosis(scene);
+        foreach (var id in new[] { "ok", "rows", "att-no2" })
+        {
+            var picture = Drawn("", id);
+            var (one, other) = (prepared.Judge(picture), Diagnosis.Of(scene, picture));
+            Assert.Equal(DiagnosisReport.Json(other), DiagnosisReport.Json(one));
+        }
+    }
+
+    /// <summary>What a program draws that leaves kinds of shape out.</summary>
+    private static Picture Drawn(string kinds, string mistake)
+    {
+        var without = scene with { Models = [.. scene.Models.Where(model => !kinds.Split(',').Contains(model.Kind))] };
+        return SlideCaster.Render(without, mistake == "ok" ? Mistakes.Mistake.None : Mistakes.Mistake.Named(mistake));
+    }
+
+    /// <summary>What is not drawn yet, in the order of an expectation.</summary>
+    private static string InOrder(Diagnosis diagnosis, string expected) =>
+        string.Join(',', diagnosis.NotYet.OrderBy(part => Array.IndexOf(expected.Split(','), part)));
+
+    private static Scene Small(string name)
+    {
+        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
+        return scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) };
+    }
+}
