@@ -44,9 +44,9 @@ public sealed class RubricReaderTests : IDisposable
 
     [Theory]
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["r-nosqr"] }] }""",
-        "rubric.json(1,78): error: items[0].mistakes[0] must be the id of a known mistake, but is \"r-nosqr\"; did you mean \"r-nosq\"?")]
+        "rubric.json(1,79): error: items[0].mistakes[0] must be the id of a known mistake, but is \"r-nosqr\"; did you mean \"r-nosq\"?")]
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "undone": ["spere"] }] }""",
-        "rubric.json(1,76): error: items[0].undone[0] must be one of plane, sphere, aabb, circle, triangle, attenuation, clipping, but is \"spere\"; did you mean \"sphere\"?")]
+        "rubric.json(1,77): error: items[0].undone[0] must be one of plane, sphere, aabb, circle, triangle, attenuation, clipping, but is \"spere\"; did you mean \"sphere\"?")]
     [InlineData("""{ "scenes": ["rom.json"], "items": [{ "name": "a", "points": 1 }] }""",
         "rubric.json(1,14): error: scenes[0] cannot be used: rom.json has errors")]
     [InlineData("""{ "scenes": ["room.json"], "items": [] }""", "rubric.json(1,37): error: items must hold at least one item")]
