@@ -99,7 +99,7 @@ public sealed class MarkTests : IDisposable
         WriteRubric("\"tiemLimit\": 3,");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
         Assert.Equal(1, raycaster.ExitCode);
-        Assert.StartsWith("rubric.json(1,49): error: tiemLimit is an unknown key; did you mean \"timeLimit\"?\n", raycaster.Error);
+        Assert.StartsWith("rubric.json(1,47): error: tiemLimit is an unknown key; did you mean \"timeLimit\"?\n", raycaster.Error);
     }
 
     [Fact]

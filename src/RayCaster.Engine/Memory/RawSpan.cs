@@ -23,6 +23,10 @@ internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
         get => ref From(place, 1);
     }
 
+    /// <summary>The numbers from a place on, as many as fill 16 bytes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector128<T> Load128(int place) => Vector128.LoadUnsafe(ref From(place, Vector128<T>.Count));
+
     /// <summary>The eight numbers from a place on, or as many as fill 32 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<T> Load256(int place) => Vector256.LoadUnsafe(ref From(place, Vector256<T>.Count));
@@ -43,4 +47,13 @@ internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
 #endif
         return ref Unsafe.Add(ref first, place);
     }
+}
+
+/// <summary>Makes a <see cref="RawSpan{T}"/> of other things.</summary>
+internal static class RawSpan
+{
+    /// <summary>The coordinates of points, three for each.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static RawSpan<double> NumbersOf(Vector3[] points) =>
+        new(MemoryMarshal.CreateReadOnlySpan(ref Unsafe.As<Vector3, double>(ref MemoryMarshal.GetArrayDataReference(points)), 3 * points.Length));
 }

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
@@ -23,7 +22,7 @@ internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
     {
         if (end - first != Group.Length || !AreBeforeTheLast(3 * first)) return AroundFew(first, end);
         var places = new RawSpan<int>(indices);
-        var numbers = new RawSpan<double>(MemoryMarshal.Cast<Vector3, double>(vertices));
+        var numbers = RawSpan.NumbersOf(vertices);
         if (first + IndicesAhead + Group.Length <= indices.Length / 3) Fetch(first);
 
         // Each corner has bounds of its own, so that no comparison waits for the one before it.

@@ -98,14 +98,14 @@ internal struct Packet : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner)
     {
-        var points = new RawSpan<Vector3>(vertices);
         var places = new RawSpan<int>(indices);
-        ref readonly var a = ref points[places[3 * triangles[first] + corner]];
-        ref readonly var b = ref points[places[3 * triangles[first + 1] + corner]];
-        ref readonly var c = ref points[places[3 * triangles[first + 2] + corner]];
-        ref readonly var d = ref points[places[3 * triangles[first + 3] + corner]];
-        return new(
-            new(Vector256.Create(a.X, b.X, c.X, d.X)), new(Vector256.Create(a.Y, b.Y, c.Y, d.Y)), new(Vector256.Create(a.Z, b.Z, c.Z, d.Z)));
+        var numbers = RawSpan.NumbersOf(vertices);
+        var (a, b) = (3 * places[3 * triangles[first] + corner], 3 * places[3 * triangles[first + 1] + corner]);
+        var (c, d) = (3 * places[3 * triangles[first + 2] + corner], 3 * places[3 * triangles[first + 3] + corner]);
+        var z = new Packet(Vector256.Create(numbers[a + 2], numbers[b + 2], numbers[c + 2], numbers[d + 2]));
+        var (xyac, xybd) = (Vector256.Create(numbers.Load128(a), numbers.Load128(c)), Vector256.Create(numbers.Load128(b), numbers.Load128(d)));
+        if (Avx.IsSupported) return new(new(Avx.UnpackLow(xyac, xybd)), new(Avx.UnpackHigh(xyac, xybd)), z);
+        return new(new(Vector256.Create(xyac[0], xybd[0], xyac[2], xybd[2])), new(Vector256.Create(xyac[1], xybd[1], xyac[3], xybd[3])), z);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

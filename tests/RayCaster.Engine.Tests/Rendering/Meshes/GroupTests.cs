@@ -52,8 +52,21 @@ public class GroupTests
         var (vertices, indices) = Specks(40, 0);
         var (low, high) = new TriangleBoxes(vertices, indices).Around(8, 8 + count);
         Vector3[] corners = [.. indices[24..(24 + 3 * count)].Select(i => vertices[i])];
-        Assert.Equal([corners.Min(p => p.X), corners.Min(p => p.Y), corners.Min(p => p.Z)], [low[1], low[2], low[3]]);
-        Assert.Equal([corners.Max(p => p.X), corners.Max(p => p.Y), corners.Max(p => p.Z)], [high[1], high[2], high[3]]);
+        Assert.Equal([corners.Min(p => p.X), corners.Min(p => p.Y), corners.Min(p => p.Z)], [low[0], low[1], low[2]]);
+        Assert.Equal([corners.Max(p => p.X), corners.Max(p => p.Y), corners.Max(p => p.Z)], [high[0], high[1], high[2]]);
+    }
+
+    /// <summary>Behind the last vertex of the array there is no number to read with it.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void TheBoxOfAGroupWithTheLastVertexIsThatOfItsCorners(int spare)
+    {
+        var (vertices, indices) = Specks(16, 0);
+        var (low, high) = new TriangleBoxes([.. vertices, .. new Vector3[spare]], indices).Around(0, 16);
+        Assert.Equal([vertices.Min(p => p.X), vertices.Min(p => p.Y), vertices.Min(p => p.Z)], [low[0], low[1], low[2]]);
+        Assert.Equal([vertices.Max(p => p.X), vertices.Max(p => p.Y), vertices.Max(p => p.Z)], [high[0], high[1], high[2]]);
     }
 
     [Fact]
@@ -61,7 +74,7 @@ public class GroupTests
     {
         Vector3[] vertices = [new(1, 2, 3), new(double.NaN, double.NaN, double.NaN), new(4, 0, 5)];
         var (low, high) = new TriangleBoxes(vertices, [1, 0, 2]).Around(0, 1);
-        Assert.Equal([1.0, 0, 3, 4, 2, 5], [low[1], low[2], low[3], high[1], high[2], high[3]]);
+        Assert.Equal([1.0, 0, 3, 4, 2, 5], [low[0], low[1], low[2], high[0], high[1], high[2]]);
     }
 
     [Theory]
