@@ -6,7 +6,10 @@ namespace RayCaster.Teaching;
 /// <summary>Marks the submissions of a class, and writes what comes of it: a table, a page for each student, and a page for the teacher.</summary>
 public sealed class ClassMarks
 {
-    /// <summary>The folder of the marks as they are kept, so that a run that was interrupted can go on. They name mistakes, so no student's folder holds them.</summary>
+    /// <summary>
+    /// The folder of the marks as they are kept, so that a run that was interrupted can go on. They name mistakes, so no student's folder holds
+    /// them.
+    /// </summary>
     private const string Kept = ".kept";
 
     private readonly Rubric rubric;

@@ -43,7 +43,9 @@ internal sealed class Marker(Rubric rubric)
         return items;
     }
 
-    /// <summary>Whether some scenes tell as much of an item as all together: each of its mistakes that shows in any of the scenes shows in one of these.</summary>
+    /// <summary>
+    /// Whether some scenes tell as much of an item as all together: each of its mistakes that shows in any of the scenes shows in one of these.
+    /// </summary>
     private bool Tells(List<MarkedScene> told, RubricItem item) =>
         told.Count > 0 && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
 
