@@ -53,7 +53,7 @@ public sealed class AttackTests : IDisposable
     public void ANameThatIsNotUtf8()
     {
         if (!OperatingSystem.IsLinux()) return; // names are text elsewhere
-        raycaster.RunInShell("touch \"$(printf 'a\\377.json')\"; raycaster \"$(printf 'a\\377.json')\"");
+        raycaster.RunInShell("raycaster \"$(printf 'a\\377.json')\"");
         Assert.Equal((2, "raycaster: the name 'a\uFFFD.json' is not UTF-8: rename the file\n"), (raycaster.ExitCode, raycaster.Error));
     }
 

@@ -6,6 +6,7 @@ namespace RayCaster.Teaching.Tests.Maps;
 public class SpoiltMapsTests
 {
     [Fact]
+    [Trait("kind", "campaign")]
     public void SpoiltMapsDoNoHarm() => Campaign.Run("map", 2000, random => new Mutation(random, Corpus.Maps).Next(), Read);
 
     /// <summary>The files that once did harm, and some that are made to.</summary>
