@@ -36,6 +36,8 @@ internal sealed class VaryCommand : Command
         var path = line.Exactly("<scene>")[0];
         if (line[Option.Seed] is not { Length: > 0 } seed) throw ProblemException.Usage("whose scene is it to be? Say it as in --seed 12345");
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("where does the scene go? Say it as in -o mine.json");
+        InputFiles.Note([path]);
+        InputFiles.Keep(output);
         byte[] text = [];
         var reading = Abandonable.Run(() => SceneReader.Read(path, look: bytes => text = bytes.ToArray()), cancellation);
         StandardFile.WriteError(reading.Report());

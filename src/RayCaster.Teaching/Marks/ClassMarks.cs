@@ -6,8 +6,11 @@ namespace RayCaster.Teaching;
 /// <summary>Marks the submissions of a class, and writes what comes of it: a table, a page for each student, and a page for the teacher.</summary>
 public sealed class ClassMarks
 {
-    /// <summary>In a student's folder: the marks, so that a run that was interrupted can go on.</summary>
-    private const string Kept = "marks.json";
+    /// <summary>
+    /// The folder of the marks as they are kept, so that a run that was interrupted can go on. They name mistakes, so no student's folder holds
+    /// them.
+    /// </summary>
+    private const string Kept = ".kept";
 
     private readonly Rubric rubric;
     private readonly string output;
@@ -41,7 +44,7 @@ public sealed class ClassMarks
     public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
     {
         var all = Submission.In(submissions);
-        WorkFolder.Make(output);
+        WorkFolder.Make(Path.Combine(output, Kept));
         var marks = new ClassMarks(rubric, submissions, output);
         var done = new ConcurrentDictionary<string, StudentMarks>();
         Parallel.ForEach(Partitioner.Create(all, EnumerablePartitionerOptions.NoBuffering),
@@ -61,7 +64,8 @@ public sealed class ClassMarks
     {
         var folder = Path.Combine(output, submission.Student);
         var digest = rubric.Digest + submission.Digest();
-        if (resume && ReadKept(Path.Combine(folder, Kept)) is { } kept && kept.Digest == digest && kept.Student == submission.Student) return kept;
+        var keptPath = Path.Combine(output, Kept, submission.Student + ".json");
+        if (resume && ReadKept(keptPath) is { } kept && kept.Digest == digest && kept.Student == submission.Student) return kept;
 
         IReadOnlyList<SubmittedPicture> pictures;
         string[] changed = [];
@@ -76,7 +80,7 @@ public sealed class ClassMarks
         var marks = marker.Mark(submission.Student, digest, pictures, changed);
         WorkFolder.Make(folder);
         Write(Path.Combine(folder, "feedback.html"), FeedbackPage.Of(rubric, marks, pictures));
-        Write(Path.Combine(folder, Kept), JsonSerializer.Serialize(marks, JsonSerializerOptions.Web));
+        Write(keptPath, JsonSerializer.Serialize(marks, JsonSerializerOptions.Web));
         return marks;
     }
 

@@ -12,6 +12,9 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits)
     /// <summary>The system counts threads, not processes, and all of the user's; a program of many threads is not yet too many processes.</summary>
     private const int ThreadsPerProcess = 20;
 
+    /// <summary>The .NET runtime keeps its code in a file in memory and does not start with less.</summary>
+    private const long LeastFileBytes = 64_000_000;
+
     /// <summary>
     /// The tree's first process, which is a shell since signals mean something else to that one than to any other. It ends after the time in any
     /// case, and all the tree with it, should nobody be left to end it.
@@ -44,7 +47,7 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits)
 
     private static string[] LimitsOf(ProgramLimits limits) =>
     [
-        "nice", "-n", "10", "prlimit", "--core=0", Invariant($"--fsize={limits.OutputBytes}"),
+        "nice", "-n", "10", "prlimit", "--core=0", Invariant($"--fsize={Math.Max(limits.OutputBytes, LeastFileBytes)}"),
         Invariant($"--nproc={ProcessTree.TaskCount() + ThreadsPerProcess * limits.Processes}"), "--",
     ];
 

@@ -114,7 +114,10 @@ internal sealed class JointDiagnosis
         return hypothesis;
     }
 
-    /// <summary>Whether a picture shows the difference between a hypothesis and one that holds less to be wrong; beside another a mistake may change nothing.</summary>
+    /// <summary>
+    /// Whether a picture shows the difference between a hypothesis and one that holds less to be wrong; beside another a mistake may change
+    /// nothing.
+    /// </summary>
     private bool Matters(Hypothesis more, Hypothesis less) =>
         pictures.Any(picture => picture.Unexplained(less) - picture.Unexplained(more) >= picture.Visible);
 

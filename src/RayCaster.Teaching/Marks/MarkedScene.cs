@@ -31,6 +31,8 @@ internal sealed class MarkedScene
     /// <summary>The pixels in an order whose every beginning is spread over the whole picture.</summary>
     public GoldenSteps Places { get; }
 
-    /// <summary>Whether the picture of a program with this mistake looks otherwise; tried once for all mistakes, which takes a second or two.</summary>
+    /// <summary>
+    /// Whether the picture of a program with this mistake looks otherwise; tried once for all mistakes, which takes a second or two.
+    /// </summary>
     public bool Shows(string mistake) => !hidden.Value.Contains(mistake);
 }

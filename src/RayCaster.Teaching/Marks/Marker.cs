@@ -43,7 +43,9 @@ internal sealed class Marker(Rubric rubric)
         return items;
     }
 
-    /// <summary>Whether some scenes tell as much of an item as all together: each of its mistakes that shows in any of the scenes shows in one of these.</summary>
+    /// <summary>
+    /// Whether some scenes tell as much of an item as all together: each of its mistakes that shows in any of the scenes shows in one of these.
+    /// </summary>
     private bool Tells(List<MarkedScene> told, RubricItem item) =>
         told.Count > 0 && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
 
@@ -72,6 +74,7 @@ internal sealed class Marker(Rubric rubric)
     {
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
             yield return $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
+        foreach (var scenes in Repeated(submitted)) yield return $"{scenes}: the same picture of different scenes";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many things make them so";
         foreach (var picture in diagnosis.TellsNothing ? [] : diagnosis.Unexplained)
             yield return $"{picture.Of.Name}: nothing explains this picture" + (diagnosis.Nearest is { } near && Names(near) != "" ? $" (nearest: {Names(near)})" : "");
@@ -79,6 +82,14 @@ internal sealed class Marker(Rubric rubric)
             if (rubric.Items.Any(item => Cost(item, other).Lost != Cost(item, diagnosis.Verdict).Lost))
                 yield return $"these scenes cannot tell {Names(diagnosis.Verdict)} from {Names(other)}";
     }
+
+    /// <summary>Scenes of which the pictures are equal to the byte: a program that does not draw the scene yet.</summary>
+    private static IEnumerable<string> Repeated(IReadOnlyList<SubmittedPicture> submitted) =>
+        from picture in submitted
+        where picture.CanBeJudged && !picture.Picture!.IsOneColor
+        group picture.Scene.Name by Convert.ToHexString(System.Security.Cryptography.SHA256.HashData(picture.Picture!.Rgb)) into same
+        where same.Count() > 1
+        select string.Join(", ", same);
 
     private static string Names(Hypothesis hypothesis) => string.Join(" + ",
         hypothesis.Undone.InWords().Select(part => $"no {part}").Concat(hypothesis.Wordings.Select(wording => wording.Id)));

@@ -29,7 +29,10 @@ internal static class MarksTable
 
     private static void Append(StringBuilder text, IEnumerable<string> cells) => text.AppendJoin(',', cells.Select(Cell)).Append("\r\n");
 
-    /// <summary>A cell in quotes where it needs them. A spreadsheet would take what begins with = + - @ for a formula: a student's folder may be named so.</summary>
+    /// <summary>
+    /// A cell in quotes where it needs them. A spreadsheet would take what begins with = + - @ for a formula: a student's folder may be named
+    /// so.
+    /// </summary>
     private static string Cell(string text)
     {
         if (text is ['=' or '+' or '-' or '@' or '\t' or '\r', ..]) text = "'" + text;

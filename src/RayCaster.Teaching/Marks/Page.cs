@@ -1,5 +1,6 @@
-using System.Net;
 using System.Text;
+using System.Text.Encodings.Web;
+using System.Text.Unicode;
 
 namespace RayCaster.Teaching;
 
@@ -13,12 +14,14 @@ internal sealed class Page(string title)
         table { border-collapse: collapse; width: 100%; } td, th { border-bottom: 1px solid #ddd; padding: .3rem .6rem; text-align: left; vertical-align: top; }
         td.n, th.n { text-align: right; white-space: nowrap; } tr.lost td { background: #fff1ee; } tr.open td { background: #fff8dd; }
         .small { color: #555; font-size: .9rem; } img { image-rendering: pixelated; }
-        .pair { position: relative; display: inline-block; line-height: 0; max-width: 100%; border: 1px solid #999; }
+        .slid { display: inline-block; } .pair { position: relative; line-height: 0; max-width: 100%; border: 1px solid #999; }
         .pair img { max-width: 100%; } .pair img + img { position: absolute; left: 0; top: 0; clip-path: inset(0 0 0 var(--at, 50%)); }
         .pair::after { content: ""; position: absolute; top: 0; bottom: 0; left: var(--at, 50%); border-left: 2px solid #fff; mix-blend-mode: difference; }
-        input[type=range] { display: block; width: 100%; max-width: 40rem; }
+        input[type=range] { display: block; width: 100%; margin: 0; }
         .tile { display: inline-block; margin: 0 1rem 1rem 0; vertical-align: top; max-width: 20rem; }
         """;
+
+    private static readonly HtmlEncoder encoder = HtmlEncoder.Create(UnicodeRanges.All);
 
     private readonly StringBuilder body = new();
 
@@ -34,7 +37,7 @@ internal sealed class Page(string title)
         Html($"<{name}{(style is null ? "" : $" class=\"{style}\"")}>{Escaped(text)}</{name}>");
 
     /// <summary>Text that means itself, in an element and in an attribute.</summary>
-    public static string Escaped(string text) => WebUtility.HtmlEncode(text);
+    public static string Escaped(string text) => encoder.Encode(text);
 
     /// <summary>A picture that is in the page itself.</summary>
     /// <param name="png">Its bytes.</param>

@@ -67,7 +67,9 @@ internal sealed class ProgramRunner(Containment containment)
         }
     }
 
-    /// <remarks>A program that multiplies doubles in milliseconds, so the number of all tasks is read often and the tree, which takes longer, seldom.</remarks>
+    /// <remarks>
+    /// A program that multiplies doubles in milliseconds, so the number of all tasks is read often and the tree, which takes longer, seldom.
+    /// </remarks>
     private static ProgramEnd Watch(Process process, PrintedText printed, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
     {
         var start = Stopwatch.GetTimestamp();
@@ -86,7 +88,9 @@ internal sealed class ProgramRunner(Containment containment)
         return printed.IsTooLong ? ProgramEnd.TooMuchOutput : ProgramEnd.Exited;
     }
 
-    /// <summary>Ends the process and what descends from it; also what has left its parent, as far as its environment still tells where it comes from.</summary>
+    /// <summary>
+    /// Ends the process and what descends from it; also what has left its parent, as far as its environment still tells where it comes from.
+    /// </summary>
     private void End(Process process, string mark)
     {
         if (!process.HasExited)

@@ -53,7 +53,7 @@ public static class RubricReader
     }
 
     /// <summary>Reads the outermost object; without text it describes the keys.</summary>
-    internal static Rubric? ReadRubric(SceneObject o, string folder, IncrementalHash digest, StringBuilder sceneReports)
+    internal static Rubric? ReadRubric(SceneObject o, string folder, IncrementalHash? digest, StringBuilder sceneReports)
     {
         o.OptionalText("$schema", "Where editors find the schema of rubrics; the program does not use it.");
         var title = o.OptionalText("title", "What is marked, for the heads of pages.") ?? "Marks";
@@ -67,7 +67,7 @@ public static class RubricReader
         if (o.Has("items") && items.Count == 0 && o.IsSound) o.Refuse("items", $" must hold at least one item");
 
         var scenes = ReadScenes(o, files, folder, digest, sceneReports);
-        return !o.IsSound ? null : new(scenes, Convert.ToHexStringLower(digest.GetHashAndReset()))
+        return !o.IsSound || digest is null ? null : new(scenes, Convert.ToHexStringLower(digest.GetHashAndReset()))
         {
             Title = title,
             Hint = hint switch { "question" => HintLevel.Question, "symptom" => HintLevel.Symptom, _ => null },
@@ -137,7 +137,7 @@ public static class RubricReader
                 o.Refuse(key, $" must be one of {string.Join(", ", places)} or a word, but is \"{words[i]}\"{Spelling.DidYouMean(words[i], places)}", i);
     }
 
-    private static List<MarkedScene> ReadScenes(SceneObject o, IReadOnlyList<string> files, string folder, IncrementalHash digest, StringBuilder reports)
+    private static List<MarkedScene> ReadScenes(SceneObject o, IReadOnlyList<string> files, string folder, IncrementalHash? digest, StringBuilder reports)
     {
         var scenes = new List<MarkedScene>();
         if (o.Has("scenes") && files.Count == 0 && o.IsSound) o.Refuse("scenes", $" must name at least one scene file");
@@ -145,7 +145,7 @@ public static class RubricReader
         {
             var path = Path.Combine(folder, files[i].Replace('\\', '/'));
             var name = Path.GetFileNameWithoutExtension(path);
-            var reading = SceneReader.Read(path, look: text => digest.AppendData(text));
+            var reading = SceneReader.Read(path, look: text => digest?.AppendData(text));
             reports.Append(reading.Report());
             if (scenes.Exists(other => other.Name == name))
                 o.Refuse("scenes", $" has a second scene that is called {name}: pictures are named after their scenes", i);

@@ -45,7 +45,10 @@ internal sealed class ScenePicture
     /// <summary>The share of its pixels that are wrong.</summary>
     public double WrongShare => (double)evidence.WrongCount / evidence.PixelCount;
 
-    /// <summary>The least share of the picture that tells something: as many pixels as a mistake must change to be seen, or one of those that are looked at.</summary>
+    /// <summary>
+    /// The least share of the picture that tells something: as many pixels as a mistake must change to be seen, or one of those that are looked
+    /// at.
+    /// </summary>
     public double Visible { get; }
 
     /// <summary>The share of the picture that a hypothesis leaves unexplained.</summary>

@@ -33,7 +33,9 @@ internal sealed record Submission(string Folder)
         }
     }
 
-    /// <summary>A number that changes when a file of the submission does, by its name, its length or its time; what building leaves is not counted.</summary>
+    /// <summary>
+    /// A number that changes when a file of the submission does, by its name, its length or its time; what building leaves is not counted.
+    /// </summary>
     public string Digest()
     {
         var text = new StringBuilder();

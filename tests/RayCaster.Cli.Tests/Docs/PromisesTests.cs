@@ -49,11 +49,11 @@ public class PromisesTests
 
     [Fact]
     public void OnlyTheReplacedFileWrites() =>
-        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "WrittenFiles.cs", "HandOutFolder.cs"],
+        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "WrittenFiles.cs", "HandOutFolder.cs", "WorkFolder.cs"],
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 
     [Fact]
-    public void NoNetworkAndNoOtherProgram() => NowhereBut([.. LivePage(), "LiveCommand.cs"], @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
+    public void NoNetworkAndNoOtherProgram() => NowhereBut([.. LivePage(), "LiveCommand.cs", "ProgramRunner.cs"], @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
 
     [Fact]
     public void OnlyNamedVariablesAreRead()

@@ -1,0 +1,122 @@
+namespace RayCaster.Cli.Tests;
+
+/// <summary>Marks and varied scenes by the console app itself.</summary>
+public sealed class MarkTests : IDisposable
+{
+    private readonly RayCasterProcess raycaster = new();
+
+    public void Dispose() => raycaster.Dispose();
+
+    private void WriteRubric(string more)
+    {
+        raycaster.Write("ball.json", File.ReadAllText(ProjectFolder.PathOf("scenes/first.json")).Replace("\"target\"", "\"width\": 60, \"height\": 40, \"target\""));
+        raycaster.Write("rubric.json", $$"""
+            { "title": "A ball", "scenes": ["ball.json"], {{more}} "items": [
+                { "name": "ball", "points": 3, "mistakes": ["far-root"], "undone": ["sphere"] },
+                { "name": "floor", "points": 2, "mistakes": ["plane-sign"], "undone": ["plane"] } ] }
+            """);
+    }
+
+    private string Folder(string student)
+    {
+        Directory.CreateDirectory(raycaster.PathOf(Path.Combine("class", student)));
+        return $"class/{student}/";
+    }
+
+    private string[] Table() => File.ReadAllLines(raycaster.PathOf("marks/marks.csv"));
+
+    [Fact]
+    public void PicturesAreMarkedAndTheStudentsPageHoldsNoAnswer()
+    {
+        WriteRubric("");
+        raycaster.Run("ball.json", "-q", "-o", Folder("anna") + "ball.png");
+        raycaster.Write("empty.json", File.ReadAllText(raycaster.PathOf("ball.json")).Replace("\"sphere\", \"center\": [0, 0, 1]", "\"sphere\", \"center\": [90, 0, 1]"));
+        raycaster.Run("empty.json", "-q", "-o", Folder("=boris") + "ball.ppm");
+        Folder("clara");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "--junit", "marks.xml");
+
+        Assert.Equal(0, raycaster.ExitCode);
+        Assert.Equal("student,points,open,of,ball,floor,look yourself,not drawn yet,mistakes,right pictures", Table()[0]);
+        Assert.Equal("'=boris,2,0,5,0,2,,sphere,,0 of 1", Table()[1]);
+        Assert.Equal("anna,5,0,5,3,2,,,,1 of 1", Table()[2]);
+        Assert.Equal("clara,0,5,5,0?,0?,ball: no picture ball.png,,,0 of 1", Table()[3]);
+        var page = File.ReadAllText(raycaster.PathOf("marks/=boris/feedback.html"));
+        Assert.Contains("Not drawn yet: spheres.", page);
+        Assert.DoesNotContain("http", page); // it needs no network
+        Assert.Contains("<failure message=\"0 of 3 points. Not drawn yet: spheres.\" />", File.ReadAllText(raycaster.PathOf("marks.xml")));
+        Assert.Contains("=boris", File.ReadAllText(raycaster.PathOf("marks/class.html")));
+    }
+
+    [Fact]
+    public void HostileProgramsAreRows()
+    {
+        if (OperatingSystem.IsWindows()) return; // the programs are scripts of a POSIX shell
+        WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], "timeLimit": 2, "outputLimit": 1, """);
+        void Write(string student, string script) => raycaster.Write(Folder(student) + "draw.sh", script);
+        Write("crashes", "kill -SEGV $$");
+        Write("hangs", "sleep 100");
+        Write("jpeg", @"printf '\377\330\377\340JFIF' > ""$2""");
+        Write("link", "ln -s /dev/zero \"$2\"");
+        Write("nothing", "echo I cannot");
+        Write("pipe", "mkfifo \"$2\"");
+        Write("prints", "while :; do echo aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa; done");
+        Write("right", $"'{RayCasterProcess.App}' \"$1\" -q -o \"$2\"");
+        Write("size", $"'{RayCasterProcess.App}' \"$1\" -q -s 7x5 -o \"$2\"");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "-t", "2");
+
+        Assert.Equal(("", 0), (raycaster.Error, raycaster.ExitCode));
+        string[] rows = Table();
+        Assert.Equal(10, rows.Length);
+        Assert.Contains("crashed", rows[1]);
+        Assert.Contains("out of time after 2 s", rows[2]);
+        Assert.Contains("it is a JPEG", rows[3]);
+        Assert.Contains("a link to another file", rows[4]);
+        Assert.Contains("it wrote no picture; it printed: I cannot", rows[5]);
+        Assert.Contains("the picture file is empty", rows[6]);
+        Assert.Matches("printed more than 1 MB|out of time", rows[7]);
+        Assert.Matches("right,5,0,5|out of time", rows[8]); // two seconds are little on a machine that has much else to do
+        Assert.Matches("the picture is 7 x 5, not 60 x 40 pixels|out of time", rows[9]);
+    }
+
+    [Fact]
+    public void WithResumeOnlyWhatHasChangedIsMarkedAnew()
+    {
+        WriteRubric("");
+        raycaster.Run("ball.json", "-q", "-o", Folder("anna") + "ball.png");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
+        var page = raycaster.PathOf("marks/anna/feedback.html");
+        File.Delete(page);
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "--resume");
+        Assert.False(File.Exists(page));
+        raycaster.Write("class/anna/note.txt", "changed");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "--resume");
+        Assert.True(File.Exists(page));
+    }
+
+    [Fact]
+    public void ARubricWithAnErrorIsToldWithItsPlace()
+    {
+        WriteRubric("\"tiemLimit\": 3,");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
+        Assert.Equal(1, raycaster.ExitCode);
+        Assert.StartsWith("rubric.json(1,47): error: tiemLimit is an unknown key; did you mean \"timeLimit\"?\n", raycaster.Error);
+    }
+
+    [Fact]
+    public void ASceneIsVariedAndItsMeshesStayWhereTheyAre()
+    {
+        var scene = ProjectFolder.PathOf("scenes/weeks/1-planes.json");
+        raycaster.Run("vary", scene, "--seed", "12345", "-o", "mine.json");
+        Assert.Equal(0, raycaster.ExitCode);
+        Assert.NotEqual(File.ReadAllText(scene), File.ReadAllText(raycaster.PathOf("mine.json")));
+        raycaster.Run("vary", ProjectFolder.PathOf("scenes/mesh.json"), "--seed", "12345", "-o", "mine.json");
+        Assert.Contains("names mesh files, whose paths start at its folder", raycaster.Error);
+    }
+
+    [Fact]
+    public void HelpGroupsTheCommands()
+    {
+        raycaster.Run("help");
+        Assert.Matches("(?s)For students:.*diagnose.*For teachers:.*handout.*mark.*vary.*check.*For large pictures and many:.*stitch", raycaster.OutputText);
+    }
+}

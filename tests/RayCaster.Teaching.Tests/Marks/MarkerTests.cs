@@ -1,0 +1,84 @@
+using RayCaster.Teaching.Tests.Mistakes;
+using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
+
+namespace RayCaster.Teaching.Tests.Marks;
+
+/// <summary>Points for pictures that <see cref="SlideCaster"/> draws, which shares no formula with the library.</summary>
+public class MarkerTests
+{
+    private static readonly Rubric rubric = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
+
+    private static StudentMarks Mark(Func<Scene, Picture?> draw) => new Marker(rubric).Mark("somebody", "",
+        [.. rubric.Scenes.Select(scene => draw(scene.Scene) is { } picture ? new SubmittedPicture(scene, picture, null) : new(scene, null, "no picture"))]);
+
+    private static StudentMarks Mark(string mistake, string second = "ok", Undone undone = Undone.Nothing) => Mark(scene =>
+        SlideCaster.Render(scene.Without(undone), Manner.OfTheSlides, Named(mistake), Named(second)));
+
+    private static Planted Named(string id) => id == "ok" ? Planted.None : Planted.Named(id);
+
+    private static string[] Lost(StudentMarks marks) => [.. marks.Items.Where(item => item.Points < item.Of).Select(item => item.Name.Split(' ')[0])];
+
+    [Fact]
+    public void ARightProgramGetsAllPoints()
+    {
+        var marks = Mark("ok");
+        Assert.Equal((20.0, 0.0), (marks.Points, marks.Open));
+        Assert.Empty(marks.LookYourself);
+    }
+
+    [Theory]
+    [InlineData("r-nosq", "ok", "8")]
+    [InlineData("rad", "ok", "4")] // follow-through: all shapes are elsewhere, and only the camera costs
+    [InlineData("near-root-only", "ok", "8")] // shows in one scene only
+    [InlineData("v-cross", "ok", "4")]
+    [InlineData("aspect-inv", "circ-nosq", "4 9")]
+    [InlineData("att-no2", "plane-cull", "3 5")]
+    public void AMistakeCostsItsOwnItemAndNoOther(string mistake, string second, string lost)
+    {
+        var marks = Mark(mistake, second);
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
+    }
+
+    [Theory]
+    [InlineData("ok", Undone.Triangle | Undone.Circle, "9 10")]
+    [InlineData("ok", Undone.Triangle | Undone.Circle | Undone.Sphere | Undone.Aabb, "7 8 9 10")]
+    [InlineData("u-cross", Undone.Triangle | Undone.Circle | Undone.Sphere, "4 8 9 10")]
+    public void WhatIsNotDrawnYetCostsItsItems(string mistake, Undone undone, string lost)
+    {
+        var marks = Mark(mistake, undone: undone);
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
+        Assert.Equal(undone.InWords(), marks.NotDrawn);
+    }
+
+    [Fact]
+    public void WhatNothingExplainsIsOpenAndFlaggedAndNotLost()
+    {
+        var random = new Random(1);
+        var marks = Mark(scene =>
+        {
+            var noise = new Picture(scene.Camera.Width, scene.Camera.Height);
+            random.NextBytes(noise.Rgb);
+            return noise;
+        });
+        Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
+        Assert.Empty(marks.Mistakes);
+        Assert.Equal(7, marks.LookYourself.Count);
+    }
+
+    [Fact]
+    public void WherePicturesAreMissingOnlyWhatTheOthersTellIsGiven()
+    {
+        var marks = Mark(scene => scene == rubric.Scenes[0].Scene ? ScalarRenderer.Render(scene) : null);
+        Assert.Equal((0.0, 2.0), (marks.Items[7].Points, marks.Items[7].Open)); // no sphere is in the only picture
+        Assert.Equal((2.0, 0.0), (marks.Items[2].Points, marks.Items[2].Open)); // planes are
+        Assert.Single(marks.LookYourself);
+    }
+
+    [Fact]
+    public void PicturesOfOneColourTellNothing()
+    {
+        var marks = Mark(scene => new Picture(scene.Camera.Width, scene.Camera.Height));
+        Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
+        Assert.Equal("all pictures are of one colour: many things make them so", Assert.Single(marks.LookYourself));
+    }
+}

@@ -1,0 +1,61 @@
+using System.Diagnostics;
+
+namespace RayCaster.Teaching.Tests.Marks;
+
+/// <summary>Programs that go too far, as scripts of a POSIX shell; each with what the machine has to contain it, and without.</summary>
+public sealed class ProgramRunnerTests : IDisposable
+{
+    private static readonly ProgramLimits limits = new(TimeSpan.FromSeconds(2), default, 1_000_000, 500_000_000, 40, false);
+
+    private readonly TemporaryFolder folder = new();
+
+    public static TheoryData<bool> Contained => OperatingSystem.IsWindows() ? [] : [true, false];
+
+    public void Dispose() => folder.Dispose();
+
+    private ProgramRun Run(bool isContained, string script, ProgramLimits? other = null) =>
+        new ProgramRunner(isContained ? Containment.Here : Containment.None).Run(["sh", "-c", script], folder.Path, other ?? limits, (other ?? limits).Time, default);
+
+    [Theory]
+    [MemberData(nameof(Contained))]
+    public void AnExitCodeAndWhatIsPrintedAreTold(bool isContained)
+    {
+        var generous = limits with { Time = TimeSpan.FromMinutes(1) };
+        Assert.Equal(new ProgramRun(ProgramEnd.Exited, 3, "so far\nand no further"), Run(isContained, "echo so far; echo and no further >&2; exit 3", generous));
+    }
+
+    [Theory]
+    [MemberData(nameof(Contained))]
+    public void AProgramThatNeverEndsIsEndedWithItsChildren(bool isContained)
+    {
+        var start = Stopwatch.GetTimestamp();
+        // The child has left its parent and heeds no polite signal; it would write the file after a few seconds.
+        var run = Run(isContained, "(trap '' TERM HUP INT; sleep 5; touch alive) & (trap '' HUP; setsid sleep 60 2>/dev/null) & sleep 100");
+        Assert.Equal(ProgramEnd.OutOfTime, run.End);
+        Assert.InRange(Stopwatch.GetElapsedTime(start).TotalSeconds, 1.9, 60);
+        Thread.Sleep(TimeSpan.FromSeconds(4));
+        Assert.DoesNotContain("alive", folder.Names);
+    }
+
+    [Theory]
+    [MemberData(nameof(Contained))]
+    public void AProgramThatPrintsWithoutEndIsEnded(bool isContained) =>
+        Assert.Equal(ProgramEnd.TooMuchOutput, Run(isContained, "while :; do echo aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa; done", limits with { Time = TimeSpan.FromMinutes(2) }).End);
+
+    /// <remarks>It multiplies to 256 processes at most, which end by themselves, lest a test that fails take the machine with it.</remarks>
+    [Theory]
+    [MemberData(nameof(Contained))]
+    public void AProgramThatMultipliesIsEnded(bool isContained)
+    {
+        if (!OperatingSystem.IsLinux()) return; // elsewhere the number is not known
+        var run = Run(isContained, "b() { if [ $1 -gt 0 ]; then b $(($1-1)) & b $(($1-1)) & fi; sleep 20; }; b 7", limits with { Time = TimeSpan.FromMinutes(1) });
+        Assert.Equal(ProgramEnd.TooManyProcesses, run.End);
+    }
+
+    [Fact]
+    public void AProgramThatIsNotThereIsTold()
+    {
+        var run = new ProgramRunner(Containment.None).Run([folder["no such program"]], folder.Path, limits, limits.Time, default);
+        Assert.Equal(ProgramEnd.NotStarted, run.End);
+    }
+}

@@ -1,0 +1,58 @@
+namespace RayCaster.Teaching.Tests.Marks;
+
+public sealed class RubricReaderTests : IDisposable
+{
+    private readonly TemporaryFolder folder = new();
+
+    public RubricReaderTests() => folder.Write("room.json", File.ReadAllText(ProjectFolder.PathOf("scenes/first.json")));
+
+    public void Dispose() => folder.Dispose();
+
+    private Rubric? Read(string text, out string report) => RubricReader.Read(folder.Write("rubric.json", text), out report);
+
+    private string ErrorOf(string text)
+    {
+        Assert.Null(Read(text, out var report));
+        return report.Split('\n')[0].Replace(folder.Path + Path.DirectorySeparatorChar, "");
+    }
+
+    [Fact]
+    public void TheRubricOfTheTenStepsHasNoErrorAndTenItems()
+    {
+        var rubric = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out var report);
+        Assert.Equal("", report);
+        Assert.Equal((10, 20.0, 7), (rubric!.Items.Count, rubric.Points, rubric.Scenes.Count));
+    }
+
+    [Fact]
+    public void TheSchemaOfRubricsSaysWhatTheReaderReads()
+    {
+        var (file, schema) = (ProjectFolder.PathOf("docs/rubric.schema.json"), RubricSchema.Write());
+        if (Environment.GetEnvironmentVariable("RAYCASTER_ACCEPT") == "1") File.WriteAllText(file, schema);
+        Assert.True(File.Exists(file) && File.ReadAllText(file).ReplaceLineEndings("\n") == schema,
+            $"{file} is not what the reader says; RAYCASTER_ACCEPT=1 dotnet test --filter {nameof(RubricReaderTests)} writes it anew");
+    }
+
+    [Fact]
+    public void WhatIsLeftOutHasADefault()
+    {
+        var rubric = Read("""{ "scenes": ["room.json"], "items": [{ "name": "all", "points": 3, "mistakes": ["r-nosq"] }] }""", out var report);
+        Assert.Equal("", report);
+        Assert.Equal(("Marks", HintLevel.Question, "{name}.png"), (rubric!.Title, rubric.Hint, rubric.Source.Pictures));
+        Assert.Equal(3, rubric.Items[0].Each);
+    }
+
+    [Theory]
+    [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["r-nosqr"] }] }""",
+        "rubric.json(1,79): error: items[0].mistakes[0] must be the id of a known mistake, but is \"r-nosqr\"; did you mean \"r-nosq\"?")]
+    [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "undone": ["spere"] }] }""",
+        "rubric.json(1,77): error: items[0].undone[0] must be one of plane, sphere, aabb, circle, triangle, attenuation, clipping, but is \"spere\"; did you mean \"sphere\"?")]
+    [InlineData("""{ "scenes": ["rom.json"], "items": [{ "name": "a", "points": 1 }] }""",
+        "rubric.json(1,14): error: scenes[0] cannot be used: rom.json has errors")]
+    [InlineData("""{ "scenes": ["room.json"], "items": [] }""", "rubric.json(1,37): error: items must hold at least one item")]
+    [InlineData("""{ "scenes": ["room.json"], "run": ["draw", "{scene}"], "items": [{ "name": "a", "points": 1 }] }""",
+        "rubric.json(1,35): error: run must say where {out} goes")]
+    [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["rad"] }, { "name": "b", "points": 1, "mistakes": ["rad"] }] }""",
+        "rubric.json(1,130): error: items[1].mistakes[0] is rad, which costs points of \"a\" already: a mistake belongs to one item")]
+    public void AnErrorIsToldWithItsPlaceAndTheWayOut(string text, string error) => Assert.Equal(error, ErrorOf(text));
+}
