@@ -37,9 +37,9 @@ public sealed class Renderer(Scene scene, int? threads = null)
         var shader = frame.Shader; // made before other threads need it
         Cast(frame, () =>
         {
-            var sink = new PictureSink(shader, picture.Width);
-            sink.Enter(picture.Rgb, picture.Height - 1);
-            return sink;
+            var consumer = new PictureConsumer(shader, picture.Width);
+            consumer.Enter(picture.Rgb, picture.Height - 1);
+            return consumer;
         });
     }
 
@@ -81,18 +81,18 @@ public sealed class Renderer(Scene scene, int? threads = null)
     }
 
     /// <summary>Casts all rays; this thread is one of those that do.</summary>
-    private void Cast(Frame frame, Func<ISpanSink> newSink)
+    private void Cast(Frame frame, Func<IHitConsumer> newSink)
     {
         var (across, up) = (Tile.StripsOf(camera.Width), Tile.TilesOf(camera.Height));
         var workers = Math.Min(threadCount, across * up);
         var next = -1;
-        Workers.Each(workers, workers, _ =>
+        ThreadTeam.Each(workers, workers, _ =>
         {
-            var (caster, sink) = (frame.NewCaster(isPlain: false), newSink());
+            var (caster, consumer) = (frame.NewCaster(isPlain: false), newSink());
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
                 var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
-                caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), sink);
+                caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), consumer);
             }
         });
     }

@@ -15,7 +15,7 @@ internal sealed class Bins<T> where T : struct
     /// <param name="count">How many places there are.</param>
     /// <param name="lists">What to sort; the lists are emptied.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public Bins(int count, GrowingArray<(int Place, T Thing)>[] lists)
+    public Bins(int count, PooledList<(int Place, T Thing)>[] lists)
     {
         starts = new int[count + 2]; // while it is filled, place p's next free slot is at p + 1
         var total = 0;

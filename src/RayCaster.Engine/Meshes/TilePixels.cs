@@ -18,7 +18,7 @@ internal sealed class TilePixels(Vector3[] vertices, int[] indices)
 
     private const int QueueLength = 1 << 14;
 
-    private readonly Twins twins = new(vertices, indices);
+    private readonly Duplicates twins = new(vertices, indices);
 
     /// <summary>A hit with at least this w is sure; 0 for none.</summary>
     public float[] Covered { get; } = new float[Size];
@@ -36,7 +36,7 @@ internal sealed class TilePixels(Vector3[] vertices, int[] indices)
     public bool HasDecided { get; private set; }
 
     /// <summary>Pixels and triangles that wait for the formula.</summary>
-    public GrowingArray<(int Pixel, int Triangle, float MostW)> Queue { get; } = new();
+    public PooledList<(int Pixel, int Triangle, float MostW)> Queue { get; } = new();
 
     /// <summary>Whether so many wait that the formula should decide about them now.</summary>
     public bool IsFull => Queue.Count > QueueLength;

@@ -26,7 +26,7 @@ internal static class TriangleSetUp
 
     /// <summary>Fills the fields for eight triangles and returns a bit for each that may show in the tile.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public static uint Of(WaitingTriangles triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
+    public static uint Of(TriangleQueue triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
     {
         var t = triangles.See(first);
         Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;

@@ -52,14 +52,14 @@ public sealed class TriangleTree
 
     /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel, or NaN; a hit beyond the nearest one so far does not count.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
-    internal N Nearest<N>(RaySpan span, int pixel) where N : struct, IPacket<N>
+    internal N Nearest<N>(RayStream rays, int pixel) where N : struct, IPacket<N>
     {
-        var (best, hit) = (span.NearestAt<N>(pixel), Lanes.Broadcast<N>(double.NaN));
+        var (best, hit) = (rays.NearestAt<N>(pixel), Lanes.Broadcast<N>(double.NaN));
         if (nodes.Length == 0) return hit;
 
-        var ray = span.RaysAt<N>(pixel);
+        var ray = rays.RaysAt<N>(pixel);
         var along = new AlongRay<N>(ray);
-        var (origin, ahead) = (span.Origin, span.DirectionAt(pixel));
+        var (origin, ahead) = (rays.Origin, rays.DirectionAt(pixel));
         var test = new BoundsTest<N>(ray.Direction);
 
         Span<int> stack = stackalloc int[depth + 1];
@@ -82,7 +82,7 @@ public sealed class TriangleTree
             {
                 var corner = 3 * order[i];
                 var triangle = new Triangle(vertices[indices[corner]], vertices[indices[corner + 1]], vertices[indices[corner + 2]]);
-                var t = span.First(pixel, triangle.Cross(along));
+                var t = rays.First(pixel, triangle.Cross(along));
                 var nearer = t < best;
                 best = N.Select(nearer, t, best);
                 hit = N.Select(nearer, t, hit);

@@ -28,7 +28,7 @@ internal abstract class Frame : IDisposable
     public Scene Scene { get; }
 
     /// <summary>Turns hits into bytes; made when it is first needed.</summary>
-    public SpanShader Shader => field ??= new(Scene, IsLong);
+    public HitShader Shader => field ??= new(Scene, IsLong);
 
     /// <summary>A frame that computes with the widest packets that the machine has: everything above and below follows this choice.</summary>
     /// <param name="scene">The scene.</param>
@@ -43,7 +43,7 @@ internal abstract class Frame : IDisposable
     public abstract IStripCaster NewCaster(bool isPlain);
 
     /// <summary>A thread's consumer that writes hits into a map.</summary>
-    public abstract ISpanSink HitsInto(HitMap map);
+    public abstract IHitConsumer HitsInto(HitMap map);
 
     /// <summary>Gives rented memory back when the picture is done.</summary>
     public abstract void Dispose();
