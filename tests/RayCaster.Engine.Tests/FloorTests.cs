@@ -35,7 +35,7 @@ public partial class FloorTests
 
     [Fact]
     public void AWordInACommentOrAStringNamesNothing() =>
-        Assert.Equal("  class A\n\n{ _ =  ; }", CommentOrString().Replace("/* B */ class A // C\n\n{ _ = \"D\"; }", match => match.Value[0] == '/' ? " " : ""));
+        Assert.Equal("  class A  \n\n{ _ = ; }", CommentOrString().Replace("/* B */ class A // C\n\n{ _ = \"D\"; }", match => match.Value[0] == '/' ? " " : ""));
 
     private static int FloorOf(string folder) => Array.FindIndex(floors, floor => floor.Contains(folder));
 
