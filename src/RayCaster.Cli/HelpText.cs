@@ -21,6 +21,7 @@ internal static class HelpText
           raycaster <command> ...
 
         For students:
+          live <scene>                     Opens a page that follows the scene file.
           diagnose <scene> <mine>          Says which mistake makes a wrong picture.
           compare <mine> <reference>       Says whether two pictures are the same, and where not.
           explain <scene> <column> <line>  Shows how one pixel gets its colour.

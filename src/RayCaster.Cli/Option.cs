@@ -25,6 +25,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Hint = new("--hint");
     public static readonly Option JUnit = new("--junit");
     public static readonly Option Seed = new("--seed");
+    public static readonly Option Mine = new("--mine");
+    public static readonly Option Port = new("--port");
     public static readonly Option Ledger = new("--ledger", takesValue: false);
     public static readonly Option Plain = new("--plain", takesValue: false);
     public static readonly Option Preview = new("--preview", takesValue: false);
@@ -34,6 +36,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Solution = new("--solution", takesValue: false);
     public static readonly Option Quiet = new("--quiet", "-q", takesValue: false);
     public static readonly Option NoProgress = new("--no-progress", takesValue: false);
+    public static readonly Option NoBrowser = new("--no-browser", takesValue: false);
     public static readonly Option Version = new("--version", takesValue: false);
     public static readonly Option Help = new("--help", "-h", takesValue: false);
 
@@ -41,8 +44,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option[] All =
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
-        Threads, Map, Color, Scene, Reference, Hint, Open, Solution, JUnit, Seed,
-        Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, Version, Help,
+        Threads, Map, Color, Scene, Reference, Hint, Open, Solution, JUnit, Seed, Mine, Port,
+        Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, NoBrowser, Version, Help,
     ];
 
     /// <summary>What it is called, with two dashes.</summary>

@@ -19,6 +19,7 @@ internal sealed class LiveServer : IAsyncDisposable
     private readonly CancellationTokenSource end = new();
     private readonly Gate gate;
     private readonly WebApplication app;
+    private int warmed;
 
     private LiveServer(LiveScene scene, MinePicture mine, int port, bool hasVersion6)
     {
@@ -76,6 +77,12 @@ internal sealed class LiveServer : IAsyncDisposable
         _ = server.Scene.FollowAsync();
         _ = server.Mine.FollowAsync();
         return server;
+    }
+
+    /// <summary>Prepares for a camera that moves, once there is something to look at.</summary>
+    public void FirstPictureSent(Scene scene)
+    {
+        if (Interlocked.Exchange(ref warmed, 1) == 0) Studio.WarmUp(scene);
     }
 
     public async ValueTask DisposeAsync()

@@ -1,8 +1,14 @@
+using System.Diagnostics;
+
 namespace RayCaster.Live;
 
 /// <summary>Draws for all pages, one picture after another: each takes every core. What several pages look at is drawn once.</summary>
 internal sealed class Studio
 {
+    private const int MostRehearsals = 60;
+
+    private static readonly TimeSpan LongestWarmUp = TimeSpan.FromSeconds(2);
+
     private readonly SemaphoreSlim turn = new(1, 1);
     private (SceneState? State, View? View, Frame? Frame) last;
 
@@ -41,6 +47,24 @@ internal sealed class Studio
         {
             turn.Release();
         }
+    }
+
+    /// <summary>Draws what nobody sees, so that the runtime has optimised what draws before somebody turns the camera. Others go first.</summary>
+    public void WarmUp(Scene scene)
+    {
+        new Thread(() =>
+        {
+            var buffer = new MovingBuffer();
+            var view = new View(Divisor: 4).Of(scene);
+            for (var (i, start) = (0, Stopwatch.GetTimestamp()); i < MostRehearsals && Stopwatch.GetElapsedTime(start) < LongestWarmUp; i++)
+            {
+                Thread.Sleep(2);
+                turn.Wait();
+                buffer.Draw(view);
+                turn.Release();
+            }
+        })
+        { IsBackground = true, Priority = ThreadPriority.Lowest, Name = "warm-up" }.Start();
     }
 
     /// <summary>Does other work that takes all cores.</summary>

@@ -128,6 +128,7 @@ internal sealed partial class Tab
                 ? await server.Studio.DrawAsync(wanted.Of(state.Scene!), buffer, end.Token)
                 : await server.Studio.DrawAsync(state, wanted, Outdated());
             await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
+            server.FirstPictureSent(state.Scene!);
         }
         catch (OperationCanceledException)
         {

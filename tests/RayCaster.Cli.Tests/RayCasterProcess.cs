@@ -55,10 +55,17 @@ internal sealed class RayCasterProcess : IDisposable
     /// <summary>Sends a signal as the shell's <c>kill</c> does, and returns the exit code.</summary>
     public static int Kill(Process process, string signal)
     {
-        using (var kill = Process.Start("kill", ["-" + signal, $"{process.Id}"])) kill.WaitForExit();
+        Send(process, signal);
         if (process.WaitForExit(TimeSpan.FromSeconds(20))) return process.ExitCode;
         process.Kill();
         throw new TimeoutException($"the process does not heed SIG{signal}");
+    }
+
+    /// <summary>Sends a signal as the shell's <c>kill</c> does.</summary>
+    public static void Send(Process process, string signal)
+    {
+        using var kill = Process.Start("kill", ["-" + signal, $"{process.Id}"]);
+        kill.WaitForExit();
     }
 
     private RayCasterProcess Finish(Process process, string input)

@@ -238,12 +238,13 @@ internal sealed class SceneObject
     private void RefuseUnknownKeys(SceneDocument document, IEnumerable<string> allowed)
     {
         asked.AddRange(allowed);
-        var refused = new HashSet<string>(); // each once, though it may be there twice
-        foreach (var key in json.Keys)
+        var places = new Dictionary<string, JsonValue>(); // each key once, though it may be there twice
+        foreach (var key in json.Keys) places.TryAdd(key.Text, key);
+        var free = asked.FindAll(known => !places.ContainsKey(known)); // once for all unknown keys: there may be as many as there are bytes
+        foreach (var (name, key) in places)
         {
             if (document.IsHopeless) return;
-            if (asked.Contains(key.Text) || !refused.Add(key.Text)) continue;
-            Report(true, key, PathOf(Shown(key.Text)), " is an unknown key" + RightKey(key.Text));
+            if (!asked.Contains(name)) Report(true, key, PathOf(Shown(name)), " is an unknown key" + RightKey(name, free, places));
         }
     }
 
@@ -259,14 +260,13 @@ internal sealed class SceneObject
     }
 
     /// <summary>A key that may be anything, fit for a message.</summary>
-    private static string Shown(string key) => SourceText.Printable(key.Length > 60 ? key[..60] + "…" : key);
+    private static string Shown(string key) => PrintableText.Of(key.Length > 60 ? key[..60] + "…" : key);
 
     /// <summary>Which key somebody may have meant: first of those that are missing, then of those that are there already.</summary>
-    private string RightKey(string wrong)
+    private string RightKey(string wrong, List<string> free, Dictionary<string, JsonValue> places)
     {
-        var free = asked.FindAll(known => !Has(known));
         if (Spelling.DidYouMean(wrong, free) is { Length: > 0 } help) return help;
-        if (Spelling.Nearest(wrong, asked) is { } near && json.FindKey(near) is { } there)
+        if (Spelling.Nearest(wrong, asked) is { } near && places.TryGetValue(near, out var there))
             return $"; \"{near}\" is already there, in line {document!.Text.LineOf(there.Start)}";
         return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
     }

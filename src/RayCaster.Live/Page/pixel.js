@@ -74,8 +74,10 @@ function steps(list) {
   if (list.length === 0) return make("p", {}, "It has no formula in steps.");
   return make("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Formula with its numbers" }, make("table", {}, make("tbody", {}, ...list.map(step => {
     const value = typeof step.value === "boolean" ? `is ${step.value}` : `= ${digits(step.value)}`;
-    const numbers = step.numbers === step.formula ? null : make("div", { class: "numbers" }, `= ${step.numbers}`);
-    return make("tr", {}, make("th", { scope: "row" }, step.name), make("td", {}, make("div", { class: "formula" }, `= ${step.formula}`), numbers), make("td", { class: "value" }, value));
+    const plain = typeof step.value === "boolean" ? "" : digits(step.value);
+    const numbers = step.numbers === step.formula || step.numbers === plain ? null : make("div", { class: "numbers" }, `= ${step.numbers}`);
+    return make("tr", {}, make("th", { scope: "row" }, step.name), make("td", {},
+      make("div", { class: "formula" }, `= ${step.formula}`), numbers, make("div", { class: "value" }, value)));
   }))));
 }
 

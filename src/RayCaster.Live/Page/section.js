@@ -18,6 +18,7 @@ export function section(plane, pixel) {
   }
   for (const model of plane.models) {
     const path = model.lines.map(line => line.map(([u, v], i) => `${i ? "L" : "M"}${x(u).toFixed(1)} ${y(v).toFixed(1)}`).join("")).join("");
+    drawing.append(svg("path", { class: "halo", d: path }));
     const outline = svg("path", { class: "shape", d: path });
     outline.style.stroke = model.color;
     outline.append(svg("title", {}, model.name));

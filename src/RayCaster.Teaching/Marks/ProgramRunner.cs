@@ -139,7 +139,7 @@ internal sealed class ProgramRunner(Containment containment)
         {
             get
             {
-                lock (text) return SourceText.Printable(text.ToString().ReplaceLineEndings("\t")).Replace('\t', '\n').Trim();
+                lock (text) return PrintableText.Of(text.ToString().ReplaceLineEndings("\t")).Replace('\t', '\n').Trim();
             }
         }
 

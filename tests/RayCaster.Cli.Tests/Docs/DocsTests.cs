@@ -7,7 +7,7 @@ public class DocsTests
 {
     public static TheoryData<string> Documents => new(new[] { "README.md" }
         .Concat(Directory.GetFiles(ProjectFolder.PathOf("docs"), "*.md").Select(path => "docs/" + Path.GetFileName(path)))
-        .Append("tests/References/README.md"));
+        .Concat(["CONTRIBUTING.md", "tests/References/README.md", "tests/Campaigns/README.md"]));
 
     [Theory]
     [MemberData(nameof(Documents))]

@@ -4,6 +4,7 @@ namespace RayCaster.Cli.Tests.Fuzzing;
 public class EndlessSceneTests
 {
     [Theory]
+    [Trait("kind", "campaign")]
     [InlineData("-")]
     [InlineData("/dev/zero")]
     public void AnEndlessSceneIsReadUpToTheLimit(string scene)

@@ -11,6 +11,7 @@ public sealed class ProcessTests : IDisposable
     public void Dispose() => raycaster.Dispose();
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void SpoiltScenesMeshesAndPictures()
     {
         foreach (var mesh in Directory.GetFiles(Corpus.SceneFolder, "*.obj")) File.Copy(mesh, raycaster.PathOf(Path.GetFileName(mesh)));
@@ -42,6 +43,7 @@ public sealed class ProcessTests : IDisposable
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void OddCommandLines()
     {
         raycaster.Write("scene.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0], "width": 9, "height": 9 }, "models": [] }""");

@@ -6,9 +6,11 @@ namespace RayCaster.Engine.Tests.Rendering;
 public class SpoiltFilesTests
 {
     [Fact]
+    [Trait("kind", "campaign")]
     public void SpoiltScenesAreDrawn() => Campaign.Run("drawn-scene", 1000, random => new Mutation(random, Corpus.Scenes).Next(), DrawScene);
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void SpoiltMeshesAreDrawn() => Campaign.Run("drawn-mesh", 1000, random => new Mutation(random, Corpus.Meshes).Next(), DrawMesh);
 
     private static void DrawScene(SeedFile file)

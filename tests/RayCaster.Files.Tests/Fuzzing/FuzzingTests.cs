@@ -8,16 +8,20 @@ public class FuzzingTests
     public static TheoryData<string> KeptFiles => [.. Corpus.KeptFiles(".json", ".obj", ".ply", ".stl", ".png", ".pbm", ".pgm", ".ppm").Select(file => file.Name)];
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void SpoiltScenesDoNoHarm() => Campaign.Run("scene", 3000, random => new Mutation(random, Corpus.Scenes).Next(), Reading.OfScene);
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void SpoiltMeshesDoNoHarm() => Campaign.Run("mesh", 5000, random => new Mutation(random, Corpus.Meshes).Next(), Reading.OfMesh);
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void SpoiltPicturesDoNoHarm() => Campaign.Run("picture", 5000, random => new Mutation(random, Corpus.Pictures).Next(), Reading.OfPicture);
 
     /// <summary>What is always refused at its first byte tries nothing.</summary>
     [Fact]
+    [Trait("kind", "campaign")]
     public void ManySpoiltFilesAreStillRead()
     {
         Assert.InRange(Read(Corpus.Scenes, file => SceneReader.Parse(file.Bytes, "x", Corpus.SceneFolder).Scene is not null), 50, 950);

@@ -68,6 +68,7 @@ public sealed class HostileSizeTests : IDisposable
         Assert.Contains("UTF-16", SceneReader.Read(Sparse("a.json", SceneReader.MostBytes, "{")).Problems[0].Message); // for its zeros, and rightly
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void AnEndlessMeshIsReadUpToTheLimit()
     {
         if (!File.Exists("/dev/zero")) return; // Windows
@@ -77,6 +78,7 @@ public sealed class HostileSizeTests : IDisposable
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void ALineOfAGigabyteIsRefused()
     {
         var path = Sparse("a.obj", 1 << 30, "v 1 2 ");

@@ -57,6 +57,7 @@ public class FormatsTests
 
     /// <summary>A download may stop at any byte: what is left is refused, or is read where only the end of a number or of the last line is missing.</summary>
     [Fact]
+    [Trait("kind", "campaign")]
     public void EveryPrefixOfAFileIsReadOrRefused()
     {
         var cube = MeshGenerator.Cube(1.25);

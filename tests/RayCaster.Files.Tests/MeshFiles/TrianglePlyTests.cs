@@ -29,6 +29,7 @@ public class TrianglePlyTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void WithAnyByteChangedItIsTheLongWaysAnswerOrNone()
     {
         var (random, right, read) = (new Random(1), MeshWriter.PlyFloat(mesh), 0);

@@ -137,6 +137,7 @@ public class SceneReaderTests
 
     /// <summary>Cuts and spoils good scenes at every byte: a scene or an error, never an exception.</summary>
     [Theory]
+    [Trait("kind", "campaign")]
     [MemberData(nameof(BrokenSceneTests.Good), MemberType = typeof(BrokenSceneTests))]
     public void NoSpoiltByteMakesTheReaderThrow(string scene)
     {

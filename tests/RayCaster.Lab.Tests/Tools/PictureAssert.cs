@@ -18,7 +18,7 @@ public static class PictureAssert
     {
         var (scene, picture) = (Read(sceneFile), PictureFile.Read(reference));
         scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
-        Equal(Path.GetFileNameWithoutExtension(sceneFile), scene, [picture], levels, share);
+        Equal(Path.GetFileNameWithoutExtension(sceneFile), scene, [picture], LabSteps.Count, levels, share);
     }
 
     /// <summary>The lab's picture of what a scene shows after a step is the reference of that step.</summary>
@@ -30,11 +30,11 @@ public static class PictureAssert
             var scene = Read(Path.Combine(LabFolder.Scenes, name + ".json"));
             var references = new List<Picture> { Reference(scene, name, step) };
             if (step == LabSteps.FirstPicture) references.Add(Reference(scene, name, step + 1)); // whoever has written the shading too
-            Equal($"{name.Replace('/', '-')}-step{step}", LabSteps.SceneAt(scene, step), references, 1, 0.01);
+            Equal($"{name.Replace('/', '-')}-step{step}", LabSteps.SceneAt(scene, step), references, step, 1, 0.01);
         }
     }
 
-    private static void Equal(string name, RayCaster.Scene scene, List<Picture> references, int levels, double share)
+    private static void Equal(string name, RayCaster.Scene scene, List<Picture> references, int step, int levels, double share)
     {
         var mine = SceneFile.Of(scene).Draw();
         if (references.Exists(reference => IsEqual(mine, reference, scene, levels, share))) return;
@@ -43,7 +43,7 @@ public static class PictureAssert
         var received = Path.Combine(folder.FullName, name + ".png");
         PictureFile.Write(received, mine);
         PictureFile.Write(Path.Combine(folder.FullName, name + ".expected.png"), references[0]);
-        Assert.Fail($"{Difference(mine, references[0])}\n  yours:    {received}\n  expected: {Path.ChangeExtension(received, ".expected.png")}\n{Hint(mine, scene, received)}");
+        Assert.Fail($"{Difference(mine, references[0])}\n  yours:    {received}\n  expected: {Path.ChangeExtension(received, ".expected.png")}\n{Hint(mine, scene, step)}");
     }
 
     private static bool IsEqual(Picture mine, Picture reference, RayCaster.Scene scene, int levels, double share)
@@ -62,13 +62,18 @@ public static class PictureAssert
         return $"{difference.CountBeyond(0):N0} of {difference.Pixels:N0} pixels differ, {first}";
     }
 
-    /// <summary>What "raycaster diagnose" says of the picture.</summary>
-    private static string Hint(Picture mine, RayCaster.Scene scene, string file)
+    /// <summary>Which mistake makes the picture, as "raycaster diagnose" finds out; told as far as the teacher wants.</summary>
+    private static string Hint(Picture mine, RayCaster.Scene scene, int step)
     {
-        var diagnosis = Diagnosis.Of(scene, mine);
-        return diagnosis.Finding == Finding.Mistake
-            ? DiagnosisReport.Text(diagnosis, Path.GetFileName(file), "the scene", Teacher.Hints)
-            : "None of the known mistakes makes this picture.";
+        var likely = Diagnosis.Of(scene, mine).Suspects.FirstOrDefault();
+        var mistakes = likely?.Mistakes.Where(mistake => step > LabSteps.FirstPicture || mistake.Id != "att-none").ToArray(); // not written yet is no mistake
+        if (mistakes is not { Length: > 0 }) return "None of the known mistakes makes this picture.";
+        return string.Join("\n", mistakes.Select(mistake => Teacher.Hints switch
+        {
+            HintLevel.Symptom => mistake.Hint.Symptom,
+            HintLevel.Question => $"{mistake.Hint.Symptom}\n  Ask yourself: {mistake.Hint.Question}",
+            _ => $"{mistake.Hint.Symptom}\n  {mistake.Cause}\n  {mistake.Hint.Answer}\n  Slide \"{mistake.Slide}\"",
+        }));
     }
 
     private static Picture Reference(RayCaster.Scene scene, string name, int step)

@@ -23,6 +23,7 @@ public class GalleryTests
     }
 
     [Theory]
+    [Trait("kind", "campaign")]
     [MemberData(nameof(Ids))]
     public void ThePictureOfAMistakeIsWhatItDraws(string id)
     {
@@ -31,6 +32,7 @@ public class GalleryTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void TheSheetShowsThemAll() => IsUpToDate(Gallery.SheetFile, Gallery.Sheet(), 0.01);
 
     [Fact]

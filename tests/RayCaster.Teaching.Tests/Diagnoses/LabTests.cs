@@ -8,8 +8,6 @@ public class LabTests
     public static TheoryData<string> Scenes =>
         [.. SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Select(SceneFolder.NameOf)];
 
-    public static TheoryData<string> Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
-
     [Theory]
     [MemberData(nameof(Scenes))]
     public void WithoutAMistakeEveryByteIsTheDefinitions(string name)
@@ -18,11 +16,10 @@ public class LabTests
         Assert.Equal(Renderer.Render(scene).Rgb, new Lab(scene).Render().Rgb); // which is the scalar definition's, to the bit
     }
 
-    [Theory]
-    [MemberData(nameof(Ids))]
-    public void SinglePixelsAreThoseOfTheWholePictureOnAnyThread(string id)
+    [Fact]
+    public void SinglePixelsAreThoseOfTheWholePictureOnAnyThread()
     {
-        var lab = new Lab(SceneFolder.Read(SceneFolder.FileOf("mistakes/portrait")), MistakeCatalog.Named(id)!);
+        var lab = new Lab(SceneFolder.Read(SceneFolder.FileOf("mistakes/portrait")), MistakeCatalog.Named("whswap")!, MistakeCatalog.Named("tri-uv")!);
         var whole = lab.Render();
         Assert.Equal((lab.Width, lab.Height), (whole.Width, whole.Height));
         Parallel.For(0, 300, i =>

@@ -117,6 +117,6 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
     {
         var (right, wrong) = (Tile(), Tile(mistake));
         return (right.Width, right.Height) != (wrong.Width, wrong.Height)
-            || ChangedPixels.Count(right, wrong, MistakeTests.VisibleLevels) >= 0.01 * right.Width * right.Height;
+            || ChangedPixels.Count(right, wrong, MistakeTableTests.VisibleLevels) >= 0.01 * right.Width * right.Height;
     }
 }

@@ -6,6 +6,7 @@ namespace RayCaster.Teaching.Tests.Maps;
 public class SpoiltMapsTests
 {
     [Fact]
+    [Trait("kind", "campaign")]
     public void SpoiltMapsDoNoHarm() => Campaign.Run("map", 2000, random => new Mutation(random, Corpus.Maps).Next(), Read);
 
     /// <summary>The files that once did harm, and some that are made to.</summary>
@@ -16,7 +17,7 @@ public class SpoiltMapsTests
     {
         try
         {
-            Promise.Within(MemoryLimit.OfPicture(file.Bytes.Length, 0), () => PfmFile.Read(new MemoryStream(file.Bytes)));
+            Promise.Within(MemoryLimit.OfPicture(file.Bytes.Length, 0, 0), () => PfmFile.Read(new MemoryStream(file.Bytes)));
         }
         catch (PictureFileException e)
         {

@@ -5,10 +5,14 @@ namespace RayCaster.Teaching.Tests.Mistakes;
 /// <summary>docs/mistakes-table.md tells what each mistake changes; this keeps it true. RAYCASTER_ACCEPT=1 writes it anew.</summary>
 public class MistakeTableTests
 {
+    /// <summary>Differences that the eye sees.</summary>
+    internal const int VisibleLevels = 2;
+
     private static readonly string file = ProjectFolder.PathOf("docs/mistakes-table.md");
     private static readonly string[] scenes = [.. SceneFolder.Files("scenes/mistakes")];
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void TheTableInTheDocsIsTrue()
     {
         var table = Table();
@@ -28,7 +32,7 @@ public class MistakeTableTests
         string Share(int scene, Mistake mistake)
         {
             var camera = read[scene].Camera;
-            var count = ChangedPixels.Count(right[scene], SlideCaster.Render(read[scene], mistake), MistakeTests.VisibleLevels);
+            var count = ChangedPixels.Count(right[scene], SlideCaster.Render(read[scene], mistake), VisibleLevels);
             return count == 0 ? "–" : (100.0 * count / (camera.Width * camera.Height)).ToString("0.0", CultureInfo.InvariantCulture);
         }
         return

@@ -1,0 +1,75 @@
+using System.ComponentModel;
+using System.Diagnostics;
+
+namespace RayCaster.Cli;
+
+/// <summary>Starts the live page, a program of its own: what serves pages would make this one start slower.</summary>
+internal sealed class LiveCommand : Command
+{
+    private const int Glance = 50; // milliseconds
+
+    public override Option[] Options { get; } = [Option.Mine, Option.Port, Option.NoBrowser];
+
+    public override string Help => """
+        Description:
+          Opens a page on this machine that shows a scene's picture and stays in step with the
+          scene file: save, and see it. Drag to turn the camera, click a pixel and read why.
+
+        Usage:
+          raycaster live <scene> [options]
+
+        Options:
+              --mine <file>  A picture (PNG or PPM) of your own program to compare with; when it
+                             is written again, the page follows.
+              --port <n>     Where the page is, 1 to 65535. [default: any that is free]
+              --no-browser   Only prints the address, and opens no browser.
+
+        Example:
+          dotnet run --project src/RayCaster.Cli -- live scenes/first.json
+
+        """;
+
+    /// <exception cref="ProblemException">The other program is not there.</exception>
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var arguments = new List<string> { line.Exactly("<scene>")[0] };
+        foreach (var option in Options)
+            if (line.Has(option))
+                arguments.AddRange(option.TakesValue ? [option.Name, line[option]!] : [option.Name]);
+        using var live = Start(arguments);
+        while (!live.WaitForExit(Glance))
+            if (cancellation.IsCancellationRequested)
+            {
+                live.Kill(entireProcessTree: true); // it keeps nothing that could be lost
+                cancellation.ThrowIfCancellationRequested();
+            }
+        return live.ExitCode;
+    }
+
+    private static Process Start(List<string> arguments)
+    {
+        var name = OperatingSystem.IsWindows() ? "raycaster-live.exe" : "raycaster-live";
+        var beside = Path.Combine(AppContext.BaseDirectory, name);
+        var start = File.Exists(beside) ? new ProcessStartInfo(beside, arguments)
+            : ProjectAbove(AppContext.BaseDirectory) is { } project ? new("dotnet", ["run", "--project", project, "--", .. arguments])
+            : throw new ProblemException($"raycaster: the live page is a program of its own, {name}, which is not in {AppContext.BaseDirectory}\n" +
+                "  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>");
+        try
+        {
+            return Process.Start(start)!;
+        }
+        catch (Win32Exception e)
+        {
+            throw new ProblemException($"raycaster: {start.FileName} cannot be started: {e.Message}");
+        }
+    }
+
+    /// <summary>The project in the clone that this program was built in; null outside of one.</summary>
+    private static string? ProjectAbove(string folder)
+    {
+        for (var parent = new DirectoryInfo(folder); parent is not null; parent = parent.Parent)
+            if (Path.Combine(parent.FullName, "src", "RayCaster.Live") is var project && File.Exists(Path.Combine(project, "RayCaster.Live.csproj")))
+                return project;
+        return null;
+    }
+}

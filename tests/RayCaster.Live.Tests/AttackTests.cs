@@ -1,0 +1,202 @@
+using System.Net;
+using System.Net.Sockets;
+using System.Net.WebSockets;
+using System.Text;
+
+namespace RayCaster.Live.Tests;
+
+/// <summary>What strangers on this machine and other pages in the same browser cannot do.</summary>
+public class AttackTests
+{
+    private static readonly HttpClient client = new(new HttpClientHandler { UseCookies = false, AllowAutoRedirect = false });
+
+    [Theory]
+    [InlineData("/")]
+    [InlineData("/main.js")]
+    [InlineData("/?token=")]
+    [InlineData("/?token=00000000000000000000000000000000")]
+    public async Task WithoutTheTokenNothingIsServed(string path)
+    {
+        await using var page = await LivePage.OpenAsync();
+        var answer = await client.GetAsync(page.Root + path);
+        Assert.Equal(HttpStatusCode.Forbidden, answer.StatusCode);
+        Assert.DoesNotContain(page.Token, await answer.Content.ReadAsStringAsync());
+        Assert.False(answer.Headers.Contains("Set-Cookie"));
+    }
+
+    [Fact]
+    public async Task TheTokenBecomesACookieThatNoScriptReadsAndNoOtherPageSends()
+    {
+        await using var page = await LivePage.OpenAsync();
+        var answer = await client.GetAsync(page.Server.Address);
+        Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
+        var cookie = Assert.Single(answer.Headers.GetValues("Set-Cookie"));
+        Assert.Contains("samesite=strict", cookie);
+        Assert.Contains("httponly", cookie);
+        Assert.Equal(HttpStatusCode.OK, (await SendAsync(page, "/main.js")).StatusCode);
+        Assert.Equal(HttpStatusCode.Forbidden, (await SendAsync(page, "/?token=" + page.Token, ("Cookie", ""), ("Host", "evil.example"))).StatusCode);
+    }
+
+    [Theory]
+    [InlineData("Host", "evil.example")] // DNS rebinding: the name leads here, but it is not ours
+    [InlineData("Host", "127.0.0.1")]
+    [InlineData("Host", "127.0.0.1.evil.example:80")]
+    [InlineData("Origin", "http://evil.example")]
+    [InlineData("Origin", "http://localhost:1")]
+    [InlineData("Origin", "null")]
+    [InlineData("Sec-Fetch-Site", "cross-site")]
+    [InlineData("Sec-Fetch-Site", "same-site")] // another program's page on this machine
+    public async Task OtherPagesAreRefusedEvenWithTheCookie(string header, string value)
+    {
+        await using var page = await LivePage.OpenAsync();
+        Assert.Equal(HttpStatusCode.Forbidden, (await SendAsync(page, "/", (header, value))).StatusCode);
+    }
+
+    [Theory]
+    [InlineData("http://evil.example", true)]
+    [InlineData("http://localhost:1", true)]
+    [InlineData(null, false)]
+    public async Task NoOtherPagesWebSocketIsTaken(string? origin, bool withCookie)
+    {
+        await using var page = await LivePage.OpenAsync();
+        await Assert.ThrowsAsync<WebSocketException>(() => page.ConnectAsync(origin, withCookie));
+    }
+
+    [Theory]
+    [InlineData("/scene.json")]
+    [InlineData("/../scene.json")]
+    [InlineData("/..%2fscene.json")]
+    [InlineData("/%2e%2e/%2e%2e/%2e%2e/%2e%2e/etc/passwd")]
+    [InlineData("/....//....//etc/passwd")]
+    [InlineData("//etc/passwd")]
+    [InlineData("/index.html")]
+    [InlineData("/raycaster-live.dll")]
+    public async Task NoFileOfTheDiskIsServed(string path)
+    {
+        await using var page = await LivePage.OpenAsync();
+        var answer = await RawAsync(page, $"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{page.Server.Port}\r\nCookie: {page.Cookie}\r\nConnection: close\r\n\r\n");
+        Assert.Matches("^HTTP/1.1 (404|400) ", answer);
+    }
+
+    [Fact]
+    public async Task EveryAnswerForbidsWhatIsNotOfThePage()
+    {
+        await using var page = await LivePage.OpenAsync();
+        foreach (var path in new[] { "/", "/main.js", "/nothing" })
+        {
+            var answer = await SendAsync(page, path);
+            var policy = Assert.Single(answer.Headers.GetValues("Content-Security-Policy"));
+            Assert.Contains("default-src 'none'", policy);
+            Assert.Contains("frame-ancestors 'none'", policy);
+            Assert.DoesNotContain("unsafe", policy);
+            Assert.Equal("nosniff", Assert.Single(answer.Headers.GetValues("X-Content-Type-Options")));
+        }
+    }
+
+    [Fact]
+    public async Task ItListensOnNoOtherAddressOfThisMachine()
+    {
+        await using var page = await LivePage.OpenAsync();
+        foreach (var address in (await Dns.GetHostAddressesAsync(Dns.GetHostName())).Where(address => !IPAddress.IsLoopback(address) && address.AddressFamily == AddressFamily.InterNetwork))
+        {
+            using var socket = new Socket(SocketType.Stream, ProtocolType.Tcp);
+            await Assert.ThrowsAnyAsync<SocketException>(() => socket.ConnectAsync(address, page.Server.Port));
+        }
+    }
+
+    [Fact]
+    public async Task AnUploadLargerThanThePictureIsCutOff()
+    {
+        await using var page = await LivePage.OpenAsync();
+        var answer = await PostAsync(page, new byte[12 * 40 * 30 + 65_537]);
+        Assert.Equal(HttpStatusCode.RequestEntityTooLarge, answer.StatusCode);
+    }
+
+    [Fact]
+    public async Task AnUploadThatPromisesAHugePictureIsRefusedByItsHeader()
+    {
+        await using var page = await LivePage.OpenAsync();
+        using var file = new MemoryStream();
+        using (var writer = PictureWriter.Create(PictureFormat.Png, file, 4000, 4000))
+        {
+            for (var line = 0; line < 4000; line++) writer.WriteRows(new byte[12_000]);
+            writer.Finish();
+        }
+        Assert.True(file.Length < 12 * 40 * 30 + 65_536, "the file itself is short enough");
+        var answer = await PostAsync(page, file.ToArray());
+        Assert.Equal(HttpStatusCode.UnprocessableEntity, answer.StatusCode);
+        Assert.Contains("4,000 × 4,000", await answer.Content.ReadAsStringAsync());
+    }
+
+    [Theory]
+    [InlineData("PUT", "/mine")]
+    [InlineData("DELETE", "/")]
+    [InlineData("POST", "/")]
+    [InlineData("POST", "/live")]
+    public async Task NothingElseIsChangedByARequest(string method, string path)
+    {
+        await using var page = await LivePage.OpenAsync();
+        using var request = new HttpRequestMessage(new(method), page.Root + path) { Content = new ByteArrayContent([]) };
+        request.Headers.Add("Cookie", page.Cookie);
+        request.Headers.Add("Origin", page.Root);
+        Assert.Equal(HttpStatusCode.MethodNotAllowed, (await client.SendAsync(request)).StatusCode);
+        Assert.Equal(["scene.json"], page.Folder.Names);
+    }
+
+    [Theory]
+    [InlineData("nonsense")]
+    [InlineData("[]")]
+    [InlineData("""{"turn":[1e999,0]}""")]
+    [InlineData("""{"turn":[]}""")]
+    [InlineData("""{"camera":{"position":[0,0,0]}}""")]
+    [InlineData("""{"open":"/etc/passwd"}""")]
+    [InlineData("""{"look":["sideways",1]}""")]
+    public async Task WhatThePageNeverSaysEndsTheLineAndNothingElse(string words)
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        await page.AskAsync(words);
+        await Assert.ThrowsAnyAsync<Exception>(() => page.MessageAsync("never"));
+        await page.ConnectAsync();
+        await page.FrameAsync();
+    }
+
+    [Fact]
+    public async Task APortThatIsTakenIsToldInWords()
+    {
+        await using var page = await LivePage.OpenAsync();
+        var problem = await Assert.ThrowsAsync<ProblemException>(() => LiveServer.StartAsync(new(page.Scene, null, page.Server.Port, false)));
+        Assert.Contains($"port {page.Server.Port} is taken", problem.Message);
+    }
+
+    private static Task<HttpResponseMessage> SendAsync(LivePage page, string path, params (string Name, string Value)[] headers)
+    {
+        var request = new HttpRequestMessage(HttpMethod.Get, page.Root + path);
+        request.Headers.TryAddWithoutValidation("Cookie", page.Cookie);
+        foreach (var (name, value) in headers)
+        {
+            request.Headers.Remove(name);
+            request.Headers.TryAddWithoutValidation(name, value);
+        }
+        return client.SendAsync(request);
+    }
+
+    private static Task<HttpResponseMessage> PostAsync(LivePage page, byte[] bytes)
+    {
+        var request = new HttpRequestMessage(HttpMethod.Post, page.Root + "/mine?name=mine.png") { Content = new ByteArrayContent(bytes) };
+        request.Headers.Add("Cookie", page.Cookie);
+        request.Headers.Add("Origin", page.Root);
+        request.Headers.ExpectContinue = true; // a server that refuses at once need not be sent all
+        return client.SendAsync(request);
+    }
+
+    private static async Task<string> RawAsync(LivePage page, string request)
+    {
+        using var tcp = new TcpClient();
+        await tcp.ConnectAsync(IPAddress.Loopback, page.Server.Port);
+        await tcp.GetStream().WriteAsync(Encoding.ASCII.GetBytes(request));
+        using var reader = new StreamReader(tcp.GetStream());
+        return await reader.ReadToEndAsync();
+    }
+}

@@ -1,0 +1,193 @@
+using System.Text.Json;
+
+namespace RayCaster.Live.Tests;
+
+/// <summary>The picture stays in step with the scene file, however it is saved and whatever is in it.</summary>
+public class FollowingTests
+{
+    private static string Moved(double x) => LivePage.Ball.Replace("[6, 0, 2.5]", FormattableString.Invariant($"[{x}, 0, 2.5]"));
+
+    [Fact]
+    public async Task ThePictureIsTheDefinitions()
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        (await page.FrameAsync()).IsThatOf(page.Scene);
+    }
+
+    [Theory]
+    [InlineData("in place")]
+    [InlineData("by rename")]
+    [InlineData("in two steps")]
+    [InlineData("emptied first")]
+    [InlineData("gone for a moment")]
+    public async Task ASavedSceneIsANewPictureAndNoErrorFlashes(string how)
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        for (var i = 1; i <= 5; i++)
+        {
+            await SaveAsync(page, Moved(6 + i), how);
+            var said = await page.MessageAsync("scene", message => message.GetProperty("version").GetInt32() > i);
+            Assert.True(said.GetProperty("good").GetBoolean(), said.ToString());
+            (await page.FrameAsync()).IsThatOf(page.Scene);
+        }
+    }
+
+    [Fact]
+    public async Task ABrokenSceneKeepsTheLastGoodPictureAndTellsAllMistakesWithTheirPlaces()
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        File.WriteAllText(page.Scene, LivePage.Ball.Replace("\"radius\": 1", "\"raduis\": 1").Replace("[6, 0, 2.5]", "[6, 0]"));
+        var said = await page.MessageAsync("scene", message => !message.GetProperty("good").GetBoolean());
+        var problems = said.GetProperty("problems").EnumerateArray().ToArray();
+        Assert.Equal(3, problems.Length);
+        Assert.Equal($"{page.Scene}:3:27", problems[0].GetProperty("place").GetString());
+        Assert.EndsWith("scene.json:3:27", problems[0].GetProperty("link").GetString());
+        Assert.StartsWith("vscode://file/", problems[0].GetProperty("link").GetString());
+        Assert.Contains("^~~~", problems[0].GetProperty("excerpt").GetString());
+        Assert.Equal(40, said.GetProperty("width").GetInt32());
+
+        File.WriteAllText(page.Scene, Moved(9));
+        (await page.FrameAsync()).IsThatOf(page.Scene);
+    }
+
+    [Fact]
+    public async Task ASavedMeshIsANewPicture()
+    {
+        const string Scene = """{ "camera": { "position": [3, 0, 0], "target": [0, 0, 0], "width": 20, "height": 20 }, "models": [ { "type": "mesh", "file": "m.obj" } ] }""";
+        await using var page = await LivePage.OpenAsync(Scene, prepare: folder => folder.Write("m.obj", "v 0 -1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"));
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        page.Folder.Write("m.obj", "v 0 -1 0\nv 0 1 0\nv 0 0 -1\nf 1 2 3\n");
+        (await page.FrameAsync()).IsThatOf(page.Scene);
+    }
+
+    [Fact]
+    public async Task AHugePictureIsShownSmallerAndAbandonedWhenTheSceneChanges()
+    {
+        await using var page = await LivePage.OpenAsync(LivePage.Ball.Replace("\"width\": 40, \"height\": 30", "\"width\": 10000, \"height\": 10000"));
+        await page.ConnectAsync();
+        var said = await page.MessageAsync("scene");
+        Assert.True(said.GetProperty("shownWidth").GetInt32() * said.GetProperty("shownHeight").GetInt32() <= View.MostPixels);
+        File.WriteAllText(page.Scene, LivePage.Ball);
+        while ((await page.FrameAsync()).Width != 40) ;
+    }
+
+    [Fact]
+    public async Task TwentyPagesSeeTheSamePicture()
+    {
+        await using var page = await LivePage.OpenAsync();
+        for (var i = 0; i < 19; i++) await page.ConnectAsync(); // those before stay open and say nothing
+        await page.ConnectAsync();
+        (await page.FrameAsync()).IsThatOf(page.Scene);
+    }
+
+    [Fact]
+    public async Task AThousandSavesTakeNoMoreMemoryThanAHundred()
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        var before = 0L;
+        for (var i = 1; i <= 1000; i++)
+        {
+            File.WriteAllText(page.Scene, Moved(6 + 0.001 * i));
+            await page.FrameAsync();
+            if (i == 100) before = GC.GetTotalMemory(forceFullCollection: true);
+        }
+        var after = GC.GetTotalMemory(forceFullCollection: true);
+        Assert.True(after < 1.1 * before + 500_000, $"{before} bytes after 100 saves, {after} after 1,000");
+    }
+
+    [Fact]
+    public async Task TheCameraIsWrittenIntoTheFileAndNothingElseChanges()
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        await page.AskAsync("""{"turn":[0.5,0.1]}""");
+        await page.AskAsync("""{"rest":true}""");
+        var camera = await page.MessageAsync("camera", message => message.GetProperty("moved").GetBoolean());
+        await page.AskAsync("""{"write":1}""");
+        Assert.Equal("", (await page.MessageAsync("written")).GetProperty("problem").GetString());
+        var position = string.Join(", ", camera.GetProperty("position").EnumerateArray().Select(number => number.GetRawText()));
+        Assert.Equal(LivePage.Ball.Replace("[6, 0, 2.5]", $"[{position}]"), File.ReadAllText(page.Scene));
+        Assert.Equal(["scene.json"], page.Folder.Names);
+    }
+
+    [Fact]
+    public async Task TheCameraIsNotWrittenOverAChangeThatThePageHasNotSeen()
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        await page.AskAsync("""{"turn":[0.5,0.1]}""");
+        await page.AskAsync("""{"rest":true}""");
+        await page.MessageAsync("camera", message => message.GetProperty("moved").GetBoolean());
+        await page.AskAsync("""{"write":7}""");
+        Assert.Contains("changed at the same time", (await page.MessageAsync("written")).GetProperty("problem").GetString());
+        Assert.Equal(LivePage.Ball, File.ReadAllText(page.Scene));
+    }
+
+    [Fact]
+    public async Task TheExplainedByteIsThePictures()
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        var frame = await page.FrameAsync();
+        var random = new Random(5);
+        for (var i = 0; i < 30; i++)
+        {
+            var (column, line) = (random.Next(40), random.Next(30));
+            await page.AskAsync($$"""{"explain":[{{column}},{{line}}]}""");
+            var pixel = (await page.MessageAsync("explanation")).GetProperty("pixel");
+            var bytes = pixel.GetProperty("color").GetProperty("bytes").EnumerateArray().Select(level => level.GetByte()).ToArray();
+            Assert.Equal(frame[column, line], (bytes[0], bytes[1], bytes[2]));
+        }
+    }
+
+    [Fact]
+    public async Task AWatchedPictureIsComparedEachTimeItIsWritten()
+    {
+        await using var page = await LivePage.OpenAsync(mine: "mine.png", prepare: folder => PictureFile.Write(folder["mine.png"], new Picture(40, 30)));
+        await page.ConnectAsync();
+        var wrong = await page.MessageAsync("comparison", message => message.GetProperty("verdict").GetString() is not null);
+        Assert.Equal("wrong", wrong.GetProperty("verdict").GetString());
+        Assert.Equal(JsonValueKind.Array, wrong.GetProperty("middle").ValueKind);
+        PictureFile.Write(page.Folder["mine.png"], ScalarRenderer.Render(SceneReader.Read(page.Scene).Scene!));
+        await page.MessageAsync("comparison", message => message.GetProperty("verdict").GetString() == "identical");
+    }
+
+    private static async Task SaveAsync(LivePage page, string text, string how)
+    {
+        switch (how)
+        {
+            case "in place":
+                File.WriteAllText(page.Scene, text);
+                break;
+            case "by rename":
+                File.WriteAllText(page.Folder["new"], text);
+                File.Move(page.Folder["new"], page.Scene, overwrite: true);
+                break;
+            case "in two steps":
+                File.WriteAllText(page.Scene, text[..^20]);
+                await Task.Delay(60);
+                File.AppendAllText(page.Scene, text[^20..]);
+                break;
+            case "emptied first":
+                File.WriteAllText(page.Scene, "");
+                await Task.Delay(200);
+                File.WriteAllText(page.Scene, text);
+                break;
+            default:
+                File.Delete(page.Scene);
+                await Task.Delay(200);
+                File.WriteAllText(page.Scene, text);
+                break;
+        }
+    }
+}

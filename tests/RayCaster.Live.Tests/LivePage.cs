@@ -1,0 +1,118 @@
+using System.Net.WebSockets;
+using System.Text;
+using System.Text.Json;
+
+namespace RayCaster.Live.Tests;
+
+/// <summary>A server for a scene in a folder of its own, and a page's line to it without a browser.</summary>
+internal sealed class LivePage : IAsyncDisposable
+{
+    public const string Ball = """
+        {
+          // a ball
+          "camera": { "position": [6, 0, 2.5], "target": [-6, 0, 0], "width": 40, "height": 30 },
+          "models": [ { "type": "sphere", "name": "ball", "center": [0, 0, 1], "radius": 1, "color": [1, 0.5, 0.1] } ]
+        }
+        """;
+
+    private readonly TemporaryFolder folder;
+    private ClientWebSocket? line;
+
+    private LivePage(TemporaryFolder folder, LiveServer server) => (this.folder, Server) = (folder, server);
+
+    public LiveServer Server { get; }
+
+    public TemporaryFolder Folder => folder;
+
+    public string Scene => folder["scene.json"];
+
+    public string Root => $"http://127.0.0.1:{Server.Port}";
+
+    public string Token => Server.Address[(Server.Address.IndexOf('=') + 1)..];
+
+    public string Cookie => $"raycaster-live-{Server.Port}={Token}";
+
+    public static async Task<LivePage> OpenAsync(string scene = Ball, string? mine = null, Action<TemporaryFolder>? prepare = null)
+    {
+        var folder = new TemporaryFolder();
+        prepare?.Invoke(folder);
+        var path = folder.Write("scene.json", scene);
+        return new(folder, await LiveServer.StartAsync(new(path, mine is null ? null : folder[mine], 0, false)));
+    }
+
+    /// <summary>A line to the server as the page has it.</summary>
+    public async Task ConnectAsync(string? origin = null, bool withCookie = true)
+    {
+        line = new();
+        line.Options.SetRequestHeader("Origin", origin ?? Root);
+        if (withCookie) line.Options.SetRequestHeader("Cookie", Cookie);
+        await line.ConnectAsync(new($"ws://127.0.0.1:{Server.Port}/live"), Soon());
+    }
+
+    public Task AskAsync(string wishes) => line!.SendAsync(Encoding.UTF8.GetBytes(wishes), WebSocketMessageType.Text, true, Soon());
+
+    /// <summary>The next message of a kind that suits; what comes before it is left out, frames are acknowledged.</summary>
+    public async Task<JsonElement> MessageAsync(string kind, Func<JsonElement, bool>? suits = null)
+    {
+        while (true)
+        {
+            var (isText, bytes) = await NextAsync();
+            if (!isText) continue;
+            var message = JsonDocument.Parse(bytes).RootElement;
+            if (message.GetProperty("kind").GetString() == kind && suits?.Invoke(message) != false) return message;
+        }
+    }
+
+    /// <summary>The next picture that is sharp.</summary>
+    public async Task<SeenFrame> FrameAsync(Layer layer = Layer.Picture)
+    {
+        while (true)
+        {
+            var (isText, bytes) = await NextAsync();
+            if (isText) continue;
+            int Number(int i) => BitConverter.ToInt32(bytes, 4 * i);
+            if (Number(0) == (int)layer && Number(3) == 1) return new(Number(1), Number(4), Number(5), bytes[24..]);
+        }
+    }
+
+    public async ValueTask DisposeAsync()
+    {
+        line?.Abort();
+        await Server.DisposeAsync();
+        folder.Dispose();
+    }
+
+    private async Task<(bool IsText, byte[] Bytes)> NextAsync()
+    {
+        using var whole = new MemoryStream();
+        var part = new byte[1 << 16];
+        while (true)
+        {
+            var result = await line!.ReceiveAsync(part, Soon());
+            whole.Write(part, 0, result.Count);
+            if (!result.EndOfMessage) continue;
+            if (result.MessageType == WebSocketMessageType.Close) throw new InvalidOperationException("the server has closed the line");
+            var bytes = whole.ToArray();
+            if (result.MessageType == WebSocketMessageType.Binary && bytes[0] == (int)Layer.Picture)
+                await AskAsync($$"""{"shown":{{BitConverter.ToInt32(bytes, 8)}}}""");
+            return (result.MessageType == WebSocketMessageType.Text, bytes);
+        }
+    }
+
+    private static CancellationToken Soon() => new CancellationTokenSource(TimeSpan.FromSeconds(60)).Token;
+}
+
+/// <summary>A picture that has come.</summary>
+internal sealed record SeenFrame(int Version, int Width, int Height, byte[] Rgba)
+{
+    public (byte R, byte G, byte B) this[int x, int y] => (Rgba[4 * (y * Width + x)], Rgba[4 * (y * Width + x) + 1], Rgba[4 * (y * Width + x) + 2]);
+
+    public void IsThatOf(string scene)
+    {
+        var right = ScalarRenderer.Render(SceneReader.Read(scene).Scene!);
+        Assert.Equal((right.Width, right.Height), (Width, Height));
+        for (var y = 0; y < Height; y++)
+            for (var x = 0; x < Width; x++)
+                Assert.Equal(right[x, y], this[x, y]);
+    }
+}
