@@ -19,7 +19,8 @@ internal struct BatchItem
     public bool IsClear;
 }
 
-/// <summary>The sides of a rectangle of pixels, as four numbers of which the greater ones of two rectangles are the sides of what they share.</summary>
+/// <summary>The sides of a rectangle of pixels, as four numbers of which the greater ones of two rectangles are the sides of what they
+/// share.</summary>
 /// <param name="numbers">The first column, the first row, and with the sign turned around the columns and rows after the last.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Sides(Vector128<int> numbers)

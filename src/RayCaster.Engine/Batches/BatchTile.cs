@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>One thread's part of the picture in which members of a batch are looked for: its rays, the nearest hits so far, and where they hide what.</summary>
+/// <summary>One thread's part of the picture in which members of a batch are looked for: its rays, the nearest hits so far, and where they hide
+/// what.</summary>
 /// <remarks>
 /// Most members that are looked at are hidden, wholly or in part, and it cannot be foretold where. So the packets to ask a formula about are listed
 /// first, for some members at a time and without branches, and then asked without any: that way neither waits for the other.

@@ -6,7 +6,8 @@ namespace RayCaster.Engine;
 /// Finds where in the picture balls and boxes may show, and how near they are: as many at once as a packet has lanes.
 /// </summary>
 /// <remarks>
-/// What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit (<see cref="Bounds.PaddedFrom"/>), and what
+/// What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
+/// (<see cref="Bounds.PaddedFrom"/>), and what
 /// the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.
 /// </remarks>
 internal sealed class ScreenBounds

@@ -4,7 +4,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// The rays of up to 64 pixels side by side in one row of a tile, or of all rows of a small part, and the nearest hit of each so far. Reused from stream to stream.
+/// The rays of up to 64 pixels side by side in one row of a tile, or of all rows of a small part, and the nearest hit of each so far. Reused from
+/// stream to stream.
 /// Its numbers lie in arrays, a place for each pixel, from which packets of any kind are taken; the lanes of the last packet that
 /// reach beyond the stream's end are cast, too, and ignored.
 /// </summary>
@@ -13,7 +14,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>The most pixels in a stream: few enough to stay in the first-level cache, many enough to make a virtual call cheap.</summary>
     public const int MaxLength = Tile.MaxSide;
 
-    /// <summary>The most pixels of a small part of a tile, the rows of which are cast at once; they stay in the first-level cache, too. (The parts of a batch are larger.)</summary>
+    /// <summary>The most pixels of a small part of a tile, the rows of which are cast at once; they stay in the first-level cache, too. (The parts of
+    /// a batch are larger.)</summary>
     public const int MaxArea = 256;
 
     private readonly Vector3 origin = camera.Position;
@@ -93,7 +95,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         }
     }
 
-    /// <summary>Takes some numbers out of all questions: nothing is nearer than the hits there, which no consumer sees, since they are not in the stream's columns and rows.</summary>
+    /// <summary>Takes some numbers out of all questions: nothing is nearer than the hits there, which no consumer sees, since they are not in the
+    /// stream's columns and rows.</summary>
     public void Hide(int first, int count) => Array.Fill(t, double.NegativeInfinity, first, count);
 
     /// <summary>Where the rays start.</summary>

@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>A list of plain values whose items can be read as a span. Its memory is rented from the pool: fresh pages cost more than what is written on them.</summary>
+/// <summary>A list of plain values whose items can be read as a span. Its memory is rented from the pool: fresh pages cost more than what is written
+/// on them.</summary>
 internal sealed class PooledList<T> where T : struct
 {
     private const int LeastLength = 1024;

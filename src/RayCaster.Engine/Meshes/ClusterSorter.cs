@@ -54,7 +54,8 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, i
 
     /// <summary>The rectangles on the screen and the ranges of w of some boxes.</summary>
     /// <remarks>
-    /// Rounding moves a rectangle's sides by some 2⁻⁵³ of (distance + size) / least depth, in units of the scale; the size is held below the least depth,
+    /// Rounding moves a rectangle's sides by some 2⁻⁵³ of (distance + size) / least depth, in units of the scale; the size is held below the least
+    /// depth,
     /// and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -95,7 +96,8 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, i
     }
 
     /// <summary>
-    /// Which groups' middle triangles are seen the way around that has a tile's second place; see <see cref="TriangleSorter"/>. Only the order of work depends on it.
+    /// Which groups' middle triangles are seen the way around that has a tile's second place; see <see cref="TriangleSorter"/>. Only the order of
+    /// work depends on it.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private uint Facings()

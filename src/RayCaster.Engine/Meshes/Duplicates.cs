@@ -1,7 +1,8 @@
 namespace RayCaster.Engine;
 
 /// <summary>
-/// Tells that a triangle has the corners of an earlier one, to the bit and in the same order: its t is the same everywhere, so that only one of them need be
+/// Tells that a triangle has the corners of an earlier one, to the bit and in the same order: its t is the same everywhere, so that only one of them
+/// need be
 /// asked. Without this a million copies of one triangle would all be asked about each pixel, since none is surely before another.
 /// </summary>
 /// <remarks>

@@ -5,7 +5,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool: paints the tiles of a mesh in floats, from what the filter knows of each pixel. The hit's w is in a range, so its t is in one, and each
+/// One thread's tool: paints the tiles of a mesh in floats, from what the filter knows of each pixel. The hit's w is in a range, so its t is in one,
+/// and each
 /// channel's level, too. Where both ends have the same whole part, that is the byte; the few other pixels are in doubt.
 /// </summary>
 internal sealed class MeshPainter
@@ -41,7 +42,8 @@ internal sealed class MeshPainter
         var most = 2 * scene.Camera.Reach;
         var light = scene.Attenuation(new ErrorBound(0, most, most * Roundings));
         Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + FloatBytes.RoundingOfTheEnds;
-        // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the view.
+        // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the
+        // view.
         IsSupported = FloatBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30
             && screen.LongestT < 1e4 && screen.Camera.Skew * screen.LongestT < 1e-9;
     }

@@ -1,7 +1,8 @@
 namespace RayCaster.Engine;
 
 /// <summary>
-/// A mesh as a camera sees it. All rays of a picture start in one point, so each triangle is projected onto the picture once, and a filter in floats finds for
+/// A mesh as a camera sees it. All rays of a picture start in one point, so each triangle is projected onto the picture once, and a filter in floats
+/// finds for
 /// each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and where, the
 /// triangle's formula decides.
 /// </summary>

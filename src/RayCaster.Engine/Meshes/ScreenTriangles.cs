@@ -13,7 +13,8 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     /// <param name="screen">The camera.</param>
     /// <param name="corners">Where the triangles' corners are seen.</param>
     /// <param name="owners">The mesh's triangle that each belongs to; null where they are the same.</param>
-    /// <param name="group">Makes a sorter of groups, which gives what it does not sort to the one of triangles; null where neighbours mean nothing.</param>
+    /// <param name="group">Makes a sorter of groups, which gives what it does not sort to the one of triangles; null where neighbours mean
+    /// nothing.</param>
     /// <param name="twins">Makes what knows that triangles are the same; null where that is not known.</param>
     /// <param name="threads">How many threads may work.</param>
     public ScreenTriangles(ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, ClusterSorter<N>>? group, Func<Duplicates>? twins, int threads)

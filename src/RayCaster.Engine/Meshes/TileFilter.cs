@@ -5,7 +5,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is left out, group by
+/// One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is left out,
+/// group by
 /// group, then triangles that cover no sample, eight at once.
 /// </summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>

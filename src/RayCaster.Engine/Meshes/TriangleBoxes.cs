@@ -9,12 +9,14 @@ namespace RayCaster.Engine;
 internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
 {
     /// <summary>
-    /// How far ahead the memory is asked for: to wait for it would take longer than to find the boxes. Vertices are asked for later than indices, since their
+    /// How far ahead the memory is asked for: to wait for it would take longer than to find the boxes. Vertices are asked for later than indices,
+    /// since their
     /// places must be there.
     /// </summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
-    /// <summary>The least and the greatest coordinates of some triangles, and a fourth number that means nothing. A corner that is no number does not count, for it is part of no hit.</summary>
+    /// <summary>The least and the greatest coordinates of some triangles, and a fourth number that means nothing. A corner that is no number does not
+    /// count, for it is part of no hit.</summary>
     /// <param name="first">The first triangle.</param>
     /// <param name="end">The one after the last.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -39,7 +41,8 @@ internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
         return (Vector256.MinNative(Vector256.MinNative(lowA, lowB), lowC), Vector256.MaxNative(Vector256.MaxNative(highA, highB), highC));
     }
 
-    /// <summary>The same for a group that has the last vertex, behind which there is no number, or not the length of the others; and where an index is wrong.</summary>
+    /// <summary>The same for a group that has the last vertex, behind which there is no number, or not the length of the others; and where an index
+    /// is wrong.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private (Vector256<double> Low, Vector256<double> High) AroundFew(int first, int end)
     {

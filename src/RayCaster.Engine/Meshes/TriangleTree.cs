@@ -22,11 +22,13 @@ public sealed class TriangleTree
         (nodes, order, depth) = new TreeBuilder(vertices, indices).Build();
     }
 
-    /// <summary>The least of the t that a function gives for the triangles near which a line passes, before its origin or behind it; null for none.</summary>
+    /// <summary>The least of the t that a function gives for the triangles near which a line passes, before its origin or behind it; null for
+    /// none.</summary>
     /// <param name="origin">Where the line begins.</param>
     /// <param name="direction">Its direction.</param>
     /// <param name="hit">
-    /// The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within the triangle's bounds.
+    /// The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within the triangle's
+    /// bounds.
     /// </param>
     public double? Nearest(Vector3 origin, Vector3 direction, Func<int, double?> hit)
     {
@@ -50,7 +52,8 @@ public sealed class TriangleTree
         if (t1 <= (nearest ?? double.MaxValue)) Visit(second, line, hit, ref nearest);
     }
 
-    /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel, or NaN; a hit beyond the nearest one so far does not count.</summary>
+    /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel, or NaN; a hit beyond the nearest one so far does not
+    /// count.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
     internal N Nearest<N>(RayStream rays, int pixel) where N : struct, IPacket<N>
     {

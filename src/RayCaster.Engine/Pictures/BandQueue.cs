@@ -5,8 +5,10 @@ namespace RayCaster.Engine;
 /// Only a few bands are in memory at a time.
 /// </summary>
 /// <remarks>
-/// Strips are handed out one after another over all bands, so that no thread waits at the end of a band. The thread that writes casts strips, too, while
-/// the band that it writes next is not finished; so one thread is enough for all of it. Another thread that comes to a band for which there is no room waits
+/// Strips are handed out one after another over all bands, so that no thread waits at the end of a band. The thread that writes casts strips, too,
+/// while
+/// the band that it writes next is not finished; so one thread is enough for all of it. Another thread that comes to a band for which there is no
+/// room waits
 /// until the oldest band is written.
 /// </remarks>
 internal sealed class BandQueue
@@ -130,7 +132,8 @@ internal sealed class BandQueue
         }
     }
 
-    /// <summary>The next strip for the thread that writes; −1 when the band that it writes next is finished. It waits only where others cast all strips for which there is room.</summary>
+    /// <summary>The next strip for the thread that writes; −1 when the band that it writes next is finished. It waits only where others cast all
+    /// strips for which there is room.</summary>
     private long NextFor(long band)
     {
         lock (gate)

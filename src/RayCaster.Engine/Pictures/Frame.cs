@@ -6,7 +6,8 @@ namespace RayCaster.Engine;
 internal abstract class Frame : IDisposable
 {
     /// <summary>
-    /// Kernels that are made for one kind of shape each spare half of the time, but compiling them takes as long as casting some ten million rays. They are used for a
+    /// Kernels that are made for one kind of shape each spare half of the time, but compiling them takes as long as casting some ten million rays.
+    /// They are used for a
     /// picture of at least so many pixels, or where many pictures follow each other.
     /// </summary>
     private const long PixelsOfLongWork = 1 << 24;

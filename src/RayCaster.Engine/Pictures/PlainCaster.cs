@@ -1,7 +1,8 @@
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool for scenes of few models: every ray meets every model that may show near its pixel. What a <see cref="TileCaster"/> does to spare work would take longer to compile than
+/// One thread's tool for scenes of few models: every ray meets every model that may show near its pixel. What a <see cref="TileCaster"/> does to
+/// spare work would take longer to compile than
 /// all of that work takes.
 /// </summary>
 /// <param name="frame">All models as the camera sees them, in the scene's order.</param>

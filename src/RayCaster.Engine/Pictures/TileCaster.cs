@@ -141,7 +141,8 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     /// <summary>Whether one model, which knows the short way, surely covers the part.</summary>
     private bool IsCovered(List<Candidate> list) => list.Count == 1 && isCovering(list[0]);
 
-    /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than short ones.</summary>
+    /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than
+    /// short ones.</summary>
     /// <param name="parts">The parts.</param>
     /// <param name="lists">The models that may show in them.</param>
     /// <param name="first">The first part.</param>
@@ -194,7 +195,8 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         list.RemoveRange(kept, list.Count - kept);
     }
 
-    /// <summary>Casts the rays of a part: row by row, or all rows at once where few models, all of them single shapes, may show in a small part.</summary>
+    /// <summary>Casts the rays of a part: row by row, or all rows at once where few models, all of them single shapes, may show in a small
+    /// part.</summary>
     private void CastRows(in Tile part, List<Candidate> list)
     {
         var isSmall = list.Count <= Few && part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);

@@ -7,7 +7,8 @@ namespace RayCaster.Engine;
 /// <summary>The colours of a scene as whole numbers of small steps, which sixteen lanes look up at once.</summary>
 internal sealed class FloatColors
 {
-    /// <summary>Up to so many colours lie in vectors, from which lanes take them without a look at memory; more are packed, three channels to a long.</summary>
+    /// <summary>Up to so many colours lie in vectors, from which lanes take them without a look at memory; more are packed, three channels to a
+    /// long.</summary>
     private const int Few = 32;
 
     private const int ChannelBits = 21;

@@ -3,7 +3,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>The level of a channel as a function of t, both ends of what it may be. Where neither the light nor a level is clamped, it is a linear one.</summary>
+/// <summary>The level of a channel as a function of t, both ends of what it may be. Where neither the light nor a level is clamped, it is a linear
+/// one.</summary>
 internal readonly struct FloatLevel
 {
     private readonly Vector512<float> slope, least, most;

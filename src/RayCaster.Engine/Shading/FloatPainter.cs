@@ -5,8 +5,10 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool: paints a part of the picture that one shape covers, or several, in floats. Each channel's level is known up to an error that is the same for the
-/// whole part (<see cref="ErrorBound"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in doubles.
+/// One thread's tool: paints a part of the picture that one shape covers, or several, in floats. Each channel's level is known up to an error that is
+/// the same for the
+/// whole part (<see cref="ErrorBound"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in
+/// doubles.
 /// </summary>
 internal sealed class FloatPainter : IShapeVisitor
 {

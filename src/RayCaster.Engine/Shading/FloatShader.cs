@@ -3,7 +3,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>Turns the hits of streams into bytes, sixteen pixels at once, in floats; the pixels that are in doubt go to <see cref="HitShader"/>.</summary>
+/// <summary>Turns the hits of streams into bytes, sixteen pixels at once, in floats; the pixels that are in doubt go to
+/// <see cref="HitShader"/>.</summary>
 internal sealed class FloatShader
 {
     /// <summary>With a greater error too many pixels would be in doubt.</summary>

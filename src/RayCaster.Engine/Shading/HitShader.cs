@@ -3,7 +3,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>Turns the hits of streams into bytes: the formulas of <see cref="Scene.Shade"/> and <see cref="Color.ToBytes"/> for four pixels at once.</summary>
+/// <summary>Turns the hits of streams into bytes: the formulas of <see cref="Scene.Shade"/> and <see cref="Color.ToBytes"/> for four pixels at
+/// once.</summary>
 internal sealed class HitShader
 {
     private readonly double[] colors; // red, green and blue of the background, then of the models

@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool: finds where the rays of a part hit the one shape that covers it. Each ray meets the shape as soon as it is aimed, and nothing but t is kept.
+/// One thread's tool: finds where the rays of a part hit the one shape that covers it. Each ray meets the shape as soon as it is aimed, and nothing
+/// but t is kept.
 /// </summary>
 /// <typeparam name="N">The kind of packet to compute with.</typeparam>
 /// <param name="camera">Where the rays start.</param>

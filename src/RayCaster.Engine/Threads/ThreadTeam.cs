@@ -10,7 +10,8 @@ namespace RayCaster.Engine;
 internal static class ThreadTeam
 {
     /// <summary>
-    /// How long a thread that waits stays awake: a tenth of a millisecond, in which mostly the next picture has come, or the last of the others has ended. To be woken takes
+    /// How long a thread that waits stays awake: a tenth of a millisecond, in which mostly the next picture has come, or the last of the others has
+    /// ended. To be woken takes
     /// up to half of that, and now and then much longer on a machine that shares its cores.
     /// </summary>
     private static readonly long awake = Stopwatch.Frequency / 10_000;
