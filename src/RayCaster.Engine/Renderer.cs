@@ -1,6 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>Draws pictures the fast way: tile by tile, several pixels at once, on several threads. Every bit is that of <see cref="ScalarRenderer"/>.</summary>
+/// <summary>Draws pictures the fast way: tile by tile, several pixels at once, on several threads. Every bit is that of
+/// <see cref="ScalarRenderer"/>.</summary>
 /// <param name="scene">What to draw.</param>
 /// <param name="threads">How many threads cast rays; one per core if left out.</param>
 public sealed class Renderer(Scene scene, int? threads = null)
@@ -9,13 +10,15 @@ public sealed class Renderer(Scene scene, int? threads = null)
     private readonly int threadCount = threads ?? Environment.ProcessorCount;
 
     /// <summary>
-    /// Whether a picture of little work is drawn without tiles; true unless said otherwise. The code for tiles takes longer to compile than such a picture
+    /// Whether a picture of little work is drawn without tiles; true unless said otherwise. The code for tiles takes longer to compile than such a
+    /// picture
     /// takes to draw. Only the time depends on it.
     /// </summary>
     public bool MayBeSmall { get; init; } = true;
 
     /// <summary>
-    /// Whether this process draws many pictures, so that the float path pays, whose kernels take as long to compile as casting some ten million rays. Without it only a
+    /// Whether this process draws many pictures, so that the float path pays, whose kernels take as long to compile as casting some ten million rays.
+    /// Without it only a
     /// picture of so many pixels uses them. Only the time depends on it.
     /// </summary>
     public bool ManyFrames { get; init; }
@@ -37,9 +40,9 @@ public sealed class Renderer(Scene scene, int? threads = null)
         var shader = frame.Shader; // made before other threads need it
         Cast(frame, () =>
         {
-            var sink = new PictureSink(shader, picture.Width);
-            sink.Enter(picture.Rgb, picture.Height - 1);
-            return sink;
+            var consumer = new PictureConsumer(shader, picture.Width);
+            consumer.Enter(picture.Rgb, picture.Height - 1);
+            return consumer;
         });
     }
 
@@ -61,7 +64,8 @@ public sealed class Renderer(Scene scene, int? threads = null)
     }
 
     /// <summary>Draws the picture from top to bottom, some lines at a time, so that memory does not grow with its height.</summary>
-    /// <param name="write">Takes whole lines of red, green and blue bytes; called in order, one call at a time, on the thread that calls this.</param>
+    /// <param name="write">Takes whole lines of red, green and blue bytes; called in order, one call at a time, on the thread that calls
+    /// this.</param>
     /// <param name="linesDone">Told how many more lines have been cast, from any thread.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     public void Draw(Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default) =>
@@ -81,18 +85,18 @@ public sealed class Renderer(Scene scene, int? threads = null)
     }
 
     /// <summary>Casts all rays; this thread is one of those that do.</summary>
-    private void Cast(Frame frame, Func<ISpanSink> newSink)
+    private void Cast(Frame frame, Func<IHitConsumer> newSink)
     {
         var (across, up) = (Tile.StripsOf(camera.Width), Tile.TilesOf(camera.Height));
         var workers = Math.Min(threadCount, across * up);
         var next = -1;
-        Workers.Each(workers, workers, _ =>
+        ThreadTeam.Each(workers, workers, _ =>
         {
-            var (caster, sink) = (frame.NewCaster(isPlain: false), newSink());
+            var (caster, consumer) = (frame.NewCaster(isPlain: false), newSink());
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
                 var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);
-                caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), sink);
+                caster.Cast(new(column, row, Math.Min(Tile.MaxStrip, camera.Width - column), Math.Min(Tile.MaxSide, camera.Height - row)), consumer);
             }
         });
     }

@@ -19,7 +19,7 @@ internal sealed class EightParts(Camera camera)
     /// <summary>How many lie side by side; the others lie above them.</summary>
     public int Across { get; private set; }
 
-    /// <summary>The rays; computed when they are first asked for: a mesh or a crowd does not ask, and no formula takes longer to compile.</summary>
+    /// <summary>The rays; computed when they are first asked for: a mesh or a batch does not ask, and no formula takes longer to compile.</summary>
     public ref readonly Ray<Interval> Rays
     {
         get

@@ -5,6 +5,6 @@ internal interface IStripCaster
 {
     /// <summary>Casts all rays of a strip.</summary>
     /// <param name="strip">Up to eight tiles side by side, none of which reaches over a multiple of <see cref="Tile.MaxSide"/>.</param>
-    /// <param name="sink">Takes the hits.</param>
-    void Cast(in Tile strip, ISpanSink sink);
+    /// <param name="consumer">Takes the hits.</param>
+    void Cast(in Tile strip, IHitConsumer consumer);
 }

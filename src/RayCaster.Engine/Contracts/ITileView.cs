@@ -3,7 +3,8 @@ namespace RayCaster.Engine;
 /// <summary>A view that can paint a tile by itself, where nothing but its model may show.</summary>
 internal interface ITileView
 {
-    /// <summary>Writes the bytes of the tile that was entered last, mostly without computing where exactly the rays hit the model; returns false if it cannot.</summary>
+    /// <summary>Writes the bytes of the tile that was entered last, mostly without computing where exactly the rays hit the model; returns false if
+    /// it cannot.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="index">The model's place in it.</param>
     /// <param name="rgb">Room for the bytes.</param>

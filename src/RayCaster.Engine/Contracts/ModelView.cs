@@ -27,9 +27,9 @@ internal abstract class ModelView<N> where N : struct, IPacket<N>
     public virtual HitRanges Narrow(EightParts parts, HitRange whole) => new(whole);
 
     /// <summary>Keeps the hits of some pixels in the tile that are nearer than all before.</summary>
-    /// <param name="span">The rays.</param>
+    /// <param name="rays">The rays.</param>
     /// <param name="index">The model's place in the scene, for ties.</param>
-    public abstract void Meet(RaySpan span, int index);
+    public abstract void Meet(RayStream rays, int index);
 
     /// <summary>Gives rented memory back when the picture is done; called once, on the view that made those of the threads.</summary>
     public virtual void Free()

@@ -4,7 +4,8 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// Things sorted by a small number, their place; those of one place lie side by side, in the order in which they came. Their memory is rented from the pool:
+/// Things sorted by a small number, their place; those of one place lie side by side, in the order in which they came. Their memory is rented from
+/// the pool:
 /// fresh pages cost more than what is written on them.
 /// </summary>
 internal sealed class Bins<T> where T : struct
@@ -15,7 +16,7 @@ internal sealed class Bins<T> where T : struct
     /// <param name="count">How many places there are.</param>
     /// <param name="lists">What to sort; the lists are emptied.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public Bins(int count, GrowingArray<(int Place, T Thing)>[] lists)
+    public Bins(int count, PooledList<(int Place, T Thing)>[] lists)
     {
         starts = new int[count + 2]; // while it is filled, place p's next free slot is at p + 1
         var total = 0;

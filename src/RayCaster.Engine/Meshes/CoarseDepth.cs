@@ -3,7 +3,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>For each cell of 8 × 8 pixels the least w that their hits surely have: what lies behind it is hidden there, and need not be looked at.</summary>
+/// <summary>For each cell of 8 × 8 pixels the least w that their hits surely have: what lies behind it is hidden there, and need not be looked
+/// at.</summary>
 internal sealed class CoarseDepth
 {
     /// <summary>The side of a cell in pixels.</summary>

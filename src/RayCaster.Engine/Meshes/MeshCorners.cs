@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// The corners of a mesh's triangles, projected each time that they are asked for: to write all vertices' places on the screen to an array first, and to
+/// The corners of a mesh's triangles, projected each time that they are asked for: to write all vertices' places on the screen to an array first, and
+/// to
 /// read them from there, takes longer, for memory is slower than arithmetic.
 /// </summary>
 /// <param name="screen">The camera.</param>
@@ -25,17 +26,17 @@ internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int
     /// <inheritdoc/>
     public override void Fetch(int group)
     {
-        for (var i = 0; i < 3; i++) Lanes.Fetch(ref indices[Math.Min(3 * group + i * Group.Length, indices.Length - 1)]);
+        for (var i = 0; i < 3; i++) Lanes.Fetch(ref indices[Math.Min(3 * group + i * TriangleCluster.Length, indices.Length - 1)]);
     }
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void FetchVertices(int group)
     {
-        if (group + Group.Length > Count) return;
+        if (group + TriangleCluster.Length > Count) return;
         var points = new RawSpan<Vector3>(vertices);
         var places = new RawSpan<int>(indices);
-        for (var i = 3 * group; i < 3 * (group + Group.Length); i += 9) // most are neighbours of others
+        for (var i = 3 * group; i < 3 * (group + TriangleCluster.Length); i += 9) // most are neighbours of others
         {
             Lanes.Fetch(ref points[places[i]]);
             Lanes.Fetch(ref points[places[i + 1]]);

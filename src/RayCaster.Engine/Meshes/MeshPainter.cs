@@ -5,7 +5,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool: paints the tiles of a mesh in floats, from what the filter knows of each pixel. The hit's w is in a range, so its t is in one, and each
+/// One thread's tool: paints the tiles of a mesh in floats, from what the filter knows of each pixel. The hit's w is in a range, so its t is in one,
+/// and each
 /// channel's level, too. Where both ends have the same whole part, that is the byte; the few other pixels are in doubt.
 /// </summary>
 internal sealed class MeshPainter
@@ -24,7 +25,7 @@ internal sealed class MeshPainter
     private readonly Model model;
     private readonly Vector512<int> background;
     private readonly float[] squares = new float[Tile.MaxSide]; // of the columns' slopes
-    private readonly ulong[] doubts = new ulong[Tile.MaxSide * Tile.MaxSide / RoughPacket.Count]; // of each packet
+    private readonly ulong[] doubts = new ulong[Tile.MaxSide * Tile.MaxSide / FloatPacket.Count]; // of each packet
     private Tile tile;
     private byte[] rgb = [];
     private int first, step;
@@ -39,10 +40,11 @@ internal sealed class MeshPainter
         background = Vector512.Create(r | (g << 8) | (b << 16));
         // Beyond this t there is no light, whatever the rounding.
         var most = 2 * scene.Camera.Reach;
-        var light = scene.Attenuation(new Rounded(0, most, most * Roundings));
-        Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + RoughBytes.RoundingOfTheEnds;
-        // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the view.
-        IsSupported = RoughBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30
+        var light = scene.Attenuation(new ErrorBound(0, most, most * Roundings));
+        Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + FloatBytes.RoundingOfTheEnds;
+        // Floats hold any t that matters; and the axes are so nearly at right angles that it does not count, even for a ray that is hardly along the
+        // view.
+        IsSupported = FloatBytes.IsSupported && Error < MostError && screen.Unit is > 1e-30 and < 1e30
             && screen.LongestT < 1e4 && screen.Camera.Skew * screen.LongestT < 1e-9;
     }
 
@@ -53,7 +55,7 @@ internal sealed class MeshPainter
     public double Error { get; init; }
 
     /// <summary>The pixels that the last painting left in doubt, by their places in the tile.</summary>
-    public GrowingArray<int> Doubts { get; } = new();
+    public PooledList<int> Doubts { get; } = new();
 
     /// <summary>Writes the bytes of a tile.</summary>
     /// <param name="tile">The tile.</param>
@@ -70,11 +72,11 @@ internal sealed class MeshPainter
         Paint(covered, front, decided);
 
         Doubts.Clear();
-        var packets = (tile.Width + RoughPacket.Count - 1) / RoughPacket.Count;
+        var packets = (tile.Width + FloatPacket.Count - 1) / FloatPacket.Count;
         for (var i = 0; i < packets * tile.Height; i++)
         {
             for (var lanes = doubts[i]; lanes != 0; lanes &= lanes - 1)
-                Doubts.Add(i / packets * TilePixels.Stride + i % packets * RoughPacket.Count + BitOperations.TrailingZeroCount(lanes));
+                Doubts.Add(i / packets * TilePixels.Stride + i % packets * FloatPacket.Count + BitOperations.TrailingZeroCount(lanes));
         }
     }
 
@@ -92,27 +94,27 @@ internal sealed class MeshPainter
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     private void Paint(float[] covered, float[] front, double[]? decided)
     {
-        RoughPacket red = model.Color.R, green = model.Color.G, blue = model.Color.B;
+        FloatPacket red = model.Color.R, green = model.Color.G, blue = model.Color.B;
         var (unit, slack) = (Vector512.Create((float)screen.Unit), Vector512.Create((float)Error));
         var packet = 0;
         for (var row = 0; row < tile.Height; row++)
         {
             var upwards = Vector512.Create((float)(1 + Square((tile.Row + row - screen.CenterY) / screen.Scale)));
-            for (var i = 0; i < tile.Width; i += RoughPacket.Count, packet++)
+            for (var i = 0; i < tile.Width; i += FloatPacket.Count, packet++)
             {
                 var at = row * TilePixels.Stride + i;
-                var ends = new RoughPacket(front.Load512(at), covered.Load512(at));
-                var far = RoughPacket.Of(unit * Vector512.Sqrt(upwards + squares.Load512(i)));
+                var ends = new FloatPacket(front.Load512(at), covered.Load512(at));
+                var far = FloatPacket.Of(unit * Vector512.Sqrt(upwards + squares.Load512(i)));
                 var light = scene.Attenuation(far / ends);
                 var (r, g, b) = (Color.Level(light * red), Color.Level(light * green), Color.Level(light * blue));
-                var least = RoughBytes.Packed(r.Upper - slack, g.Upper - slack, b.Upper - slack);
-                var most = RoughBytes.Packed(r.Lower + slack, g.Lower + slack, b.Lower + slack);
+                var least = FloatBytes.Packed(r.Upper - slack, g.Upper - slack, b.Upper - slack);
+                var most = FloatBytes.Packed(r.Lower + slack, g.Lower + slack, b.Lower + slack);
                 var isMiss = Vector512.Equals(ends.Lower, Vector512<float>.Zero).AsInt32();
                 var pixels = Vector512.ConditionalSelect(isMiss, background, least);
-                if (i + RoughPacket.Count <= tile.Width) RoughBytes.Store(pixels, rgb, first + row * step + 3 * i);
-                else RoughBytes.StoreFew(pixels, rgb.AsSpan(first + row * step + 3 * i, 3 * (tile.Width - i)));
+                if (i + FloatPacket.Count <= tile.Width) FloatBytes.Store(pixels, rgb, first + row * step + 3 * i);
+                else FloatBytes.StoreFew(pixels, rgb.AsSpan(first + row * step + 3 * i, 3 * (tile.Width - i)));
 
-                var doubt = (Vector512.Equals(least, most) | isMiss).ExtractMostSignificantBits() ^ RoughBytes.AllLanes;
+                var doubt = (Vector512.Equals(least, most) | isMiss).ExtractMostSignificantBits() ^ FloatBytes.AllLanes;
                 if (decided is not null)
                     doubt |= IsDecided(decided, at) | (IsDecided(decided, at + Vector512<double>.Count) << Vector512<double>.Count);
                 doubts[packet] = doubt;

@@ -1,7 +1,8 @@
 namespace RayCaster.Engine;
 
 /// <summary>
-/// A mesh as a camera sees it. All rays of a picture start in one point, so each triangle is projected onto the picture once, and a filter in floats finds for
+/// A mesh as a camera sees it. All rays of a picture start in one point, so each triangle is projected onto the picture once, and a filter in floats
+/// finds for
 /// each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and where, the
 /// triangle's formula decides.
 /// </summary>
@@ -31,7 +32,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
 
         var whole = new ScreenTriangles<N>(
             screen, new MeshCorners<N>(screen, vertices, indices), null,
-            each => new GroupSorter<N>(screen, vertices, indices, each), () => new Twins(vertices, indices), threads);
+            each => new ClusterSorter<N>(screen, vertices, indices, each), () => new Duplicates(vertices, indices), threads);
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
@@ -63,11 +64,11 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     }
 
     /// <inheritdoc/>
-    public override void Meet(RaySpan span, int index)
+    public override void Meet(RayStream rays, int index)
     {
-        if (sets.Length > 0) filter!.Meet(span, index);
+        if (sets.Length > 0) filter!.Meet(rays, index);
         if (hard is null) return;
-        for (var i = 0; i < span.Length; i += N.Count) span.Keep(i, hard.Nearest<N>(span, i), Lanes.Broadcast<N>(index));
+        for (var i = 0; i < rays.Length; i += N.Count) rays.Keep(i, hard.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
     }
 
     /// <inheritdoc/>

@@ -4,7 +4,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// Where a camera sees points: the column and row that a point falls on (samples lie at whole numbers) and w = |T − P| / depth, which over the picture
+/// Where a camera sees points: the column and row that a point falls on (samples lie at whole numbers) and w = |T − P| / depth, which over the
+/// picture
 /// plane is linear on every flat surface. All that is told in floats, with margins for what they and the primitive's formula round.
 /// </summary>
 internal sealed class ScreenSpace
@@ -24,7 +25,8 @@ internal sealed class ScreenSpace
         var longest = Math.Sqrt(1 + squareOfSlope) * (1 + 1e-9);
         LongestT = longest;
 
-        // Direction, projection and formula each round by a few units of 2⁻⁵³ of an angle, or of the picture's size; an angle is at most that many pixels:
+        // Direction, projection and formula each round by a few units of 2⁻⁵³ of an angle, or of the picture's size; an angle is at most that many
+        // pixels:
         var pixelsOfAngle = Scale * (1 + squareOfSlope) + camera.Width + camera.Height;
         DoubleMargin = (1e-14 + 4 * camera.Skew) * pixelsOfAngle;
         // A float is good to 2⁻²⁴ of a coordinate; that is spent once for the coordinate and once where it is seen from the tile's corner.
@@ -56,7 +58,8 @@ internal sealed class ScreenSpace
     /// <inheritdoc cref="CenterX"/>
     public double CenterY { get; }
 
-    /// <summary>How many pixels off the picture a corner may be. Triangles that reach farther are clipped, so that floats stay exact enough.</summary>
+    /// <summary>How many pixels off the picture a corner may be. Triangles that reach farther are clipped, so that floats stay exact
+    /// enough.</summary>
     public double Guard { get; }
 
     /// <summary>The t of the rays that are longest to a depth of 1.</summary>
@@ -109,7 +112,8 @@ internal sealed class ScreenSpace
 
     /// <summary>Column, row and w of points.</summary>
     /// <remarks>
-    /// The axes in pixels are rounded once more than those of the camera, and products and sums less often; what that changes is a few parts in 2⁵³ of a
+    /// The axes in pixels are rounded once more than those of the camera, and products and sums less often; what that changes is a few parts in 2⁵³
+    /// of a
     /// coordinate, as <see cref="DoubleMargin"/> counts for any order of these steps. What overflows is not fit for floats.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

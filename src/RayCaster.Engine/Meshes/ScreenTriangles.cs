@@ -8,15 +8,16 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
     private readonly int tilesAcross;
     private readonly Bins<int> triangles; // two places for each tile: those whose corners are seen one way around, and the others
-    private readonly Bins<Group> groups;
+    private readonly Bins<TriangleCluster> groups;
 
     /// <param name="screen">The camera.</param>
     /// <param name="corners">Where the triangles' corners are seen.</param>
     /// <param name="owners">The mesh's triangle that each belongs to; null where they are the same.</param>
-    /// <param name="group">Makes a sorter of groups, which gives what it does not sort to the one of triangles; null where neighbours mean nothing.</param>
+    /// <param name="group">Makes a sorter of groups, which gives what it does not sort to the one of triangles; null where neighbours mean
+    /// nothing.</param>
     /// <param name="twins">Makes what knows that triangles are the same; null where that is not known.</param>
     /// <param name="threads">How many threads may work.</param>
-    public ScreenTriangles(ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, GroupSorter<N>>? group, Func<Twins>? twins, int threads)
+    public ScreenTriangles(ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, ClusterSorter<N>>? group, Func<Duplicates>? twins, int threads)
     {
         (Corners, Owners) = (corners, owners);
         tilesAcross = Tile.TilesOf(screen.Camera.Width);
@@ -24,8 +25,8 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         var sorters = new TriangleSorter[Math.Clamp(count / LeastForAThread, 1, threads)];
         for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
         var groupers = group is null ? [] : Array.ConvertAll(sorters, sorter => group(sorter));
-        int First(int sorter) => sorter == sorters.Length ? count : (int)((long)count * sorter / sorters.Length) / Group.Length * Group.Length;
-        Workers.Each(sorters.Length, sorters.Length, i =>
+        int First(int sorter) => sorter == sorters.Length ? count : (int)((long)count * sorter / sorters.Length) / TriangleCluster.Length * TriangleCluster.Length;
+        ThreadTeam.Each(sorters.Length, sorters.Length, i =>
         {
             if (group is null) sorters[i].Add(First(i), First(i + 1));
             else groupers[i].Add(First(i), First(i + 1));
@@ -33,7 +34,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
         var places = 2 * tilesAcross * Tile.TilesOf(screen.Camera.Height);
         triangles = new(places, Array.ConvertAll(sorters, sorter => sorter.Triangles));
-        groups = new(places, Array.ConvertAll(groupers, grouper => grouper.Groups));
+        groups = new(places, Array.ConvertAll(groupers, grouper => grouper.Clusters));
         foreach (var sorter in sorters)
         {
             Large.AddRange(sorter.Large);
@@ -61,8 +62,8 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     /// <summary>Those of a tile that are seen with their corners one way (0) or the other way (1) around, but for those in groups.</summary>
     public ReadOnlySpan<int> Of(in Tile tile, int side) => triangles[2 * PlaceOf(tile) + side];
 
-    /// <summary>Groups of a tile most of which are seen one way or the other way around.</summary>
-    public ReadOnlySpan<Group> GroupsOf(in Tile tile, int side) => groups[2 * PlaceOf(tile) + side];
+    /// <summary>Clusters of a tile most of which are seen one way or the other way around.</summary>
+    public ReadOnlySpan<TriangleCluster> ClustersOf(in Tile tile, int side) => groups[2 * PlaceOf(tile) + side];
 
     /// <summary>Gives rented memory back; nothing may be asked for any more.</summary>
     public void Free()

@@ -5,20 +5,21 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is left out, group by
+/// One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is left out,
+/// group by
 /// group, then triangles that cover no sample, eight at once.
 /// </summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
     /// <summary>How many groups are looked at before any of them is drawn, and how many of these their memory is asked for in advance.</summary>
-    private const int GroupsAtOnce = 256, Ahead = 4;
+    private const int ClustersAtOnce = 256, Ahead = 4;
 
     private readonly ScreenSpace screen;
     private readonly TilePixels pixels;
     private readonly TileHits<N> hits;
-    private readonly TriangleCover cover;
+    private readonly TriangleRasterizer cover;
     private readonly CoarseDepth coarse = new();
-    private readonly WaitingTriangles waiting = new(), waitingLarge = new();
+    private readonly TriangleQueue waiting = new(), waitingLarge = new();
     private EightTriangles eight;
     private Tile tile;
     private bool isEmpty;
@@ -40,14 +41,14 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             // Most of what is seen of a closed mesh faces the camera with the same side; that side first, most of the other is found to be hidden.
             Add(set, CollectionsMarshal.AsSpan(set.Large));
             var nearer = MeanW(set, tile, 0) < MeanW(set, tile, 1) ? 1 : 0;
-            Add(set, set.GroupsOf(tile, nearer));
+            Add(set, set.ClustersOf(tile, nearer));
             Add(set, set.Of(tile, nearer));
             if (!isEmpty)
             {
                 hits.Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
                 coarse.Update(pixels.Covered);
             }
-            Add(set, set.GroupsOf(tile, 1 - nearer));
+            Add(set, set.ClustersOf(tile, 1 - nearer));
             Add(set, set.Of(tile, 1 - nearer));
         }
         if (isEmpty) return HitRange.None;
@@ -58,9 +59,9 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     }
 
     /// <summary>Keeps the hits of a part of a row of the tile.</summary>
-    public void Meet(RaySpan span, int index)
+    public void Meet(RayStream rays, int index)
     {
-        if (!isEmpty) hits.Meet(span, index);
+        if (!isEmpty) hits.Meet(rays, index);
     }
 
     /// <inheritdoc cref="TileHits{N}.Paint"/>
@@ -70,7 +71,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     {
         const int Samples = 8;
         var sum = 0f;
-        if (set.GroupsOf(tile, side) is { Length: > 0 } groups)
+        if (set.ClustersOf(tile, side) is { Length: > 0 } groups)
         {
             var step = (groups.Length + Samples - 1) / Samples;
             for (var i = 0; i < groups.Length; i += step) sum += groups[i].MostW;
@@ -93,13 +94,13 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles<N> set, ReadOnlySpan<Group> groups)
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> groups)
     {
         if (groups.Length == 0) return;
         if (isEmpty) Begin();
         var firstRow = tile.Row % Tile.MaxSide;
         var corners = set.Corners;
-        Span<int> seen = stackalloc int[GroupsAtOnce];
+        Span<int> seen = stackalloc int[ClustersAtOnce];
         for (var next = 0; next < groups.Length;)
         {
             var count = 0;
@@ -120,7 +121,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
 
     private void Add(ScreenTriangles<N> set, int group)
     {
-        var end = Math.Min(group + Group.Length, set.Corners.Count);
+        var end = Math.Min(group + TriangleCluster.Length, set.Corners.Count);
         for (var first = group; first < end; first += 8)
         {
             set.Corners.SeeRun(first, out eight);
@@ -165,7 +166,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             for (var i = 0; i < 8; i++)
                 names = names.WithElement(i, owners[Math.Min(names[i], owners.Length - 1)]);
 
-        var side = Vector256.Create((float)TriangleCover.SmallSide);
+        var side = Vector256.Create((float)TriangleRasterizer.SmallSide);
         var small = (Vector256.LessThan(right - left, side) & Vector256.LessThan(top - bottom, side)).ExtractMostSignificantBits();
         if ((shows & small) != 0)
         {

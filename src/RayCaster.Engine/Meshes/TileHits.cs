@@ -27,21 +27,21 @@ internal sealed class TileHits<N>(ScreenSpace screen, Vector3[] vertices, int[] 
 
     /// <summary>Keeps the hits of a part of a row of the tile.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void Meet(RaySpan span, int index)
+    public void Meet(RayStream rays, int index)
     {
         var (decided, hasDecided, proposed) = (pixels.Decided, pixels.HasDecided, pixels.Proposed);
-        var first = (span.Row - pixels.Tile.Row) * TilePixels.Stride + span.Column - pixels.Tile.Column;
-        for (var i = 0; i < span.Length; i += N.Count)
+        var first = (rays.Row - pixels.Tile.Row) * TilePixels.Stride + rays.Column - pixels.Tile.Column;
+        for (var i = 0; i < rays.Length; i += N.Count)
         {
             var at = first + i;
             var hit = Lanes.Broadcast<N>(double.NaN);
-            if (HasAny(at)) hit = span.First(i, exact.Cross(span.RaysAt<N>(i), new(proposed), at));
+            if (HasAny(at)) hit = rays.First(i, exact.Cross(rays.RaysAt<N>(i), new(proposed), at));
             if (hasDecided)
             {
                 var other = N.Load(decided, at);
                 hit = N.Select(hit <= other, hit, other);
             }
-            span.Keep(i, hit, Lanes.Broadcast<N>(index));
+            rays.Keep(i, hit, Lanes.Broadcast<N>(index));
         }
     }
 

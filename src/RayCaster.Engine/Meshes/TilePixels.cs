@@ -5,7 +5,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// What one thread knows of each pixel of a tile: the triangle that may be in front there. A triangle that surely covers a pixel hides all that is surely
+/// What one thread knows of each pixel of a tile: the triangle that may be in front there. A triangle that surely covers a pixel hides all that is
+/// surely
 /// behind it; where two are too close to each other or a sample too close to a side, the second one waits in a queue for its formula.
 /// </summary>
 internal sealed class TilePixels(Vector3[] vertices, int[] indices)
@@ -13,12 +14,13 @@ internal sealed class TilePixels(Vector3[] vertices, int[] indices)
     /// <summary>From a pixel to the one above it. What a packet at the end of a row holds of the next one stays as it is.</summary>
     public const int Stride = Tile.MaxSide;
 
-    /// <summary>How many pixels there are, with room for a packet that begins at the last, and for a row above, since rows are looked at by twos.</summary>
+    /// <summary>How many pixels there are, with room for a packet that begins at the last, and for a row above, since rows are looked at by
+    /// twos.</summary>
     public const int Size = Stride * (Tile.MaxSide + 1) + 8;
 
     private const int QueueLength = 1 << 14;
 
-    private readonly Twins twins = new(vertices, indices);
+    private readonly Duplicates twins = new(vertices, indices);
 
     /// <summary>A hit with at least this w is sure; 0 for none.</summary>
     public float[] Covered { get; } = new float[Size];
@@ -29,14 +31,15 @@ internal sealed class TilePixels(Vector3[] vertices, int[] indices)
     /// <summary>The triangle; any where there is none.</summary>
     public int[] Proposed { get; } = new int[Size];
 
-    /// <summary>The least t of the hits that the formula had to decide; +∞ where there are none. It means nothing unless <see cref="HasDecided"/>.</summary>
+    /// <summary>The least t of the hits that the formula had to decide; +∞ where there are none. It means nothing unless
+    /// <see cref="HasDecided"/>.</summary>
     public double[] Decided { get; } = new double[Size];
 
     /// <summary>Whether the formula had to decide about any pixel.</summary>
     public bool HasDecided { get; private set; }
 
     /// <summary>Pixels and triangles that wait for the formula.</summary>
-    public GrowingArray<(int Pixel, int Triangle, float MostW)> Queue { get; } = new();
+    public PooledList<(int Pixel, int Triangle, float MostW)> Queue { get; } = new();
 
     /// <summary>Whether so many wait that the formula should decide about them now.</summary>
     public bool IsFull => Queue.Count > QueueLength;

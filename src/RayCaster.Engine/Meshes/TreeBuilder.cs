@@ -116,7 +116,8 @@ internal sealed class TreeBuilder
     public static double Coordinate(Vector3 v, int axis) => axis switch { 0 => v.X, 1 => v.Y, _ => v.Z };
 }
 
-/// <summary>A branch, whose children are the next node and <c>Second</c>, or a leaf of <c>Count</c> triangles from <c>First</c> in the order.</summary>
+/// <summary>A branch, whose children are the next node and <c>Second</c>, or a leaf of <c>Count</c> triangles from <c>First</c> in the
+/// order.</summary>
 internal readonly record struct TreeNode(Bounds Bounds, int Second, int First, int Count, int Axis)
 {
     public bool IsLeaf => Count > 0;

@@ -9,21 +9,23 @@ namespace RayCaster.Engine;
 internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
 {
     /// <summary>
-    /// How far ahead the memory is asked for: to wait for it would take longer than to find the boxes. Vertices are asked for later than indices, since their
+    /// How far ahead the memory is asked for: to wait for it would take longer than to find the boxes. Vertices are asked for later than indices,
+    /// since their
     /// places must be there.
     /// </summary>
-    private const int VerticesAhead = 6 * Group.Length, IndicesAhead = 24 * Group.Length;
+    private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
-    /// <summary>The least and the greatest coordinates of some triangles, and a fourth number that means nothing. A corner that is no number does not count, for it is part of no hit.</summary>
+    /// <summary>The least and the greatest coordinates of some triangles, and a fourth number that means nothing. A corner that is no number does not
+    /// count, for it is part of no hit.</summary>
     /// <param name="first">The first triangle.</param>
     /// <param name="end">The one after the last.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {
-        if (end - first != Group.Length || !AreBeforeTheLast(3 * first)) return AroundFew(first, end);
+        if (end - first != TriangleCluster.Length || !AreBeforeTheLast(3 * first)) return AroundFew(first, end);
         var places = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
-        if (first + IndicesAhead + Group.Length <= indices.Length / 3) Fetch(first);
+        if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Fetch(first);
 
         // Each corner has bounds of its own, so that no comparison waits for the one before it.
         var none = Vector256.Create(double.PositiveInfinity);
@@ -39,7 +41,8 @@ internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
         return (Vector256.MinNative(Vector256.MinNative(lowA, lowB), lowC), Vector256.MaxNative(Vector256.MaxNative(highA, highB), highC));
     }
 
-    /// <summary>The same for a group that has the last vertex, behind which there is no number, or not the length of the others; and where an index is wrong.</summary>
+    /// <summary>The same for a group that has the last vertex, behind which there is no number, or not the length of the others; and where an index
+    /// is wrong.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private (Vector256<double> Low, Vector256<double> High) AroundFew(int first, int end)
     {
@@ -60,7 +63,7 @@ internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
     {
         var places = new RawSpan<int>(indices);
         var most = Vector256<uint>.Zero; // a negative index is a larger one than all
-        for (var i = first; i < first + 3 * Group.Length; i += Vector256<int>.Count) most = Vector256.Max(most, places.Load256(i).AsUInt32());
+        for (var i = first; i < first + 3 * TriangleCluster.Length; i += Vector256<int>.Count) most = Vector256.Max(most, places.Load256(i).AsUInt32());
         return Vector256.LessThanAll(most, Vector256.Create((uint)vertices.Length - 1));
     }
 
@@ -69,7 +72,7 @@ internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
     private void Fetch(int first)
     {
         var places = new RawSpan<int>(indices);
-        for (var i = 3 * first; i < 3 * (first + Group.Length); i += Group.Length)
+        for (var i = 3 * first; i < 3 * (first + TriangleCluster.Length); i += TriangleCluster.Length)
         {
             Lanes.Fetch(ref places[i + 3 * IndicesAhead]);
             FetchVertex(places[i + 3 * VerticesAhead]);

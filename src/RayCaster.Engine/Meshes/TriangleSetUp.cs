@@ -4,7 +4,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// What the filter knows of eight triangles in a tile: the box of samples, for each side a function that is positive on the inner side, w as a function of the
+/// What the filter knows of eight triangles in a tile: the box of samples, for each side a function that is positive on the inner side, w as a
+/// function of the
 /// place, all with margins. Each field has eight lanes.
 /// </summary>
 internal static class TriangleSetUp
@@ -12,7 +13,8 @@ internal static class TriangleSetUp
     /// <summary>The functions: the value at the box's lower left sample, the step to the right, the step upwards.</summary>
     public const int U = 0, V = 3, W = 6, Depth = 9;
 
-    /// <summary>Whole numbers: the place of that sample's pixel (<see cref="TilePixels.Stride"/>), and how many more samples there are to the right and upwards.</summary>
+    /// <summary>Whole numbers: the place of that sample's pixel (<see cref="TilePixels.Stride"/>), and how many more samples there are to the right
+    /// and upwards.</summary>
     public const int Pixel = 12, Across = 13, Upwards = 14;
 
     /// <summary>w is known up to ± this, and lies between these; the greatest is 0 where the triangle does not show.</summary>
@@ -26,7 +28,7 @@ internal static class TriangleSetUp
 
     /// <summary>Fills the fields for eight triangles and returns a bit for each that may show in the tile.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public static uint Of(WaitingTriangles triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
+    public static uint Of(TriangleQueue triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
     {
         var t = triangles.See(first);
         Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;
@@ -44,9 +46,11 @@ internal static class TriangleSetUp
         top = Vector256.MinNative(Vector256.Floor(top + margin), Vector256.Create(tile.Height - 1f));
         var shows = Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top);
 
-        // Twice the areas of the triangles that a sample makes with the sides: (b − s) × (c − s). With corners off by δ such a product is off by 2 δ · size,
+        // Twice the areas of the triangles that a sample makes with the sides: (b − s) × (c − s). With corners off by δ such a product is off by 2 δ
+        // · size,
         // since a sample in the box is not farther from a corner than the box is wide and high. It, and its steps to the right and upwards, round
-        // seven times by 2⁻²⁴ · size times how far a sample may be from a corner, and of that δ holds 2 · 2⁻²⁴ (ScreenSpace.Margin): less than 4 δ · size.
+        // seven times by 2⁻²⁴ · size times how far a sample may be from a corner, and of that δ holds 2 · 2⁻²⁴ (ScreenSpace.Margin): less than 4 δ ·
+        // size.
         var area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
         var sign = Vector256.ConditionalSelect(Vector256.LessThan(area, zero), -one, one);
         area *= sign;
@@ -104,7 +108,8 @@ internal static class TriangleSetUp
     /// <param name="margin">How far off the corners may be.</param>
     /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>
     /// <remarks>
-    /// What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0, and one above.
+    /// What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0, and
+    /// one above.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Pass(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,

@@ -8,7 +8,7 @@ namespace RayCaster.Engine;
 /// <param name="screen">The camera.</param>
 /// <param name="corners">Where the triangles' corners are seen.</param>
 /// <param name="twins">Knows which large triangles are there already; null where that is not known.</param>
-internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Twins? twins)
+internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplicates? twins)
 {
     /// <summary>A triangle in more tiles than this is looked at in every tile, so that a million large ones do not need a place in each.</summary>
     private const int ManyTiles = 64;
@@ -17,7 +17,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Twins?
     private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
 
     /// <summary>Triangles by tile and side.</summary>
-    public GrowingArray<(int Place, int Triangle)> Triangles { get; } = new();
+    public PooledList<(int Place, int Triangle)> Triangles { get; } = new();
 
     /// <summary>Triangles that are in many tiles.</summary>
     public List<int> Large { get; } = [];

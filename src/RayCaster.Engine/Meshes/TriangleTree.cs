@@ -22,11 +22,13 @@ public sealed class TriangleTree
         (nodes, order, depth) = new TreeBuilder(vertices, indices).Build();
     }
 
-    /// <summary>The least of the t that a function gives for the triangles near which a line passes, before its origin or behind it; null for none.</summary>
+    /// <summary>The least of the t that a function gives for the triangles near which a line passes, before its origin or behind it; null for
+    /// none.</summary>
     /// <param name="origin">Where the line begins.</param>
     /// <param name="direction">Its direction.</param>
     /// <param name="hit">
-    /// The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within the triangle's bounds.
+    /// The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within the triangle's
+    /// bounds.
     /// </param>
     public double? Nearest(Vector3 origin, Vector3 direction, Func<int, double?> hit)
     {
@@ -50,16 +52,17 @@ public sealed class TriangleTree
         if (t1 <= (nearest ?? double.MaxValue)) Visit(second, line, hit, ref nearest);
     }
 
-    /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel, or NaN; a hit beyond the nearest one so far does not count.</summary>
+    /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel, or NaN; a hit beyond the nearest one so far does not
+    /// count.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
-    internal N Nearest<N>(RaySpan span, int pixel) where N : struct, IPacket<N>
+    internal N Nearest<N>(RayStream rays, int pixel) where N : struct, IPacket<N>
     {
-        var (best, hit) = (span.NearestAt<N>(pixel), Lanes.Broadcast<N>(double.NaN));
+        var (best, hit) = (rays.NearestAt<N>(pixel), Lanes.Broadcast<N>(double.NaN));
         if (nodes.Length == 0) return hit;
 
-        var ray = span.RaysAt<N>(pixel);
+        var ray = rays.RaysAt<N>(pixel);
         var along = new AlongRay<N>(ray);
-        var (origin, ahead) = (span.Origin, span.DirectionAt(pixel));
+        var (origin, ahead) = (rays.Origin, rays.DirectionAt(pixel));
         var test = new BoundsTest<N>(ray.Direction);
 
         Span<int> stack = stackalloc int[depth + 1];
@@ -82,7 +85,7 @@ public sealed class TriangleTree
             {
                 var corner = 3 * order[i];
                 var triangle = new Triangle(vertices[indices[corner]], vertices[indices[corner + 1]], vertices[indices[corner + 2]]);
-                var t = span.First(pixel, triangle.Cross(along));
+                var t = rays.First(pixel, triangle.Cross(along));
                 var nearer = t < best;
                 best = N.Select(nearer, t, best);
                 hit = N.Select(nearer, t, hit);

@@ -10,7 +10,8 @@ namespace RayCaster.Engine;
 /// <remarks>
 /// It holds what doubles compute, not what real numbers would give, so nothing is rounded outwards: each operation is monotonic in each
 /// operand, and so is rounding to nearest; what is computed from numbers between two others lies between what is computed from those.
-/// Where a divisor may be 0, or an end is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything". Of a quotient, though,
+/// Where a divisor may be 0, or an end is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything". Of a
+/// quotient, though,
 /// it is still known how near to 0 it cannot be: rays along a plane cross it far away, before or behind the eye.
 /// </remarks>
 /// <param name="lo">The least number.</param>

@@ -4,8 +4,10 @@ using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
 
-/// <summary>Four doubles, one for each of four pixels side by side: a formula over it gives each lane the bits that <see cref="Scalar"/> gives.</summary>
-/// <remarks>Operators set the field themselves: a constructor in each of them makes a kernel's compilation, which a small picture waits for, a tenth longer.</remarks>
+/// <summary>Four doubles, one for each of four pixels side by side: a formula over it gives each lane the bits that <see cref="Scalar"/>
+/// gives.</summary>
+/// <remarks>Operators set the field themselves: a constructor in each of them makes a kernel's compilation, which a small picture waits for, a tenth
+/// longer.</remarks>
 internal struct Packet : IPacket<Packet>
 {
     /// <summary>The numbers; as a mask all bits of a lane set for true, none for false.</summary>

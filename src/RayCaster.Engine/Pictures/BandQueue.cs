@@ -5,8 +5,10 @@ namespace RayCaster.Engine;
 /// Only a few bands are in memory at a time.
 /// </summary>
 /// <remarks>
-/// Strips are handed out one after another over all bands, so that no thread waits at the end of a band. The thread that writes casts strips, too, while
-/// the band that it writes next is not finished; so one thread is enough for all of it. Another thread that comes to a band for which there is no room waits
+/// Strips are handed out one after another over all bands, so that no thread waits at the end of a band. The thread that writes casts strips, too,
+/// while
+/// the band that it writes next is not finished; so one thread is enough for all of it. Another thread that comes to a band for which there is no
+/// room waits
 /// until the oldest band is written.
 /// </remarks>
 internal sealed class BandQueue
@@ -58,17 +60,17 @@ internal sealed class BandQueue
     {
         var shader = frame.Shader; // made before other threads need it
         if (threadCount == 1) WriteAll(write, shader);
-        else Workers.Help(threadCount - 1, () => Help(shader), () => WriteAll(write, shader));
+        else ThreadTeam.Help(threadCount - 1, () => Help(shader), () => WriteAll(write, shader));
     }
 
-    private void WriteAll(Action<ReadOnlySpan<byte>> write, SpanShader shader)
+    private void WriteAll(Action<ReadOnlySpan<byte>> write, HitShader shader)
     {
         try
         {
-            var (caster, sink) = (frame.NewCaster(isPlain), new PictureSink(shader, camera.Width));
+            var (caster, consumer) = (frame.NewCaster(isPlain), new PictureConsumer(shader, camera.Width));
             for (var band = 0L; band < bandCount; band++)
             {
-                while (NextFor(band) is >= 0 and var strip) Cast(strip, caster, sink);
+                while (NextFor(band) is >= 0 and var strip) Cast(strip, caster, consumer);
                 write(buffers[band % buffers.Length].AsSpan(0, 3 * camera.Width * RowsOf(band).Height));
                 Release(band);
             }
@@ -81,12 +83,12 @@ internal sealed class BandQueue
     }
 
     /// <summary>Casts strips on another thread, until none is left.</summary>
-    private void Help(SpanShader shader)
+    private void Help(HitShader shader)
     {
         try
         {
-            var sink = new PictureSink(shader, camera.Width);
-            for (IStripCaster? caster = null; Next() is >= 0 and var strip;) Cast(strip, caster ??= frame.NewCaster(isPlain), sink);
+            var consumer = new PictureConsumer(shader, camera.Width);
+            for (IStripCaster? caster = null; Next() is >= 0 and var strip;) Cast(strip, caster ??= frame.NewCaster(isPlain), consumer);
         }
         catch (Exception e)
         {
@@ -94,13 +96,13 @@ internal sealed class BandQueue
         }
     }
 
-    private void Cast(long strip, IStripCaster caster, PictureSink sink)
+    private void Cast(long strip, IStripCaster caster, PictureConsumer consumer)
     {
         var (band, column) = Math.DivRem(strip, stripsAcross);
         var (row, height) = RowsOf(band);
         var (left, buffer) = ((int)column * Tile.MaxStrip, (int)(band % buffers.Length));
-        sink.Enter(buffers[buffer], row + height - 1);
-        caster.Cast(new(left, row, Math.Min(Tile.MaxStrip, camera.Width - left), height), sink);
+        consumer.Enter(buffers[buffer], row + height - 1);
+        caster.Cast(new(left, row, Math.Min(Tile.MaxStrip, camera.Width - left), height), consumer);
         lock (gate)
         {
             if (--stripsMissing[buffer] > 0) return;
@@ -130,7 +132,8 @@ internal sealed class BandQueue
         }
     }
 
-    /// <summary>The next strip for the thread that writes; −1 when the band that it writes next is finished. It waits only where others cast all strips for which there is room.</summary>
+    /// <summary>The next strip for the thread that writes; −1 when the band that it writes next is finished. It waits only where others cast all
+    /// strips for which there is room.</summary>
     private long NextFor(long band)
     {
         lock (gate)

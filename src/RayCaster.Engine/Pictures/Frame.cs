@@ -6,7 +6,8 @@ namespace RayCaster.Engine;
 internal abstract class Frame : IDisposable
 {
     /// <summary>
-    /// Kernels that are made for one kind of shape each spare half of the time, but compiling them takes as long as casting some ten million rays. They are used for a
+    /// Kernels that are made for one kind of shape each spare half of the time, but compiling them takes as long as casting some ten million rays.
+    /// They are used for a
     /// picture of at least so many pixels, or where many pictures follow each other.
     /// </summary>
     private const long PixelsOfLongWork = 1 << 24;
@@ -28,7 +29,7 @@ internal abstract class Frame : IDisposable
     public Scene Scene { get; }
 
     /// <summary>Turns hits into bytes; made when it is first needed.</summary>
-    public SpanShader Shader => field ??= new(Scene, IsLong);
+    public HitShader Shader => field ??= new(Scene, IsLong);
 
     /// <summary>A frame that computes with the widest packets that the machine has: everything above and below follows this choice.</summary>
     /// <param name="scene">The scene.</param>
@@ -43,7 +44,7 @@ internal abstract class Frame : IDisposable
     public abstract IStripCaster NewCaster(bool isPlain);
 
     /// <summary>A thread's consumer that writes hits into a map.</summary>
-    public abstract ISpanSink HitsInto(HitMap map);
+    public abstract IHitConsumer HitsInto(HitMap map);
 
     /// <summary>Gives rented memory back when the picture is done.</summary>
     public abstract void Dispose();

@@ -1,6 +1,6 @@
 namespace RayCaster.Engine;
 
-/// <summary>The models of a picture as the camera sees them, each by itself or as one of a crowd.</summary>
+/// <summary>The models of a picture as the camera sees them, each by itself or as one of a batch.</summary>
 /// <typeparam name="N">The kind of packet to compute with.</typeparam>
 internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
 {
@@ -12,11 +12,11 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     {
         var camera = scene.Camera;
         var (models, alone) = (scene.Models, new List<int>());
-        if (models.Count > FewModels && !camera.IsSkewed) Crowd = new(camera, models.Count);
+        if (models.Count > FewModels && !camera.IsSkewed) PrimitiveBatch = new(camera, models.Count);
         for (var i = 0; i < models.Count; i++)
-            if (Crowd is null || !Crowd.Add(models[i], i))
+            if (PrimitiveBatch is null || !PrimitiveBatch.Add(models[i], i))
                 alone.Add(i);
-        if (Crowd is not null) alone.AddRange(Crowd.Arrange(threads));
+        if (PrimitiveBatch is not null) alone.AddRange(PrimitiveBatch.Arrange(threads));
 
         Places = [.. alone];
         Views = Array.ConvertAll(Places, i => ViewMaker<N>.See(models[i], camera, threads));
@@ -33,19 +33,19 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     public Tile[] Extents { get; }
 
     /// <summary>The other models; null where there are few.</summary>
-    public Crowd<N>? Crowd { get; }
+    public PrimitiveBatch<N>? PrimitiveBatch { get; }
 
     /// <inheritdoc/>
-    public override IStripCaster NewCaster(bool isPlain) => isPlain && !IsLong && Crowd is null ? new PlainCaster<N>(this) : NewTileCaster();
+    public override IStripCaster NewCaster(bool isPlain) => isPlain && !IsLong && PrimitiveBatch is null ? new PlainCaster<N>(this) : NewTileCaster();
 
     /// <inheritdoc/>
-    public override ISpanSink HitsInto(HitMap map) => new HitMapSink<N>(map, Scene.Camera);
+    public override IHitConsumer HitsInto(HitMap map) => new HitMapConsumer<N>(map, Scene.Camera);
 
     /// <inheritdoc/>
     public override void Dispose()
     {
         foreach (var view in Views) view.Free();
-        Crowd?.Free();
+        PrimitiveBatch?.Free();
     }
 
     /// <remarks>By itself, so that a tile caster is not even loaded where none is needed.</remarks>

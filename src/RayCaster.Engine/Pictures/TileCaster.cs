@@ -19,11 +19,11 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private readonly ModelView<N>[] views;
     private readonly Tile[] extents;
     private readonly int[] places; // of the views' models in the scene
-    private readonly CrowdCaster<N>? crowd;
-    private readonly RaySpan span;
-    private readonly CoveredPart covered = new();
+    private readonly BatchCaster<N>? batch;
+    private readonly RayStream rays;
+    private readonly CoveredTile covered = new();
     private readonly Predicate<Candidate> isPrimitive, isCovering;
-    private ISpanSink sink = null!;
+    private IHitConsumer consumer = null!;
     private readonly List<Candidate> candidates = []; // of the strip
     private readonly EightParts tiles, parts;         // the strip's, and some of a tile
     private readonly List<Candidate>[] ofTiles = [[], [], [], [], [], [], [], []], ofParts = [[], [], [], [], [], [], [], []];
@@ -34,24 +34,24 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         this.frame = frame;
         views = Array.ConvertAll(frame.Views, view => view.ForThread());
         (extents, places) = (frame.Extents, frame.Places);
-        if (frame.Crowd is not null) crowd = new(frame.Crowd, frame.Scene.Camera);
-        span = new(frame.Scene.Camera, RaySpan.MaxArea);
+        if (frame.PrimitiveBatch is not null) batch = new(frame.PrimitiveBatch, frame.Scene.Camera);
+        rays = new(frame.Scene.Camera, RayStream.MaxArea);
         (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
         isPrimitive = candidate => views[candidate.Index] is ICoveringView;
         isCovering = candidate => frame.IsLong && candidate.Range.Cover < double.PositiveInfinity && isPrimitive(candidate);
     }
 
     /// <inheritdoc/>
-    public void Cast(in Tile strip, ISpanSink sink)
+    public void Cast(in Tile strip, IHitConsumer consumer)
     {
-        this.sink = sink;
+        this.consumer = consumer;
         candidates.Clear();
         for (var i = 0; i < views.Length; i++)
             if (extents[i].Overlaps(strip))
                 candidates.Add(new(i, new(views[i].Nearest, double.PositiveInfinity)));
         tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
         Narrow(tiles, candidates, ofTiles);
-        var areAllKnown = crowd?.IsFor(strip) != true;
+        var areAllKnown = batch?.IsFor(strip) != true;
         for (var i = 0; i < EightParts.Count; i++)
         {
             if (tiles[i].Area == 0) continue;
@@ -71,25 +71,25 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
             list[i] = list[i] with { Range = range };
         }
         DropHidden(list, cover);
-        if (crowd?.IsFor(tile) == true) CastCrowd(crowd, tile, list);
+        if (batch?.IsFor(tile) == true) CastBatch(batch, tile, list);
         else if (list.Count == 1 && views[list[0].Index] is ITileView alone) CastAlone(tile, list, alone);
         else Cut(tile, list);
     }
 
-    private void CastCrowd(CrowdCaster<N> crowd, in Tile tile, List<Candidate> list)
+    private void CastBatch(BatchCaster<N> batch, in Tile tile, List<Candidate> list)
     {
-        crowd.Cast(tile, list.Count > 0 ? Meet : null, sink);
+        batch.Cast(tile, list.Count > 0 ? Meet : null, consumer);
 
-        void Meet(RaySpan span)
+        void Meet(RayStream rays)
         {
-            foreach (var candidate in list) views[candidate.Index].Meet(span, places[candidate.Index]);
+            foreach (var candidate in list) views[candidate.Index].Meet(rays, places[candidate.Index]);
         }
     }
 
     /// <summary>Casts a tile in which one model alone may show, of which cutting the tile would tell no more.</summary>
     private void CastAlone(in Tile tile, List<Candidate> list, ITileView alone)
     {
-        if (!(frame.IsLong && sink.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);
+        if (!(frame.IsLong && consumer.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);
     }
 
     /// <summary>Casts a tile part by part.</summary>
@@ -113,7 +113,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     /// <summary>Casts a part whose models are known.</summary>
     private void CastPart(in Tile part, List<Candidate> list)
     {
-        if (list.Count == 0) sink.TakeMiss(part);
+        if (list.Count == 0) consumer.TakeMiss(part);
         else if (!TryLayers(part, list)) CastRows(part, list);
     }
 
@@ -141,7 +141,8 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     /// <summary>Whether one model, which knows the short way, surely covers the part.</summary>
     private bool IsCovered(List<Candidate> list) => list.Count == 1 && isCovering(list[0]);
 
-    /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than short ones.</summary>
+    /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than
+    /// short ones.</summary>
     /// <param name="parts">The parts.</param>
     /// <param name="lists">The models that may show in them.</param>
     /// <param name="first">The first part.</param>
@@ -159,26 +160,26 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
             whole = whole with { Width = whole.Width + parts[end].Width };
             if (!isMiss && !list[0].Range.IsNear) only = list[0];
         }
-        if (isMiss) sink.TakeMiss(whole);
+        if (isMiss) consumer.TakeMiss(whole);
         else if (!TryCover(whole, only)) return 0;
         return end - first;
     }
 
-    /// <summary>Offers the sink a part that one model covers.</summary>
+    /// <summary>Offers the consumer a part that one model covers.</summary>
     private bool TryCover(in Tile part, Candidate only)
     {
         covered.Enter(part);
         AddShape(only);
-        return sink.TryTake(covered);
+        return consumer.TryTake(covered);
     }
 
-    /// <summary>Offers the sink a small part that several models cover.</summary>
+    /// <summary>Offers the consumer a small part that several models cover.</summary>
     private bool TryLayers(in Tile part, List<Candidate> list)
     {
-        if (list.Count is < 2 or > Few || part.Area > RaySpan.MaxArea || !list.TrueForAll(isCovering)) return false;
+        if (list.Count is < 2 or > Few || part.Area > RayStream.MaxArea || !list.TrueForAll(isCovering)) return false;
         covered.Enter(part);
         foreach (var candidate in list) AddShape(candidate);
-        return sink.TryTake(covered);
+        return consumer.TryTake(covered);
     }
 
     private void AddShape(Candidate candidate) =>
@@ -194,17 +195,18 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         list.RemoveRange(kept, list.Count - kept);
     }
 
-    /// <summary>Casts the rays of a part: row by row, or all rows at once where few models, all of them single shapes, may show in a small part.</summary>
+    /// <summary>Casts the rays of a part: row by row, or all rows at once where few models, all of them single shapes, may show in a small
+    /// part.</summary>
     private void CastRows(in Tile part, List<Candidate> list)
     {
-        var isSmall = list.Count <= Few && part.Area <= RaySpan.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
+        var isSmall = list.Count <= Few && part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
         var rows = isSmall ? part.Height : 1;
-        span.Enter<N>(part.Column, part.Width);
+        rays.Enter<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row += rows)
         {
-            span.Aim<N>(row, rows);
-            foreach (var candidate in list) views[candidate.Index].Meet(span, places[candidate.Index]);
-            sink.Take(span);
+            rays.Aim<N>(row, rows);
+            foreach (var candidate in list) views[candidate.Index].Meet(rays, places[candidate.Index]);
+            consumer.Take(rays);
         }
     }
 }

@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool: finds where the rays of a part hit the one shape that covers it. Each ray meets the shape as soon as it is aimed, and nothing but t is kept.
+/// One thread's tool: finds where the rays of a part hit the one shape that covers it. Each ray meets the shape as soon as it is aimed, and nothing
+/// but t is kept.
 /// </summary>
 /// <typeparam name="N">The kind of packet to compute with.</typeparam>
 /// <param name="camera">Where the rays start.</param>
@@ -20,7 +21,7 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
     /// <param name="t">Room for the ray parameters.</param>
     /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
     /// <param name="step">From a pixel's place to that of the one above it.</param>
-    public bool Write(CoveredPart covered, double[] t, int first, int step)
+    public bool Write(CoveredTile covered, double[] t, int first, int step)
     {
         if (covered.Shapes is not [var only] || covered.Part.Width < N.Count) return false;
         (part, isNear) = (covered.Part, only.IsNear);

@@ -16,9 +16,9 @@ internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeVie
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
-    protected override void Cross(RaySpan span, int first, int end)
+    protected override void Cross(RayStream rays, int first, int end)
     {
         var shape = primitive; // a local, so that its constants stay in registers
-        for (var i = first; i < end; i += N.Count) span.Note(i, shape.Cross(span.RaysAt<N>(i)));
+        for (var i = first; i < end; i += N.Count) rays.Note(i, shape.Cross(rays.RaysAt<N>(i)));
     }
 }

@@ -35,26 +35,26 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
     }
 
     /// <inheritdoc/>
-    public sealed override void Meet(RaySpan span, int index)
+    public sealed override void Meet(RayStream rays, int index)
     {
-        var (first, end) = (0, span.Length);
-        if (Extent.IsSmall && span.Rows == 1) // its extent spares most of the span, at a cost that a large model would not win back
+        var (first, end) = (0, rays.Length);
+        if (Extent.IsSmall && rays.Rows == 1) // its extent spares most of the span, at a cost that a large model would not win back
         {
-            first = Math.Max(0, Extent.Column - span.Column);
-            end = Math.Min(end, Extent.EndColumn - span.Column);
+            first = Math.Max(0, Extent.Column - rays.Column);
+            end = Math.Min(end, Extent.EndColumn - rays.Column);
         }
         first = first / N.Count * N.Count;
-        if (Nearest > 0 && span.Hides<N>(first, end, Nearest)) return;
-        Cross(span, first, end);
-        span.KeepNoted<N>(first, end, index);
+        if (Nearest > 0 && rays.Hides<N>(first, end, Nearest)) return;
+        Cross(rays, first, end);
+        rays.KeepNoted<N>(first, end, index);
     }
 
     /// <summary>Finds out where all the rays of some parts may cross the shape.</summary>
     protected abstract void Cross(EightParts parts, out Crossings<Interval> crossings);
 
     /// <summary>Notes where the rays of some pixels cross the shape.</summary>
-    /// <param name="span">Their span.</param>
+    /// <param name="rays">Their stream.</param>
     /// <param name="first">The first pixel, where a packet begins.</param>
     /// <param name="end">The pixel after the last.</param>
-    protected abstract void Cross(RaySpan span, int first, int end);
+    protected abstract void Cross(RayStream rays, int first, int end);
 }

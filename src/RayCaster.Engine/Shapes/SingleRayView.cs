@@ -5,5 +5,5 @@ namespace RayCaster.Engine;
 internal sealed class SingleRayView<N>(Model model) : ModelView<N> where N : struct, IPacket<N>
 {
     /// <inheritdoc/>
-    public override void Meet(RaySpan span, int index) => span.MeetOneByOne(model, index);
+    public override void Meet(RayStream rays, int index) => rays.MeetOneByOne(model, index);
 }

@@ -49,7 +49,7 @@ public class FineMeshTests
     public void OnlyAnEarlierTriangleWithTheSameCornersInTheSameOrderIsATwin()
     {
         Vector3[] vertices = [new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(-0.0, 0, 0)];
-        var twins = new Twins(vertices, [0, 1, 2, 1, 2, 0, 3, 4, 5, 6, 1, 2]);
+        var twins = new Duplicates(vertices, [0, 1, 2, 1, 2, 0, 3, 4, 5, 6, 1, 2]);
         Assert.False(twins.HasEarlier(2));
         Assert.False(twins.HasEarlier(0)); // a later one came before
         Assert.False(twins.HasEarlier(1));

@@ -11,16 +11,16 @@ public class GroupTests
     [InlineData(1)]
     public void AGroupIsSeenTheWayAroundThatItsTrianglesAre(int turn)
     {
-        var (vertices, indices) = Specks(Group.Length, turn);
+        var (vertices, indices) = Specks(TriangleCluster.Length, turn);
         var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
         var corners = new MeshCorners<Packet>(screen, vertices, indices);
-        var inGroups = new ScreenTriangles<Packet>(screen, corners, null, each => new GroupSorter<Packet>(screen, vertices, indices, each), null, 1);
+        var inGroups = new ScreenTriangles<Packet>(screen, corners, null, each => new ClusterSorter<Packet>(screen, vertices, indices, each), null, 1);
         var oneByOne = new ScreenTriangles<Packet>(screen, corners, null, null, null, 1);
         int[] sides = [0, 1];
-        Assert.Equal(Group.Length, sides.Max(side => oneByOne.Of(tile, side).Length));
-        Assert.Equal(1, sides.Sum(side => inGroups.GroupsOf(tile, side).Length));
+        Assert.Equal(TriangleCluster.Length, sides.Max(side => oneByOne.Of(tile, side).Length));
+        Assert.Equal(1, sides.Sum(side => inGroups.ClustersOf(tile, side).Length));
         Assert.Equal(Array.FindIndex(sides, side => oneByOne.Of(tile, side).Length > 0),
-            Array.FindIndex(sides, side => inGroups.GroupsOf(tile, side).Length > 0));
+            Array.FindIndex(sides, side => inGroups.ClustersOf(tile, side).Length > 0));
     }
 
     [Theory]

@@ -159,7 +159,7 @@ public class MarginTests
         var vertices = new List<Vector3>();
         for (var i = 0; i < 64; i++)
         {
-            var (column, row) = (Tile.MaxSide * (1 + i / Group.Length % 2), 2 + i % Group.Length);
+            var (column, row) = (Tile.MaxSide * (1 + i / TriangleCluster.Length % 2), 2 + i % TriangleCluster.Length);
             vertices.AddRange([At(camera, column, row - 0.7, 1), At(camera, column, row + 0.6, 1), At(camera, column - 0.8, row + 0.1, 1)]);
         }
         return (camera, new([.. vertices], [.. Enumerable.Range(0, vertices.Count)]));
@@ -244,7 +244,7 @@ public class MarginTests
     {
         var scene = new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
         var view = new MeshView<Packet>(mesh.Vertices, mesh.Indices, screen).ForThread();
-        var (span, wrong) = (new RaySpan(camera), 0);
+        var (span, wrong) = (new RayStream(camera), 0);
         for (var column = 0; column < camera.Width; column += Tile.MaxSide)
         {
             for (var row = 0; row < camera.Height; row += Tile.MaxSide)

@@ -25,13 +25,13 @@ public class MeshPainterTests
     [Fact]
     public void ASureByteIsThatOfAnyWInTheRange()
     {
-        if (RoughBytes.IsSupported) Assert.Equal(0, WrongPixels(new Random(1), 1e-5f, (screen, scene) => new(screen, scene, 0)));
+        if (FloatBytes.IsSupported) Assert.Equal(0, WrongPixels(new Random(1), 1e-5f, (screen, scene) => new(screen, scene, 0)));
     }
 
     [Fact]
     public void WithoutTheErrorOfLevelsSomeSureBytesAreWrong()
     {
-        if (!RoughBytes.IsSupported) return;
+        if (!FloatBytes.IsSupported) return;
         Assert.Equal(0, WrongPixels(new Random(2), 0, (screen, scene) => new(screen, scene, 0)));
         Assert.NotEqual(0, WrongPixels(new Random(2), 0, (screen, scene) => new(screen, scene, 0) { Error = 0 }));
     }

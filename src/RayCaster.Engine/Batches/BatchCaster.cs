@@ -1,0 +1,60 @@
+namespace RayCaster.Engine;
+
+/// <summary>One thread's tool: casts the tiles of a scene with a batch.</summary>
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) where N : struct, IPacket<N>
+{
+    private const int Side = ScreenBins.PartSide;
+
+    private readonly BatchTile<N> part = new(camera);
+    private readonly RayStream row = new(camera);
+    private readonly DepthOrder order = new();
+
+    /// <summary>Whether members of the batch may show in a tile.</summary>
+    public bool IsFor(in Tile tile) => batch.Shows(tile, order);
+
+    /// <summary>Casts all rays of a tile.</summary>
+    /// <param name="tile">The tile.</param>
+    /// <param name="others">Lets the rays of a stream meet the models that are not in the batch; null where there are none.</param>
+    /// <param name="consumer">Takes the streams.</param>
+    public void Cast(in Tile tile, Action<RayStream>? others, IHitConsumer consumer)
+    {
+        var (firstColumn, firstRow) = (tile.Column / Side * Side, tile.Row / Side * Side);
+        for (var y = firstRow; y < tile.EndRow; y += Side)
+        {
+            for (var x = firstColumn; x < tile.EndColumn; x += Side)
+            {
+                var (column, row) = (Math.Max(x, tile.Column), Math.Max(y, tile.Row));
+                var inner = new Tile(column, row, Math.Min(x + Side, tile.EndColumn) - column, Math.Min(y + Side, tile.EndRow) - row);
+                CastPart(inner, others, consumer);
+            }
+        }
+    }
+
+    private void CastPart(in Tile tile, Action<RayStream>? others, IHitConsumer consumer)
+    {
+        batch.Sort(tile, order);
+        if (order.Sorted.Length == 0 && others is null)
+        {
+            consumer.TakeMiss(tile);
+            return;
+        }
+        part.Enter(tile);
+        if (others is not null) MeetOthers(tile, others);
+        part.RefreshAll();
+        batch.Meet(part, order.Sorted);
+        consumer.Take(part.Rays);
+    }
+
+    /// <summary>Row by row, since not every view can meet several rows at once.</summary>
+    private void MeetOthers(in Tile tile, Action<RayStream> others)
+    {
+        row.Enter<N>(tile.Column, tile.Width);
+        for (var i = 0; i < tile.Height; i++)
+        {
+            row.Aim<N>(tile.Row + i);
+            others(row);
+            part.Take(row);
+        }
+    }
+}

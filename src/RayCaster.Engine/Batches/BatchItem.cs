@@ -1,0 +1,58 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>What is known of a model of a batch before its formula is asked.</summary>
+internal struct BatchItem
+{
+    /// <summary>The pixels where it may show.</summary>
+    public Sides Sides;
+
+    /// <summary>None of its hits is nearer.</summary>
+    public float Nearest;
+
+    /// <summary>Its group, and its place there.</summary>
+    public int Kind, Place;
+
+    /// <summary>Whether all of its hits surely count.</summary>
+    public bool IsClear;
+}
+
+/// <summary>The sides of a rectangle of pixels, as four numbers of which the greater ones of two rectangles are the sides of what they
+/// share.</summary>
+/// <param name="numbers">The first column, the first row, and with the sign turned around the columns and rows after the last.</param>
+[method: MethodImpl(MethodImplOptions.AggressiveInlining)]
+internal readonly struct Sides(Vector128<int> numbers)
+{
+    private readonly Vector128<int> numbers = numbers;
+
+    /// <param name="left">The first column.</param>
+    /// <param name="bottom">The first row.</param>
+    /// <param name="right">The column after the last.</param>
+    /// <param name="top">The row after the last.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Sides(int left, int bottom, int right, int top) : this(Vector128.Create(left, bottom, -right, -top)) { }
+
+    /// <summary>The sides of a tile.</summary>
+    public Sides(in Tile tile) : this(tile.Column, tile.Row, tile.EndColumn, tile.EndRow) { }
+
+    public int Left => numbers[0];
+
+    public int Bottom => numbers[1];
+
+    public int Right => -numbers[2];
+
+    public int Top => -numbers[3];
+
+    /// <summary>What both share.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Sides And(Sides other) => new(Vector128.Max(numbers, other.numbers));
+
+    /// <summary>Whether there are any pixels.</summary>
+    public bool HasPixels
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => ((numbers + Vector128.Shuffle(numbers, Vector128.Create(2, 3, 0, 1))).ExtractMostSignificantBits() & 3) == 3;
+    }
+}

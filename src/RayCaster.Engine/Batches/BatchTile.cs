@@ -1,0 +1,134 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>One thread's part of the picture in which members of a batch are looked for: its rays, the nearest hits so far, and where they hide
+/// what.</summary>
+/// <remarks>
+/// Most members that are looked at are hidden, wholly or in part, and it cannot be foretold where. So the packets to ask a formula about are listed
+/// first, for some members at a time and without branches, and then asked without any: that way neither waits for the other.
+/// </remarks>
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
+{
+    private const int Side = ScreenBins.PartSide;
+
+    private const int BlockSide = 8, BlocksAcross = Side / BlockSide, Blocks = BlocksAcross * BlocksAcross;
+
+    private const int MostListed = Blocks * BlockSide * BlockSide / 4 * DepthOrder.Batch;
+
+    private readonly int[] packets = new int[MostListed], places = new int[MostListed];
+    private readonly double[] farthest = new double[Blocks]; // the greatest t of the nearest hits in each block
+    private Tile tile;
+    private Sides sides;
+    private int count;
+    private uint touched; // blocks with packets listed
+
+    /// <summary>Its rays, and the nearest hits so far.</summary>
+    public RayStream Rays { get; } = new(camera, Side * Side);
+
+    /// <summary>Goes to another part and aims its rays.</summary>
+    public void Enter(in Tile tile)
+    {
+        (this.tile, sides) = (tile, new(tile));
+        Rays.Enter<N>(tile.Column, tile.Width, Side);
+        Rays.Aim<N>(tile.Row, tile.Height);
+        for (var i = 0; i < Side; i++) // what lies beyond the picture is hidden
+        {
+            var width = i < tile.Height ? tile.Width : 0;
+            if (width < Side) Rays.Hide(i * Side + width, Side - width);
+        }
+    }
+
+    /// <summary>Takes over the hits of a row.</summary>
+    public void Take(RayStream rays)
+    {
+        var row = (rays.Row - tile.Row) * Side;
+        for (var i = 0; i < tile.Width; i += N.Count) Rays.Set(row + i, rays.NearestAt<N>(i), rays.ModelsAt<N>(i));
+        if (tile.Width < Side) Rays.Hide(row + tile.Width, Side - tile.Width);
+    }
+
+    /// <summary>Whether all pixels have a hit nearer than this.</summary>
+    public bool Hides(double nearest) => Visible(nearest) == 0;
+
+    /// <summary>Forgets the packets that are listed, and finds out how far the hits reach now that they have been asked.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void Refresh()
+    {
+        for (; touched != 0; touched &= touched - 1) Measure(BitOperations.TrailingZeroCount(touched));
+        count = 0;
+    }
+
+    /// <summary>Finds out how far the hits reach everywhere.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void RefreshAll()
+    {
+        for (var block = 0; block < Blocks; block++) Measure(block);
+        (count, touched) = (0, 0);
+    }
+
+    /// <summary>Lists the packets in a member's rectangle where not all hits so far are nearer than it.</summary>
+    /// <returns>Where in the list they end.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public int List(in BatchItem member)
+    {
+        var (nearest, place) = (member.Nearest, member.Place);
+        var shared = sides.And(member.Sides);
+        var (left, right) = (shared.Left - tile.Column, shared.Right - 1 - tile.Column);
+        var (bottom, top) = (shared.Bottom - tile.Row, shared.Top - 1 - tile.Row);
+        var columns = (2u << (right / BlockSide)) - (1u << (left / BlockSide)); // a bit for each block
+        var rows = (uint)((2UL << top) - (1UL << bottom));                      // a bit for each row
+        var inRows = (2u << (top / BlockSide)) - (1u << (bottom / BlockSide));
+        var blocks = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible(nearest);
+        touched |= blocks;
+        var least = Lanes.Broadcast<N>(nearest);
+        var (rays, packets, places, end) = (Rays, this.packets, this.places, count);
+        for (; blocks != 0; blocks &= blocks - 1)
+        {
+            var block = BitOperations.TrailingZeroCount(blocks);
+            var i = Corner(block);
+            var inBlock = rows >> (block / BlocksAcross * BlockSide);
+            for (var y = 0; y < BlockSide; y++, i += Side, inBlock >>= 1)
+            {
+                for (var x = 0; x < BlockSide; x += N.Count)
+                {
+                    packets[end] = i + x;
+                    places[end] = place;
+                    end += (N.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
+                }
+            }
+        }
+        return count = end;
+    }
+
+    /// <summary>Of each packet that is listed the pixel where it begins.</summary>
+    public ReadOnlySpan<int> Packets => packets;
+
+    /// <summary>And the place in its group of the member that it may hit.</summary>
+    public ReadOnlySpan<int> Places => places;
+
+    /// <summary>A bit for each block: whether it has pixels whose nearest hit is not nearer than this.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private uint Visible(double nearest)
+    {
+        var (least, bits) = (Lanes.Broadcast<N>(nearest), 0u);
+        for (var i = 0; i < Blocks; i += N.Count) bits |= N.Bits(N.Load(farthest, i) >= least) << i;
+        return bits;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Measure(int block)
+    {
+        var i = Corner(block);
+        var most = Rays.NearestAt<N>(i);
+        for (var x = 0; x < BlockSide; x += N.Count)
+            for (var y = 0; y < BlockSide * Side; y += Side)
+                most = N.Max(most, Rays.NearestAt<N>(i + x + y));
+        farthest[block] = N.Greatest(most);
+    }
+
+    /// <summary>Where the numbers of a block begin.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int Corner(int block) => block / BlocksAcross * BlockSide * Side + block % BlocksAcross * BlockSide;
+}

@@ -1,0 +1,186 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// Finds where in the picture balls and boxes may show, and how near they are: as many at once as a packet has lanes.
+/// </summary>
+/// <remarks>
+/// What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
+/// (<see cref="Bounds.PaddedFrom"/>), and what
+/// the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.
+/// </remarks>
+internal sealed class ScreenBounds
+{
+    /// <summary>How many are looked at together.</summary>
+    public const int Count = 8;
+
+    private const double Padding = 1e-12;
+
+    private const double Outside = 0, Unknown = 1, Shows = 2, Clear = 3;
+
+    /// <summary>Where they are.</summary>
+    public readonly double[] X = new double[Count], Y = new double[Count], Z = new double[Count];
+
+    /// <summary>How far they reach from there: balls in every direction, boxes along each axis.</summary>
+    public readonly double[] Radius = new double[Count], HalfX = new double[Count], HalfY = new double[Count], HalfZ = new double[Count];
+
+    private readonly double[] verdict = new double[Count], nearest = new double[Count];
+    private readonly double[] left = new double[Count], right = new double[Count], bottom = new double[Count], top = new double[Count];
+    private readonly Camera camera;
+    private readonly double sample;
+    private readonly bool byDistance;
+    private readonly double leftmost, rightmost, lowest, topmost; // slopes beyond which there is no pixel,
+    private readonly double lengthLeft, lengthRight, lengthLow, lengthTop; // and how long (1, slope) is
+
+    public ScreenBounds(Camera camera)
+    {
+        (this.camera, sample, byDistance) = (camera, camera.SampleOffset, camera.Clip == Clip.Distance);
+        (leftmost, lengthLeft) = Slope(-1, camera.PlaneWidth, camera.Width);
+        (rightmost, lengthRight) = Slope(camera.Width + 1, camera.PlaneWidth, camera.Width);
+        (lowest, lengthLow) = Slope(-1, camera.PlaneHeight, camera.Height);
+        (topmost, lengthTop) = Slope(camera.Height + 1, camera.PlaneHeight, camera.Height);
+
+        static (double Slope, double Length) Slope(double pixel, double planeSize, int pixels)
+        {
+            var slope = planeSize * pixel / pixels - planeSize / 2;
+            return (slope, Math.Sqrt(1 + slope * slope));
+        }
+    }
+
+    /// <summary>Looks at balls.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void OfBalls<N>() where N : struct, IPacket<N>
+    {
+        for (var i = 0; i < Count; i += N.Count)
+            Keep(i, Ball(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), N.Load(Radius, i)));
+    }
+
+    /// <summary>Looks at boxes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void OfBoxes<N>() where N : struct, IPacket<N>
+    {
+        for (var i = 0; i < Count; i += N.Count)
+        {
+            var half = new Vector3<N>(N.Load(HalfX, i), N.Load(HalfY, i), N.Load(HalfZ, i));
+            Keep(i, Box(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), half));
+        }
+    }
+
+    /// <summary>What was found of one of them.</summary>
+    /// <param name="i">Which.</param>
+    /// <param name="member">Where it shows and how near it is.</param>
+    /// <returns>Whether it may show; null where it reaches to the eye's plane, or numbers fail, so that nothing is known.</returns>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool? Read(int i, ref BatchItem member)
+    {
+        if (verdict[i] == Outside) return false;
+        if (verdict[i] == Unknown) return null;
+        member.Sides = new((int)left[i], (int)bottom[i], (int)right[i], (int)top[i]);
+        member.Nearest = (float)nearest[i];
+        member.IsClear = verdict[i] == Clear;
+        return member.Sides.HasPixels;
+    }
+
+    /// <summary>Where a ball is seen: slopes s of the lines through the eye that touch it, (x − s z)² = r² (1 + s²).</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Outline<N> Ball<N>(Vector3<N> center, N radius) where N : struct, IReal<N>
+    {
+        var L = center - camera.Position;
+        var distance = N.Sqrt(L * L);
+        var r = radius + Padding * (distance + radius);
+        var (x, y, z) = See(L);
+        var difference = z * z - r * r;
+        var (rootX, rootY) = (r * N.Sqrt(x * x + difference), r * N.Sqrt(y * y + difference));
+        var isClear = (distance - r > camera.Bias) & (byDistance
+            ? (distance - r >= camera.ZNear) & (distance + r <= camera.ZFar)
+            : (z - r >= camera.ZNear) & (z + r <= camera.ZFar));
+        return Judged(
+            IsOutside(x, y, z, r),
+            0.999 * z > r, // so that the difference of squares keeps its digits
+            isClear,
+            distance - r,
+            (x * z - rootX) / difference, (x * z + rootX) / difference, (y * z - rootY) / difference, (y * z + rootY) / difference);
+    }
+
+    /// <summary>Where a box is seen, by the box around it along the camera's axes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Outline<N> Box<N>(Vector3<N> center, Vector3<N> half) where N : struct, IReal<N>
+    {
+        var L = center - camera.Position;
+        var size = new Vector3<N>(N.Max(L.X, -L.X), N.Max(L.Y, -L.Y), N.Max(L.Z, -L.Z));
+        var margin = Padding * (size.X + size.Y + size.Z + half.X + half.Y + half.Z);
+        half += new Vector3<N>(margin, margin, margin);
+        var gap = new Vector3<N>(N.Max(size.X - half.X, 0), N.Max(size.Y - half.Y, 0), N.Max(size.Z - half.Z, 0));
+        var (x, y, z) = See(L);
+        var (halfX, halfY, halfZ) = (Spread(half, camera.U), Spread(half, camera.V), Spread(half, camera.W));
+        var (front, back) = (z - halfZ, z + halfZ);
+        return Judged(
+            IsOutside(x, y, z, N.Sqrt(half * half)),
+            front > 0,
+            0, // a triangle that is seen edge-on may have a t outside of its box
+            Bounds.LeastTOf(gap, size + half),
+            (x - halfX) / N.Select(x < halfX, front, back), (x + halfX) / N.Select(x < -halfX, back, front),
+            (y - halfY) / N.Select(y < halfY, front, back), (y + halfY) / N.Select(y < -halfY, back, front));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Outline<N> Judged<N>(N isOutside, N isInFront, N isClear, N nearest, N left, N right, N bottom, N top) where N : struct, IReal<N>
+    {
+        (left, right, bottom, top) = (Column(left), Column(right), Row(bottom), Row(top));
+        var isKnown = isInFront & (left + right + bottom + top + nearest < double.PositiveInfinity); // false for NaN
+        return new()
+        {
+            Verdict = N.Select(isOutside, Outside, N.Select(isKnown, N.Select(isClear, Clear, Shows), Unknown)),
+            // As a float it is rounded by 6e-8 of itself, or by more where it is next to nothing.
+            Nearest = N.Select(nearest > 1e-37, N.Min(nearest * (1 - 1e-7), float.MaxValue), 0),
+            Left = left,
+            Right = right,
+            Bottom = bottom,
+            Top = top,
+        };
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Keep<N>(int i, in Outline<N> outline) where N : struct, IPacket<N>
+    {
+        outline.Nearest.Store(nearest, i);
+        outline.Verdict.Store(verdict, i);
+        outline.Left.Store(left, i);
+        outline.Right.Store(right, i);
+        outline.Bottom.Store(bottom, i);
+        outline.Top.Store(top, i);
+    }
+
+    /// <summary>A direction in the camera's axes, the depth last.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private (N X, N Y, N Z) See<N>(Vector3<N> direction) where N : struct, IReal<N> =>
+        (direction * camera.U, direction * camera.V, -(direction * camera.W));
+
+    /// <summary>Where a ball is behind the camera, or beside all that it sees.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private N IsOutside<N>(N x, N y, N z, N radius) where N : struct, IReal<N> =>
+        (z < -radius)
+        | (leftmost * z - x > radius * lengthLeft) | (x - rightmost * z > radius * lengthRight)
+        | (lowest * z - y > radius * lengthLow) | (y - topmost * z > radius * lengthTop);
+
+    /// <summary>The column of a slope, rounded up when it is truncated, and within the picture.</summary>
+    /// <remarks>The sample of column c lies at u = planeWidth · c / width − planeWidth / 2, half a pixel further for centres.</remarks>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private N Column<N>(N slope) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneWidth + 0.5) * camera.Width + (1 - sample), 0), camera.Width);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private N Row<N>(N slope) where N : struct, IReal<N> =>
+        N.Min(N.Max((slope / camera.PlaneHeight + 0.5) * camera.Height + (1 - sample), 0), camera.Height);
+
+    /// <summary>Half the size of a box along an axis of any direction.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static N Spread<N>(Vector3<N> half, Vector3 axis) where N : struct, IReal<N> =>
+        Math.Abs(axis.X) * half.X + Math.Abs(axis.Y) * half.Y + Math.Abs(axis.Z) * half.Z;
+
+    private ref struct Outline<N> where N : struct, IReal<N>
+    {
+        public N Verdict, Nearest, Left, Right, Bottom, Top;
+    }
+}

@@ -1,0 +1,63 @@
+using System.Buffers;
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>A list of plain values whose items can be read as a span. Its memory is rented from the pool: fresh pages cost more than what is written
+/// on them.</summary>
+internal sealed class PooledList<T> where T : struct
+{
+    private const int LeastLength = 1024;
+
+    private T[] items = [];
+    private int count;
+
+    /// <summary>How many there are.</summary>
+    public int Count => count;
+
+    /// <summary>All of them.</summary>
+    public Span<T> Items => items.AsSpan(0, count);
+
+    /// <summary>Adds one at the end.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Add(T item)
+    {
+        if (count == items.Length) Grow();
+        items[count++] = item;
+    }
+
+    /// <summary>Changes their number; what new ones hold is left to chance.</summary>
+    public void Resize(int length)
+    {
+        Reserve(length);
+        count = length;
+    }
+
+    /// <summary>Makes room for so many, so that they need not be moved while there come more.</summary>
+    public void Reserve(int capacity)
+    {
+        if (capacity > items.Length) Move(capacity);
+    }
+
+    /// <summary>Removes all; the memory stays.</summary>
+    public void Clear() => count = 0;
+
+    /// <summary>Removes all and gives the memory back.</summary>
+    public void Free()
+    {
+        if (items.Length > 0) ArrayPool<T>.Shared.Return(items);
+        (items, count) = ([], 0);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private void Grow() => Move(Math.Max(LeastLength, 2 * count));
+
+    private void Move(int capacity)
+    {
+        var larger = ArrayPool<T>.Shared.Rent(capacity);
+        Items.CopyTo(larger);
+        var kept = count;
+        Free();
+        (items, count) = (larger, kept);
+    }
+}

@@ -1,0 +1,41 @@
+namespace RayCaster.Engine;
+
+/// <summary>
+/// Tells that a triangle has the corners of an earlier one, to the bit and in the same order: its t is the same everywhere, so that only one of them
+/// need be
+/// asked. Without this a million copies of one triangle would all be asked about each pixel, since none is surely before another.
+/// </summary>
+/// <remarks>
+/// It forgets some, since a slot of the table remembers one triangle only. And it tells only of twins that are earlier in the mesh: so of all that
+/// have the same corners the first one is never left out, in whatever order they come.
+/// </remarks>
+internal sealed class Duplicates(Vector3[] vertices, int[] indices)
+{
+    private readonly (int Round, int Triangle)[] table = new (int, int)[1 << 10];
+    private int round = 1;
+
+    /// <summary>Forgets all.</summary>
+    public void Clear() => round++;
+
+    /// <summary>Whether an earlier triangle of the mesh that came before has the same corners.</summary>
+    public bool HasEarlier(int triangle)
+    {
+        var (a, b, c) = (vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);
+        var hash = HashOf(a) + 3 * HashOf(b) + 5 * HashOf(c);
+        ref var slot = ref table[(int)((ulong)(hash * -7046029254386353131) >> 54)];
+        if (slot.Round == round && slot.Triangle < triangle && IsCorner(slot.Triangle, 0, a) && IsCorner(slot.Triangle, 1, b) && IsCorner(slot.Triangle, 2, c))
+            return true;
+        slot = (round, triangle);
+        return false;
+    }
+
+    private bool IsCorner(int triangle, int corner, in Vector3 point)
+    {
+        ref readonly var other = ref vertices[indices[3 * triangle + corner]];
+        return Bits(other.X) == Bits(point.X) && Bits(other.Y) == Bits(point.Y) && Bits(other.Z) == Bits(point.Z);
+    }
+
+    private static long HashOf(in Vector3 p) => Bits(p.X) + 7 * Bits(p.Y) + 31 * Bits(p.Z);
+
+    private static long Bits(double number) => BitConverter.DoubleToInt64Bits(number);
+}

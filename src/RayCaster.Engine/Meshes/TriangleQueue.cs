@@ -1,0 +1,73 @@
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// Triangles that wait until there are many of them: of eight that come together often only some need a further look; and while they are only
+/// collected,
+/// nothing depends on what comes out, so that the processor can work far ahead.
+/// </summary>
+internal sealed class TriangleQueue
+{
+    /// <summary>The most that ever wait.</summary>
+    public const int Limit = 128;
+
+    private const int Room = Limit + 8;
+
+    private static readonly int[] Orders = MakeOrders();
+
+    private readonly int[] orders = Orders; // a field of its own: code compiled early asks at each use whether a static one is there
+    private readonly float[] corners = new float[9 * Room];
+    private readonly int[] triangles = new int[Room];
+
+    /// <summary>How many there are.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Whether there is no room for another eight.</summary>
+    public bool IsFull => Count > Limit - 8;
+
+    /// <summary>Their numbers.</summary>
+    public RawSpan<int> Triangles => new(triangles);
+
+    /// <summary>Adds some of eight triangles, while it is not full.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public void Add(in EightTriangles t, Vector256<int> ids, uint lanes)
+    {
+        var order = orders.Load256((int)(8 * lanes));
+        Vector256.ShuffleNative(t.A.X, order).StoreTo(corners, Count);
+        Vector256.ShuffleNative(t.A.Y, order).StoreTo(corners, Count + Room);
+        Vector256.ShuffleNative(t.A.W, order).StoreTo(corners, Count + 2 * Room);
+        Vector256.ShuffleNative(t.B.X, order).StoreTo(corners, Count + 3 * Room);
+        Vector256.ShuffleNative(t.B.Y, order).StoreTo(corners, Count + 4 * Room);
+        Vector256.ShuffleNative(t.B.W, order).StoreTo(corners, Count + 5 * Room);
+        Vector256.ShuffleNative(t.C.X, order).StoreTo(corners, Count + 6 * Room);
+        Vector256.ShuffleNative(t.C.Y, order).StoreTo(corners, Count + 7 * Room);
+        Vector256.ShuffleNative(t.C.W, order).StoreTo(corners, Count + 8 * Room);
+        Vector256.ShuffleNative(ids, order).StoreTo(triangles, Count);
+        Count += BitOperations.PopCount(lanes);
+    }
+
+    /// <summary>Eight of them; where fewer are left, the other lanes hold what was there before.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public EightTriangles See(int first) => new() { A = Points(first), B = Points(first + 3 * Room), C = Points(first + 6 * Room) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private EightPoints Points(int first) => new(
+        corners.Load256(first), corners.Load256(first + Room), corners.Load256(first + 2 * Room));
+
+    /// <summary>Forgets all.</summary>
+    public void Clear() => Count = 0;
+
+    /// <summary>For each mask of eight lanes the numbers of the lanes that are set, from the first place on.</summary>
+    private static int[] MakeOrders()
+    {
+        var orders = new int[8 << 8];
+        for (var mask = 0; mask < 1 << 8; mask++)
+            for (int lane = 0, count = 0; lane < 8; lane++)
+                if ((mask >> lane & 1) != 0)
+                    orders[8 * mask + count++] = lane;
+        return orders;
+    }
+}

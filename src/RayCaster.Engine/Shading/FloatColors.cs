@@ -1,0 +1,77 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+using System.Runtime.Intrinsics.X86;
+
+namespace RayCaster.Engine;
+
+/// <summary>The colours of a scene as whole numbers of small steps, which sixteen lanes look up at once.</summary>
+internal sealed class FloatColors
+{
+    /// <summary>Up to so many colours lie in vectors, from which lanes take them without a look at memory; more are packed, three channels to a
+    /// long.</summary>
+    private const int Few = 32;
+
+    private const int ChannelBits = 21;
+    private const int ChannelMask = (1 << ChannelBits) - 1;
+
+    private readonly float[] reds = new float[Few], greens = new float[Few], blues = new float[Few];
+    private readonly long[] packed = [];
+
+    /// <param name="light">Red, green and blue of the background, then of the models.</param>
+    public FloatColors(double[] light)
+    {
+        var (most, count) = (0.0, light.Length / 3);
+        foreach (var channel in light) most = Math.Max(most, channel);
+        MostSteps = count <= Few ? 1 << 24 : ChannelMask; // floats are exact up to 2²⁴
+        Step = Math.Max(most, double.Epsilon * MostSteps) / MostSteps;
+        if (count > Few) packed = new long[count];
+        for (var i = 0; i < count; i++)
+        {
+            var (r, g, b) = (Steps(light[3 * i]), Steps(light[3 * i + 1]), Steps(light[3 * i + 2]));
+            if (packed.Length > 0) packed[i] = r | (g << ChannelBits) | (b << (2 * ChannelBits));
+            else (reds[i], greens[i], blues[i]) = (r, g, b);
+        }
+
+        long Steps(double channel) => Math.Min((long)(channel / Step + 0.5), MostSteps);
+    }
+
+    /// <summary>How much light one step is.</summary>
+    public double Step { get; }
+
+    /// <summary>No channel has more steps.</summary>
+    public int MostSteps { get; }
+
+    /// <summary>Colours that do not lie in vectors; empty where all do.</summary>
+    public ReadOnlySpan<long> Packed => packed;
+
+    /// <summary>The channels of sixteen pixels, in steps.</summary>
+    /// <param name="packed">The first of <see cref="Packed"/>, or null.</param>
+    /// <param name="places">The places of the pixels' colours.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public unsafe (Vector512<float> R, Vector512<float> G, Vector512<float> B) At(long* packed, Vector512<int> places)
+    {
+        if (packed is null) return (FromFew(reds, places), FromFew(greens, places), FromFew(blues, places));
+        var (first, second) = (Gather(packed, places.GetLower()), Gather(packed, places.GetUpper()));
+        var low = Avx512F.PermuteVar16x32x2(first, Vector512.CreateSequence(0, 2), second);
+        var high = Avx512F.PermuteVar16x32x2(first, Vector512.CreateSequence(1, 2), second);
+        var mask = Vector512.Create(ChannelMask);
+        return (
+            Avx512F.ConvertToVector512Single(low & mask),
+            Avx512F.ConvertToVector512Single(((low >>> ChannelBits) | (high << (32 - ChannelBits))) & mask),
+            Avx512F.ConvertToVector512Single(high >>> (2 * ChannelBits - 32)));
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private unsafe Vector512<int> Gather(long* packed, Vector256<int> places)
+    {
+#if CHECKED
+        for (var i = 0; i < Vector256<int>.Count; i++) _ = this.packed[places[i]];
+#endif
+        return Vector512.Create(
+            Avx2.GatherVector256(packed, places.GetLower(), sizeof(long)), Avx2.GatherVector256(packed, places.GetUpper(), sizeof(long))).AsInt32();
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<float> FromFew(float[] table, Vector512<int> places) =>
+        Avx512F.PermuteVar16x32x2(table.Load512(0), places, table.Load512(16));
+}

@@ -1,0 +1,83 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>Turns the hits of streams into bytes, sixteen pixels at once, in floats; the pixels that are in doubt go to
+/// <see cref="HitShader"/>.</summary>
+internal sealed class FloatShader
+{
+    /// <summary>With a greater error too many pixels would be in doubt.</summary>
+    private const double MostError = 0.001;
+
+    private readonly Scene scene;
+    private readonly FloatColors colors;
+    private readonly double error;
+
+    private FloatShader(Scene scene, double[] light)
+    {
+        this.scene = scene;
+        colors = new(light);
+        // Beyond this t there is no light, whatever the rounding.
+        var t = ErrorBound.From(0, 2 * scene.Camera.Reach);
+        var steps = new ErrorBound(0, colors.MostSteps, 0); // floats know whole numbers exactly
+        var level = Color.Level(scene.Attenuation(t) * colors.Step * steps);
+        error = level.Error + 255 * colors.Step / 2 + FloatBytes.RoundingOfTheEnds; // a colour is off by half a step
+    }
+
+    /// <summary>A shader for a scene; null where the machine or the scene does not suit it.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="light">Red, green and blue of its background, then of its models.</param>
+    public static FloatShader? For(Scene scene, double[] light) =>
+        FloatBytes.IsSupported && new FloatShader(scene, light) is { error: < MostError } shader ? shader : null;
+
+    /// <summary>Whether a stream is of a form that it can shade.</summary>
+    public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % FloatPacket.Count == 0;
+
+    /// <inheritdoc cref="HitShader.Shade(RayStream, byte[], int, int)"/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public unsafe void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
+    {
+        fixed (long* packed = colors.Packed)
+        {
+            for (var i = 0; i < rays.Length; i += 2 * FloatPacket.Count)
+            {
+                var j = Math.Min(i + FloatPacket.Count, rays.Length - FloatPacket.Count); // the last sixteen twice, if they have no partner
+                var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
+                var isMiss = new FloatPacket(Vector512.Equals(lower, Vector512<int>.Zero).AsSingle(), Vector512.Equals(upper, Vector512<int>.Zero).AsSingle());
+                var light = scene.Attenuation(new FloatPacket(NearestAt(rays, i), NearestAt(rays, j)));
+                light = FloatPacket.Select(isMiss, 1, light) * colors.Step; // 1 leaves the background as it is
+                var (a, b) = (colors.At(packed, lower), colors.At(packed, upper));
+                var red = Color.Level(light * new FloatPacket(a.R, b.R));
+                var green = Color.Level(light * new FloatPacket(a.G, b.G));
+                var blue = Color.Level(light * new FloatPacket(a.B, b.B));
+                Write(rays, i, red.Lower, green.Lower, blue.Lower, exact, rgb, first, step);
+                Write(rays, j, red.Upper, green.Upper, blue.Upper, exact, rgb, first, step);
+            }
+        }
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Write(
+        RayStream rays, int pixel, Vector512<float> r, Vector512<float> g, Vector512<float> b, HitShader exact, byte[] rgb, int first, int step)
+    {
+        var slack = Vector512.Create((float)error);
+        var place = first + pixel / rays.Width * step + 3 * (pixel % rays.Width);
+        var least = FloatBytes.Packed(r - slack, g - slack, b - slack);
+        FloatBytes.Store(least, rgb, place);
+        if (Vector512.EqualsAll(least, FloatBytes.Packed(r + slack, g + slack, b + slack))) return;
+        exact.Shade(rays, pixel, rgb.AsSpan(place, 3 * FloatPacket.Count));
+    }
+
+    /// <summary>The places of sixteen pixels' colours.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<int> PlacesAt(RayStream rays, int pixel)
+    {
+        var models = Vector512.Create(rays.ModelsAt<WidePacket>(pixel).ToInts(), rays.ModelsAt<WidePacket>(pixel + WidePacket.Count).ToInts());
+        return models + Vector512<int>.One;
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<float> NearestAt(RayStream rays, int pixel) =>
+        Vector512.Narrow(rays.NearestAt<WidePacket>(pixel).Lanes, rays.NearestAt<WidePacket>(pixel + WidePacket.Count).Lanes);
+}

@@ -1,0 +1,92 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>Turns the hits of streams into bytes: the formulas of <see cref="Scene.Shade"/> and <see cref="Color.ToBytes"/> for four pixels at
+/// once.</summary>
+internal sealed class HitShader
+{
+    private readonly double[] colors; // red, green and blue of the background, then of the models
+    private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
+    private readonly FloatShader? floats;
+
+    /// <param name="scene">What is drawn.</param>
+    /// <param name="isLong">Whether there are pixels enough that floats kernels pay.</param>
+    public HitShader(Scene scene, bool isLong)
+    {
+        Scene = scene;
+        var (r, g, b) = scene.Background.ToBytes();
+        for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
+        colors = ColorsOf(scene);
+        floats = isLong ? FloatShader.For(scene, colors) : null;
+    }
+
+    /// <summary>What is drawn.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>Writes the pixels of a stream.</summary>
+    /// <param name="rays">The hits.</param>
+    /// <param name="rgb">Room for three bytes a pixel.</param>
+    /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    public void Shade(RayStream rays, byte[] rgb, int first, int step)
+    {
+        if (floats is not null && FloatShader.Takes(rays)) floats.Shade(rays, this, rgb, first, step);
+        else
+            for (var i = 0; i < rays.Length; i += rays.Pitch, first += step)
+                Shade(rays, i, rgb.AsSpan(first, 3 * rays.Width));
+    }
+
+    /// <summary>Writes some pixels.</summary>
+    /// <param name="rays">The hits.</param>
+    /// <param name="first">The first of the pixels in the stream.</param>
+    /// <param name="rgb">Three bytes for each of the pixels.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void Shade(RayStream rays, int first, Span<byte> rgb)
+    {
+        var packed = Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
+        for (var j = 0; j < rgb.Length; first += Packet.Count, j += 3 * Packet.Count)
+        {
+            var models = rays.ModelsAt<Packet>(first);
+            var attenuation = Packet.Select(models < 0, 1, Scene.Attenuation(rays.NearestAt<Packet>(first))); // 1 leaves the background as it is
+            var (a, b, c, d) = (PlaceOf(models.Lanes[0]), PlaceOf(models.Lanes[1]), PlaceOf(models.Lanes[2]), PlaceOf(models.Lanes[3]));
+            var pixels = Vector128<int>.Zero;
+            for (var channel = 2; channel >= 0; channel--)
+            {
+                var light = new Packet(Vector256.Create(colors[a + channel], colors[b + channel], colors[c + channel], colors[d + channel]));
+                pixels = (pixels << 8) | Color.Level(attenuation * light).ToInts();
+            }
+            var bytes = Vector128.Shuffle(pixels.AsByte(), packed);
+
+            // Twelve bytes; the four zeros after them fall on pixels that come next, but not beyond the span, where another thread may be at work.
+            if (j + 16 <= rgb.Length) bytes.CopyTo(rgb[j..]);
+            else
+                for (var k = j; k < Math.Min(j + 12, rgb.Length); k++) rgb[k] = bytes[k - j];
+        }
+    }
+
+    /// <summary>Writes pixels that show the background.</summary>
+    /// <param name="rgb">Room for three bytes a pixel.</param>
+    public void ShadeMiss(Span<byte> rgb)
+    {
+        for (; rgb.Length > missed.Length; rgb = rgb[missed.Length..]) missed.CopyTo(rgb);
+        missed.AsSpan(0, rgb.Length).CopyTo(rgb);
+    }
+
+    /// <summary>Where a model's colour begins; that of the background for −1.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static int PlaceOf(double model) => 3 * (int)model + 3;
+
+    private static double[] ColorsOf(Scene scene)
+    {
+        var models = scene.Models;
+        var colors = new double[3 * models.Count + 3];
+        for (var i = 0; i < colors.Length; i += 3)
+        {
+            var color = i == 0 ? scene.Background : models[i / 3 - 1].Color;
+            (colors[i], colors[i + 1], colors[i + 2]) = (color.R, color.G, color.B);
+        }
+        return colors;
+    }
+}
