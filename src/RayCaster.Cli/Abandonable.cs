@@ -2,20 +2,13 @@ using System.Runtime.ExceptionServices;
 
 namespace RayCaster.Cli;
 
-/// <summary>Work that leaves nothing behind, so that who cancels need not wait for its end.</summary>
+/// <summary>Work that need not come to its end: whatever it waits for or computes, who cancels it waits no longer than a moment.</summary>
 internal static class Abandonable
 {
-    private const int Glance = 50; // milliseconds
-
-    /// <inheritdoc cref="Run{T}"/>
-    public static void Run(Action work, CancellationToken cancellation) => Run(() =>
-    {
-        work();
-        return true;
-    }, cancellation);
+    private const int Glance = 50, Moment = 200; // milliseconds
 
     /// <summary>Does the work on a thread of its own; the first use of the thread pool would take three milliseconds of each run.</summary>
-    /// <exception cref="OperationCanceledException">It is cancelled. The work goes on, and nobody hears what comes of it.</exception>
+    /// <exception cref="OperationCanceledException">It is cancelled. Work that does not end within a moment goes on, and nobody hears what comes of it.</exception>
     public static T Run<T>(Func<T> work, CancellationToken cancellation)
     {
         var (result, failure) = (default(T), default(Exception));
@@ -32,7 +25,8 @@ internal static class Abandonable
         })
         { IsBackground = true };
         thread.Start();
-        while (!thread.Join(Glance)) cancellation.ThrowIfCancellationRequested();
+        while (!thread.Join(Glance))
+            if (cancellation.IsCancellationRequested && !thread.Join(Moment)) throw new OperationCanceledException(cancellation);
         if (failure is not null) ExceptionDispatchInfo.Throw(failure);
         return result!;
     }

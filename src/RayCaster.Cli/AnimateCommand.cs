@@ -55,7 +55,8 @@ internal sealed class AnimateCommand : Command
     {
         var frames = InputFiles.Of(line.Operands, out var chosen);
         frames.RemoveAll(file => !chosen.Contains(file) && Path.GetFullPath(file) == Path.GetFullPath(output));
-        InputFiles.Keep(frames, output);
+        InputFiles.Note(frames);
+        InputFiles.Keep(output);
         return frames.Count > 0 ? frames : throw ProblemException.Usage("which pictures? Name PNG files, a pattern or a folder with some");
     }
 }

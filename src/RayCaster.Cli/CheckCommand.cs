@@ -39,7 +39,8 @@ internal sealed class CheckCommand : Command
         var exitCode = ExitCode.Done;
         foreach (var path in line.Operands)
         {
-            var reading = Abandonable.Run(() => SceneInput.Read(path, threads), cancellation);
+            cancellation.ThrowIfCancellationRequested();
+            var reading = SceneInput.Read(path, threads);
             if (reading.Scene is { } scene) scenes.Add(scene);
             var unread = reading.Problems.Any(problem => problem.IsError && problem.Line == 0);
             StandardFile.WriteOutput(reading.Report());
@@ -54,7 +55,7 @@ internal sealed class CheckCommand : Command
             StandardFile.WriteOutput($"A scene has more than {SceneFitness.MostModels} models: too many to try mistakes on." + Environment.NewLine);
             return exitCode;
         }
-        var fitness = Abandonable.Run(() => SceneFitness.Of(scenes, threads), cancellation);
+        var fitness = SceneFitness.Of(scenes, threads);
         StandardFile.WriteOutput(FitnessReport.Text(fitness));
         return exitCode;
     }

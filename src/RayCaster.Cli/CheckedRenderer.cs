@@ -69,7 +69,8 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
         for (var line = lines.First; line <= lines.Last; line += atOnce)
         {
             var (top, window) = (line, new Picture(scene.Camera.Width, Math.Min(atOnce, lines.Last + 1 - line)));
-            Abandonable.Run(() => ScalarRenderer.Render(scene, window, 0, top), cancellation);
+            cancellation.ThrowIfCancellationRequested();
+            ScalarRenderer.Render(scene, window, 0, top);
             linesDone?.Invoke(window.Height);
             write(window.Rgb);
         }

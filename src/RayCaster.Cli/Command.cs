@@ -4,7 +4,8 @@ namespace RayCaster.Cli;
 internal abstract class Command
 {
     /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
-    public static readonly string[] Names = ["check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "live", "help"];
+    public static readonly string[] Names =
+        ["check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "handout", "mark", "vary", "live", "help"];
 
     /// <summary>The command of a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
@@ -17,6 +18,9 @@ internal abstract class Command
         "orbit" => new OrbitCommand(),
         "animate" => new AnimateCommand(),
         "sheet" => new SheetCommand(),
+        "handout" => new HandOutCommand(),
+        "mark" => new MarkCommand(),
+        "vary" => new VaryCommand(),
         "live" => new LiveCommand(),
         "help" => new HelpCommand(),
         _ => null,

@@ -5,6 +5,8 @@ namespace RayCaster.Cli;
 /// <summary>The command line, understood: a command, what it is about, and the options given.</summary>
 internal sealed class CommandLine
 {
+    private const int MostOfCore = 4;
+
     private readonly Dictionary<Option, string> values = [];
     private readonly List<string> operands = [];
 
@@ -28,6 +30,7 @@ internal sealed class CommandLine
     /// <exception cref="ProblemException">The command line cannot be understood.</exception>
     public static CommandLine Parse(string[] arguments)
     {
+        foreach (var word in arguments) FileWord.Check(word);
         var line = new CommandLine(new DrawCommand());
         for (var next = 0; next < arguments.Length;)
         {
@@ -45,6 +48,7 @@ internal sealed class CommandLine
         }
 
         if (line.Has(Option.Help)) return line;
+        if (line.operands.Contains("")) throw ProblemException.Usage("a name is empty: it names no file");
         foreach (var (option, _) in line.values)
             if (!line.Command.Takes(option))
                 throw ProblemException.Usage(line.CommandName == ""
@@ -57,14 +61,14 @@ internal sealed class CommandLine
     /// <param name="names">What each is called in the message, should one be missing.</param>
     public IReadOnlyList<string> Exactly(params ReadOnlySpan<string> names)
     {
-        if (operands.Count == names.Length && !operands.Contains("")) return operands;
+        if (operands.Count == names.Length) return operands;
         throw ProblemException.Usage(
             $"{CommandName} takes {string.Join(' ', names!)}, but {(operands.Count == 0 ? "nothing is" : $"'{string.Join(' ', operands)}' is")} given");
     }
 
-    /// <summary>How many threads, null for one per core.</summary>
+    /// <summary>How many threads, null for one per core. More than a few for each core only take memory.</summary>
     public int? ThreadCount() => this[Option.Threads] is not { } text ? null
-        : ParseCount(text) is { } threads and <= 1024 ? threads
+        : ParseCount(text) is { } threads and <= 1024 ? Math.Min(threads, MostOfCore * Environment.ProcessorCount)
         : throw ProblemException.Usage($"'{text}' is not a number of threads: it is a whole number from 1 to 1024");
 
     /// <summary>The picture's size, null for the scene's.</summary>
@@ -103,6 +107,7 @@ internal sealed class CommandLine
             throw ProblemException.Usage($"option '{option.Name}' takes no value, but '{value}' is given");
         if (option.TakesValue && value is null)
             value = next < arguments.Length ? arguments[next++] : throw ProblemException.Usage($"option '{option.Name}' needs a value");
+        if (option.TakesValue && value!.Length == 0) throw ProblemException.Usage($"option '{option.Name}' needs a value, but an empty one is given");
         values[option] = value ?? "";
     }
 

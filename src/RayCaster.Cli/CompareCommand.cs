@@ -47,7 +47,8 @@ internal sealed class CompareCommand : Command
     {
         var files = line.Exactly("<mine>", "<reference>");
         var (mineFile, referenceFile, output, threads) = (files[0], files[1], line[Option.Output], line.ThreadCount());
-        if (output is not null) InputFiles.Keep(files, output);
+        InputFiles.Note(files);
+        if (output is not null) InputFiles.Keep(output);
         var format = output is null ? PictureFormat.Png : PictureFormats.ByExtension(output);
         var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
         Scene? scene = null;
@@ -59,7 +60,7 @@ internal sealed class CompareCommand : Command
         }
 
         var comparison = new PictureComparison(mine, reference, scene, threads);
-        if (output is not null) PictureFile.Write(output, SideBySide.Draw(comparison), format);
+        if (output is not null) PictureOutput.Write(output, SideBySide.Draw(comparison), format, cancellation);
         if (line.Has(Option.Json))
         {
             using var json = new MemoryStream();

@@ -51,7 +51,7 @@ internal sealed class DiagnoseCommand : Command
                 "it is compared with the scene drawn in that size" + Environment.NewLine);
             scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
         }
-        var diagnosis = Abandonable.Run(() => Diagnosis.Of(scene, picture, threads), cancellation);
+        var diagnosis = Diagnosis.Of(scene, picture, threads);
         StandardFile.WriteOutput(line.Has(Option.Json)
             ? DiagnosisReport.Json(diagnosis)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level));

@@ -41,7 +41,7 @@ internal sealed class DrawCommand : Command
         output ??= PartName(NameOf(path), lines, scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
         var part = isPart ? PictureOutput.Facts(scene, lines) : null;
-        if (line.Has(Option.Resume) && PartFile.Holds(output, part!))
+        if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part!, quiet))
         {
             if (!quiet) StandardFile.WriteError($"{output}: there already{Environment.NewLine}");
             return ExitCode.Done;
@@ -56,7 +56,8 @@ internal sealed class DrawCommand : Command
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
         var isOdd = odd.IsOdd && lines.Count == scene.Camera.Height; // a part may well show one colour
-        if (line.Has(Option.Ledger) || isOdd) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
+        if (line.Has(Option.Ledger) || (isOdd && HitLedger.IsQuick(scene))) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
+        else if (isOdd) StandardFile.WriteError("The picture shows nothing, or one colour; --ledger says why, which takes a while with so many triangles.\n");
         return ExitCode.Done;
 
         void Watch(int first, ReadOnlySpan<byte> drawn)

@@ -20,16 +20,24 @@ internal static class HelpText
           raycaster <scene> [options]
           raycaster <command> ...
 
-        Commands:
-          check <scene>...                 Finds errors, and what a scene's picture cannot show.
-          compare <mine> <reference>       Says whether two pictures are the same, and where not.
+        For students:
+          live <scene>                     Opens a page that follows the scene file.
           diagnose <scene> <mine>          Says which mistake makes a wrong picture.
+          compare <mine> <reference>       Says whether two pictures are the same, and where not.
           explain <scene> <column> <line>  Shows how one pixel gets its colour.
+
+        For teachers:
+          handout <folder>                 Writes the lab for students: ten steps, with tests.
+          mark <rubric> <submissions>      Marks a class by its pictures, with a page for each.
+          vary <scene>                     Makes a scene of its own for each student.
+          check <scene>...                 Finds errors, and what a scene's picture cannot show.
+
+        For large pictures and many:
           stitch <part>...                 Joins parts into one picture; says which are missing.
           orbit <scene>                    Draws the frames of a camera that moves.
           animate <frame>...               Joins frames into an animated PNG.
           sheet <picture>...               Shows many pictures, made small, on one.
-          live <scene>                     Opens a page that follows the scene file.
+
           help [command]                   Shows this help, or a command's.
 
         Arguments:

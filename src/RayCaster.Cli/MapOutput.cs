@@ -26,15 +26,11 @@ internal static class MapOutput
         var picture = numbers[..^4] + (numbers[..^4].EndsWith(ending, StringComparison.Ordinal) ? "" : ending) + ".png";
 
         if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
-        var map = Abandonable.Run(() => MapMaker.Make(scene, kind, threads), cancellation);
+        var map = MapMaker.Make(scene, kind, threads);
 
-        using (var file = new ReplacedFile(numbers))
-        {
-            PfmFile.Write(file, map);
-            file.Commit();
-        }
+        PictureOutput.Write(numbers, cancellation, file => PfmFile.Write(file, map));
         var drawn = MapPicture.Draw(map, kind);
-        PictureFile.Write(picture, drawn);
+        PictureOutput.Write(picture, drawn, PictureFormat.Png, cancellation);
         if (line.Has(Option.Preview))
         {
             var preview = TerminalScreen.Preview(drawn.Width, drawn.Height);

@@ -23,6 +23,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Scene = new("--scene");
     public static readonly Option Reference = new("--reference");
     public static readonly Option Hint = new("--hint");
+    public static readonly Option JUnit = new("--junit");
+    public static readonly Option Seed = new("--seed");
     public static readonly Option Mine = new("--mine");
     public static readonly Option Port = new("--port");
     public static readonly Option Ledger = new("--ledger", takesValue: false);
@@ -30,6 +32,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Preview = new("--preview", takesValue: false);
     public static readonly Option Measures = new("--measures", takesValue: false);
     public static readonly Option Json = new("--json", takesValue: false);
+    public static readonly Option Open = new("--open");
+    public static readonly Option Solution = new("--solution", takesValue: false);
     public static readonly Option Quiet = new("--quiet", "-q", takesValue: false);
     public static readonly Option NoProgress = new("--no-progress", takesValue: false);
     public static readonly Option NoBrowser = new("--no-browser", takesValue: false);
@@ -40,7 +44,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option[] All =
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
-        Threads, Map, Color, Scene, Reference, Hint, Mine, Port,
+        Threads, Map, Color, Scene, Reference, Hint, Open, Solution, JUnit, Seed, Mine, Port,
         Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, NoBrowser, Version, Help,
     ];
 

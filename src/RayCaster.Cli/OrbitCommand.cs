@@ -56,6 +56,7 @@ internal sealed class OrbitCommand : Command
         CameraPath? way = null;
         if (line[Option.Keys] is { } keys)
         {
+            InputFiles.Note([keys]);
             way = CameraPathReader.Read(keys, scene.Camera, out var report);
             StandardFile.WriteError(report);
             if (way is null) return ExitCode.CouldNot;
@@ -75,7 +76,7 @@ internal sealed class OrbitCommand : Command
             var whole = LineRange.Whole(camera.Height);
             var output = Path.Combine(folder, $"{name}-{frame.ToString(digits, CultureInfo.InvariantCulture)}.png");
             var part = PictureOutput.Facts(view, whole); // says what it is, so that it can be left out later
-            if (line.Has(Option.Resume) && PartFile.Holds(output, part)) continue;
+            if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue; // one reason stands for all
             PictureOutput.Draw(output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, showProgress, cancellation);
             drawn++;
         }

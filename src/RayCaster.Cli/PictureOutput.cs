@@ -18,22 +18,32 @@ internal static class PictureOutput
 
     /// <summary>Opens it, has it written and closes it.</summary>
     /// <param name="output">The file, or "-".</param>
-    /// <param name="cancellation">Ends the wait for a reader of standard output.</param>
+    /// <param name="cancellation">Keeps the file from being put in the place of the old one.</param>
     /// <param name="write">Writes the picture.</param>
-    /// <exception cref="ProblemException">Nobody takes the picture.</exception>
+    /// <exception cref="ProblemException">Nobody takes the picture, or it would replace a file that was read.</exception>
     /// <exception cref="PictureFileException">The file does not do.</exception>
     public static void Write(string output, CancellationToken cancellation, Action<Stream> write)
     {
         if (output == SceneInput.Standard)
         {
-            // Who cancels does not wait until a reader that has stopped reads on; what it has not got nobody misses.
-            Abandonable.Run(() => StandardFile.WriteOutput(write), cancellation);
+            StandardFile.WriteOutput(write);
             return;
         }
+        InputFiles.Keep(output);
         using var file = new ReplacedFile(output);
         write(file);
+        cancellation.ThrowIfCancellationRequested();
         file.Commit();
     }
+
+    /// <summary>Writes a picture that is there already.</summary>
+    /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream})"/>
+    public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) => Write(output, cancellation, stream =>
+    {
+        using var writer = PictureWriter.Create(format, stream, picture.Width, picture.Height);
+        writer.WriteRows(picture.Rgb);
+        writer.Finish();
+    });
 
     /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="output">The file, or "-".</param>
@@ -72,6 +82,14 @@ internal static class PictureOutput
                 line += drawn.Length / (3 * width);
             }
         }
+    }
+
+    /// <summary>Whether a picture need not be drawn since it is there; where a file is there but does not do, it says why.</summary>
+    public static bool IsThere(string output, PartFacts part, bool quiet)
+    {
+        if (PartFile.Holds(output, part, out var reason)) return true;
+        if (reason is not null && !quiet) StandardFile.WriteError($"{output} is drawn anew: {reason}\n");
+        return false;
     }
 
     /// <summary>What a part says of itself.</summary>

@@ -30,10 +30,11 @@ internal static class Program
 
         try
         {
-            return Run(arguments, cancellation.Token);
+            return Abandonable.Run(() => Run(arguments, cancellation.Token), cancellation.Token);
         }
-        catch (OperationCanceledException) when (cancellation.IsCancellationRequested)
+        catch (Exception) when (cancellation.IsCancellationRequested) // some of what fails then fails since the terminal is gone
         {
+            Interruption.Tell();
             return exitCode;
         }
         catch (ProblemException problem)
@@ -44,6 +45,11 @@ internal static class Program
         catch (PictureFileException problem)
         {
             StandardFile.WriteError("raycaster: " + problem.Message + Environment.NewLine);
+            return ExitCode.CouldNot;
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            StandardFile.WriteError($"raycaster: {(IsCurrentFolderThere() ? e.Message : "the folder in which it runs is gone")}{Environment.NewLine}");
             return ExitCode.CouldNot;
         }
         catch (Exception e) when (IsOutOfMemory(e))
@@ -71,6 +77,18 @@ internal static class Program
         if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1")
             StandardFile.WriteError(unexpected.StackTrace + Environment.NewLine);
         return ExitCode.InternalError;
+    }
+
+    private static bool IsCurrentFolderThere()
+    {
+        try
+        {
+            return Environment.CurrentDirectory.Length > 0;
+        }
+        catch (IOException)
+        {
+            return false;
+        }
     }
 
     /// <summary>Whether memory ran out, on whatever thread.</summary>

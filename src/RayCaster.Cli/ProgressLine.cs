@@ -20,6 +20,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     private readonly Lock drawing = new();
     private TimeSpan lastDrawn = Patience - Pause;
     private int linesDone, drawn;
+    private bool isGone;
 
     /// <summary>Whether there is somebody to watch.</summary>
     public static bool IsWanted =>
@@ -36,7 +37,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     {
         var done = Interlocked.Add(ref linesDone, lines);
         var elapsed = clock.GetElapsedTime(start);
-        if (elapsed < Patience || !drawing.TryEnter()) return;
+        if (isGone || elapsed < Patience || !drawing.TryEnter()) return;
         try
         {
             if (elapsed - lastDrawn < Pause) return;
@@ -70,8 +71,15 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     {
         var room = (columns < 20 ? 80 : columns) - 1; // the last column would wrap
         if (text.Length > room) text = text[..room];
-        output.Write('\r' + text.PadRight(drawn) + (text.Length == 0 ? "\r" : ""));
-        output.Flush();
-        drawn = text.Length;
+        try
+        {
+            output.Write('\r' + text.PadRight(drawn) + (text.Length == 0 ? "\r" : ""));
+            output.Flush();
+            drawn = text.Length;
+        }
+        catch (IOException)
+        {
+            (isGone, drawn) = (true, 0); // the terminal was closed, which must not end the work
+        }
     }
 }

@@ -11,6 +11,9 @@ internal static class StandardFile
 {
     private const int Output = 1, Error = 2;
 
+    /// <summary>Whether something was written to standard output, or at least begun.</summary>
+    public static bool HasTakenBytes { get; private set; }
+
     /// <summary>Writes a command's answer.</summary>
     /// <param name="text">Whole lines.</param>
     /// <exception cref="ProblemException">Nobody takes it.</exception>
@@ -23,6 +26,7 @@ internal static class StandardFile
         try
         {
             using var stream = OpenOutput();
+            HasTakenBytes = true;
             try
             {
                 write(stream);
@@ -70,10 +74,11 @@ internal static class StandardFile
         }
     }
 
-    /// <summary>A file's name may hold what moves a terminal's cursor, and stands in messages.</summary>
+    /// <summary>What is not ours, such as the name of the current folder, may hold what moves a terminal's cursor.</summary>
     private static string WithoutControls(string text) => string.Create(text.Length, text, (span, from) =>
     {
-        for (var i = 0; i < span.Length; i++) span[i] = char.IsControl(from[i]) && from[i] is not ('\n' or '\r' or '\t') ? '\uFFFD' : from[i];
+        for (var i = 0; i < span.Length; i++)
+            span[i] = from[i] is '\n' or '\t' || (from[i] == '\r' && from.AsSpan(i).StartsWith("\r\n")) || PrintableText.IsPrintable(from[i]) ? from[i] : '\uFFFD';
     });
 
     /// <summary>A closed file is refused in the second way, one that grows larger than the system allows in the third.</summary>

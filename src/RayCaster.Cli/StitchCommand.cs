@@ -80,7 +80,7 @@ internal sealed class StitchCommand : Command
         if (parts.Missing.Count > 0)
             return No($"of {parts.Size.Height} lines these are missing", [.. parts.Missing.Select(lines => lines.ToString())]);
 
-        InputFiles.Keep(parts.Files, output);
+        InputFiles.Note(parts.Files);
         var (quiet, (width, height)) = (line.Has(Option.Quiet), parts.Size);
         PictureOutput.Write(output, cancellation, stream =>
         {

@@ -33,8 +33,14 @@ public sealed class Renderer(Scene scene, int? threads = null)
     {
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
-        using var frame = new Frame(scene, threadCount, ManyFrames);
-        Cast(frame, new PictureSink(frame.Shader, picture.Rgb, picture.Width, picture.Height - 1));
+        using var frame = Frame.Of(scene, threadCount, ManyFrames);
+        var shader = frame.Shader; // made before other threads need it
+        Cast(frame, () =>
+        {
+            var sink = new PictureSink(shader, picture.Width);
+            sink.Enter(picture.Rgb, picture.Height - 1);
+            return sink;
+        });
     }
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>
@@ -50,8 +56,8 @@ public sealed class Renderer(Scene scene, int? threads = null)
     {
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
             throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(hits));
-        using var frame = new Frame(scene, threadCount, ManyFrames);
-        Cast(frame, hits);
+        using var frame = Frame.Of(scene, threadCount, ManyFrames);
+        Cast(frame, () => frame.HitsInto(hits));
     }
 
     /// <summary>Draws the picture from top to bottom, some lines at a time, so that memory does not grow with its height.</summary>
@@ -68,20 +74,21 @@ public sealed class Renderer(Scene scene, int? threads = null)
         var (first, end) = (lines.Start.GetOffset(camera.Height), lines.End.GetOffset(camera.Height));
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
-        var isPlain = MayBeSmall && SmallPicture.IsPlain(scene, end - first);
-        if (isPlain && SmallPicture.IsSmall(scene, end - first)) new SmallPicture(scene).Draw(first, end, write, linesDone, cancellation);
-        else new BandQueue(new(scene, threadCount, ManyFrames), first, end, threadCount, isPlain, linesDone, cancellation).WriteAll(write);
+        var isPlain = MayBeSmall && PlainWork.IsPlain(scene, end - first);
+        var threads = isPlain && PlainWork.IsSmall(scene, end - first) ? 1 : threadCount;
+        using var frame = Frame.Of(scene, threads, ManyFrames);
+        new BandQueue(frame, first, end, threads, isPlain, linesDone, cancellation).WriteAll(write);
     }
 
     /// <summary>Casts all rays; this thread is one of those that do.</summary>
-    private void Cast(Frame frame, ISpanSink sink)
+    private void Cast(Frame frame, Func<ISpanSink> newSink)
     {
         var (across, up) = (Tile.StripsOf(camera.Width), Tile.TilesOf(camera.Height));
         var workers = Math.Min(threadCount, across * up);
         var next = -1;
         Workers.Each(workers, workers, _ =>
         {
-            var caster = new TileCaster(frame);
+            var (caster, sink) = (frame.NewCaster(isPlain: false), newSink());
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
                 var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);

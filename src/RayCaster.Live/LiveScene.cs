@@ -108,12 +108,12 @@ internal sealed class LiveScene : IDisposable
 
     private SceneState Next(SceneReading reading, byte[] text)
     {
-        watch.Watch([FullPath, .. reading.Files]);
+        watch.Watch([FullPath, .. reading.MeshFiles]);
         stamps = StampsOf(reading);
         return new((State?.Version ?? 0) + 1, text, reading.Problems, reading.Scene ?? State?.Scene, reading.Scene is not null);
     }
 
-    private static (DateTime, long)[] StampsOf(SceneReading reading) => [.. reading.Files.Select(FileWatch.StampOf)];
+    private static (DateTime, long)[] StampsOf(SceneReading reading) => [.. reading.MeshFiles.Select(FileWatch.StampOf)];
 
     private SceneReading Read(out byte[] text)
     {

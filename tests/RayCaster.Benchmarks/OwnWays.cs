@@ -1,32 +1,34 @@
+extern alias ClassLab;
+extern alias StructLab;
 using System.Diagnostics;
 
 namespace RayCaster.Benchmarks;
 
-/// <summary>The ways that need nothing but .NET: the engine, its definition, and naive ports of the lab.</summary>
+/// <summary>The ways that need nothing but .NET: the engine, its definition, and the lab.</summary>
 internal static class OwnWays
 {
     /// <summary>How many crossings a way without a hierarchy may compute in one run; of a larger picture it casts evenly spread pixels.</summary>
     private const double Crossings = 2e7;
 
-    /// <summary>The engine, exact: all that it prepares for a scene is counted. Its map is kept from run to run, as Embree's is.</summary>
+    /// <summary>The engine, exact, as one of many frames: all that it prepares for a scene is counted. Its map is kept from run to run, as Embree's is.</summary>
     public static Way Exact(BenchmarkScene scene, int width, int height)
     {
         var hits = new Lazy<HitMap>(() => new(width, height));
         return new("exact t", Answer.Hits, threads =>
         {
             var (fresh, map) = (Fresh(scene, width, height), hits.Value);
-            return Time(() => new Renderer(fresh, threads).CastHits(map));
+            return Time(() => new Renderer(fresh, threads) { ManyFrames = true }.CastHits(map));
         });
     }
 
-    /// <summary>The engine, only the picture's bytes.</summary>
-    public static Way Bytes(BenchmarkScene scene, int width, int height)
+    /// <summary>The engine, only the picture's bytes: as one of many frames, or as a program draws that draws no other picture.</summary>
+    public static Way Bytes(BenchmarkScene scene, int width, int height, bool manyFrames = true)
     {
         var picture = new Lazy<Picture>(() => new(width, height));
-        return new("bytes", Answer.Bytes, threads =>
+        return new(manyFrames ? "bytes" : "bytes of a single picture", Answer.Bytes, threads =>
         {
             var (fresh, kept) = (Fresh(scene, width, height), picture.Value);
-            return Time(() => new Renderer(fresh, threads).DrawInto(kept));
+            return Time(() => new Renderer(fresh, threads) { ManyFrames = manyFrames }.DrawInto(kept));
         });
     }
 
@@ -46,25 +48,37 @@ internal static class OwnWays
         }));
     }
 
-    /// <summary>The peer with a class Vector3.</summary>
-    public static Way NaiveClass(BenchmarkScene scene, int width, int height)
+    /// <summary>The lab of the course, src/RayCaster.Lab.</summary>
+    public static Way NaiveClass(BenchmarkScene scene, int width, int height) =>
+        Naive("naive, class Vector3", scene, width, height, WithClasses(scene.Create(width, height)));
+
+    /// <summary>The same with a struct Vector3.</summary>
+    public static Way NaiveStruct(BenchmarkScene scene, int width, int height) =>
+        Naive("naive, struct Vector3", scene, width, height, WithStructs(scene.Create(width, height)));
+
+    /// <summary>How the lab draws a pixel of a scene: column from the left, row from the bottom.</summary>
+    public static Func<int, int, (byte R, byte G, byte B)> WithClasses(Scene scene)
     {
-        var camera = Benchmarks.NaiveClass.Camera.Of(scene.Create(width, height));
-        return Naive("naive, class Vector3", scene, width, height, camera.Render);
+        var lab = ClassLab::Lab.SceneFile.Of(scene);
+        return (column, row) => lab.CastRay(column, row).ToBytes();
     }
 
-    /// <summary>The peer with a struct Vector3.</summary>
-    public static Way NaiveStruct(BenchmarkScene scene, int width, int height)
+    /// <inheritdoc cref="WithClasses"/>
+    public static Func<int, int, (byte R, byte G, byte B)> WithStructs(Scene scene)
     {
-        var camera = Benchmarks.NaiveStruct.Camera.Of(scene.Create(width, height));
-        return Naive("naive, struct Vector3", scene, width, height, camera.Render);
+        var lab = StructLab::Lab.SceneFile.Of(scene);
+        return (column, row) => lab.CastRay(column, row).ToBytes();
     }
 
-    private static Way Naive(string name, BenchmarkScene scene, int width, int height, Action<byte[], int, int> render)
+    private static Way Naive(string name, BenchmarkScene scene, int width, int height, Func<int, int, (byte R, byte G, byte B)> cast)
     {
         var rgb = new byte[width * height * 3];
         var step = Step(scene, width, height);
-        return new(name, Answer.Bytes, () => Scaled(step, width * height, () => render(rgb, 0, step)));
+        return new(name, Answer.Bytes, () => Scaled(step, width * height, () =>
+        {
+            for (var i = 0; i < width * height; i += step)
+                (rgb[3 * i], rgb[3 * i + 1], rgb[3 * i + 2]) = cast(i % width, height - 1 - i / width);
+        }));
     }
 
     /// <summary>Every how many pixels a way without a hierarchy casts; 1 for the whole picture.</summary>

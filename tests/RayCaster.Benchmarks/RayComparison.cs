@@ -18,6 +18,9 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
 
     public Way Bytes { get; } = OwnWays.Bytes(scene, width, height).With(threads);
 
+    /// <summary>What README's command runs: without the kernels that pay only for many frames.</summary>
+    public Way SinglePicture { get; } = OwnWays.Bytes(scene, width, height, manyFrames: false).With(threads);
+
     /// <summary>The definition and the naive peers, which know one thread; null where they are left out.</summary>
     public Way? Scalar { get; private set; }
 
@@ -44,7 +47,7 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
     /// <returns>This.</returns>
     public RayComparison Run(EmbreePeer? embree, int rounds, bool withDefinitions, Workshop workshop)
     {
-        ways.AddRange([Exact, Bytes]);
+        ways.AddRange([Exact, Bytes, SinglePicture]);
         if (withDefinitions && Threads == 1)
         {
             ways.Add(Scalar = OwnWays.Scalar(Scene, width, height));

@@ -184,7 +184,7 @@ public sealed class CompareTests : IDisposable
         {
             app.Run([.. arguments, "-o", "mine.png"]);
             Assert.Equal(2, app.ExitCode);
-            Assert.StartsWith("raycaster: mine.png is one of the pictures that are read", app.Error);
+            Assert.StartsWith("raycaster: mine.png is one of the files that are read", app.Error);
         }
         Assert.Equal(before, File.ReadAllBytes(app.PathOf("mine.png")));
     }

@@ -215,6 +215,6 @@ public sealed class FaultTests : IDisposable
     {
         raycaster.Run("\u001b[2J.json");
         Assert.Equal(2, raycaster.ExitCode);
-        Assert.StartsWith("\uFFFD[2J.json: error: file not found", raycaster.Error);
+        Assert.StartsWith("raycaster: '\uFFFD[2J.json' holds the invisible character U+001B: rename the file", raycaster.Error);
     }
 }

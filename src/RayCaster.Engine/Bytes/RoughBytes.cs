@@ -29,9 +29,26 @@ internal static class RoughBytes
         | (Avx512F.ConvertToVector512Int32WithTruncation(g) << 8)
         | (Avx512F.ConvertToVector512Int32WithTruncation(b) << 16);
 
-    /// <summary>Writes 48 bytes of 16 pixels.</summary>
+    /// <summary>Writes 48 bytes of 16 pixels from a place on.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Store(Vector512<int> pixels, ref byte to)
+    public static void Store(Vector512<int> pixels, byte[] rgb, int place)
+    {
+        var bytes = InARow(pixels);
+        bytes.GetLower().StoreTo(rgb, place);
+        bytes.GetUpper().GetLower().StoreTo(rgb, place + Vector256<byte>.Count);
+    }
+
+    /// <summary>Writes the bytes of the first pixels only, as many as there is room for.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void StoreFew(in Vector512<int> pixels, Span<byte> to)
+    {
+        var bytes = InARow(pixels);
+        for (var i = 0; i < to.Length; i++) to[i] = bytes[i];
+    }
+
+    /// <summary>Three bytes of each of 16 pixels, without the fourth between them; what follows the 48 means nothing.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector512<byte> InARow(Vector512<int> pixels)
     {
         var within = Vector512.Create((byte)
             0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255,
@@ -39,8 +56,6 @@ internal static class RoughBytes
             0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255,
             0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
         var between = Vector512.Create(0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
-        var bytes = Avx512F.PermuteVar16x32(Avx512BW.Shuffle(pixels.AsByte(), within).AsInt32(), between).AsByte();
-        bytes.GetLower().StoreUnsafe(ref to);
-        bytes.GetUpper().GetLower().StoreUnsafe(ref Unsafe.Add(ref to, 32));
+        return Avx512F.PermuteVar16x32(Avx512BW.Shuffle(pixels.AsByte(), within).AsInt32(), between).AsByte();
     }
 }

@@ -61,10 +61,16 @@ internal sealed class RoughColors
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static unsafe Vector512<int> Gather(long* packed, Vector256<int> places) => Vector512.Create(
-        Avx2.GatherVector256(packed, places.GetLower(), sizeof(long)), Avx2.GatherVector256(packed, places.GetUpper(), sizeof(long))).AsInt32();
+    private unsafe Vector512<int> Gather(long* packed, Vector256<int> places)
+    {
+#if CHECKED
+        for (var i = 0; i < Vector256<int>.Count; i++) _ = this.packed[places[i]];
+#endif
+        return Vector512.Create(
+            Avx2.GatherVector256(packed, places.GetLower(), sizeof(long)), Avx2.GatherVector256(packed, places.GetUpper(), sizeof(long))).AsInt32();
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<float> FromFew(float[] table, Vector512<int> places) =>
-        Avx512F.PermuteVar16x32x2(Vector512.LoadUnsafe(ref table[0]), places, Vector512.LoadUnsafe(ref table[16]));
+        Avx512F.PermuteVar16x32x2(table.Load512(0), places, table.Load512(16));
 }

@@ -39,7 +39,7 @@ internal sealed class RoughLayers(ushort[] doubts)
         var i = 0;
         for (var row = 0; row < part.Height; row++, first += step)
             for (var at = 0; at < part.Width; at += RoughPacket.Count, i += RoughPacket.Count)
-                RoughBytes.Store(Vector512.LoadUnsafe(ref pixels[i]), ref rgb[first + 3 * at]);
+                RoughBytes.Store(pixels.Load512(i), rgb, first + 3 * at);
     }
 
     /// <summary>Puts a shape into the picture where it is nearer than those before.</summary>
@@ -51,16 +51,16 @@ internal sealed class RoughLayers(ushort[] doubts)
         public void Take(int row, int packet, Vector512<float> t, Vector512<int> least, Vector512<int> most)
         {
             var place = row * packets + packet;
-            ref var old = ref nearest[place * RoughPacket.Count];
-            ref var oldPixels = ref pixels[place * RoughPacket.Count];
-            var difference = t - Vector512.LoadUnsafe(ref old); // −∞ for the first shape
+            var at = place * RoughPacket.Count;
+            var old = nearest.Load512(at);
+            var difference = t - old; // −∞ for the first shape
             var isNearer = Vector512.LessThan(difference, Vector512<float>.Zero).AsInt32();
             var isDecided = Vector512.GreaterThan(Vector512.Abs(difference), Vector512.Create(slack));
             var nearer = (uint)isNearer.ExtractMostSignificantBits();
             var doubtful = (uint)~Vector512.Equals(least, most).ExtractMostSignificantBits();
             doubts[place] = (ushort)((doubtful & nearer) | (doubts[place] & ~nearer) | ~(uint)isDecided.ExtractMostSignificantBits());
-            Vector512.Min(t, Vector512.LoadUnsafe(ref old)).StoreUnsafe(ref old);
-            Vector512.ConditionalSelect(isNearer, least, Vector512.LoadUnsafe(ref oldPixels)).StoreUnsafe(ref oldPixels);
+            Vector512.Min(t, old).StoreTo(nearest, at);
+            Vector512.ConditionalSelect(isNearer, least, pixels.Load512(at)).StoreTo(pixels, at);
         }
     }
 }

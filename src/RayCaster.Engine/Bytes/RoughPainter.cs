@@ -8,7 +8,7 @@ namespace RayCaster.Engine;
 /// One thread's tool: paints a part of the picture that one shape covers, or several, in floats. Each channel's level is known up to an error that is the same for the
 /// whole part (<see cref="Rounded"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in doubles.
 /// </summary>
-internal sealed class RoughPainter
+internal sealed class RoughPainter : IShapeVisitor
 {
     /// <summary>With a greater error too many pixels would be in doubt.</summary>
     private const double MostError = 0.02;
@@ -24,12 +24,13 @@ internal sealed class RoughPainter
     private readonly RoughLayers layers;
     private Tile part;
     private RoughPixels pixels;
-    private bool isOnly; // one shape covers the part
+    private CoveringShape current; // the shape that is painted
+    private bool isOnly;           // one shape covers the part
 
-    /// <param name="frame">What all threads share.</param>
-    public RoughPainter(Frame frame)
+    /// <param name="scene">What is drawn.</param>
+    public RoughPainter(Scene scene)
     {
-        (scene, camera) = (frame.Scene, frame.Scene.Camera);
+        (this.scene, camera) = (scene, scene.Camera);
         rays = new(camera);
         doubts = new ushort[Tile.MaxStrip * Tile.MaxSide / RoughPacket.Count];
         layers = new(doubts);
@@ -47,8 +48,10 @@ internal sealed class RoughPainter
         isOnly = covered.Shapes.Count == 1;
         if (!isOnly) layers.Clear();
         foreach (var shape in covered.Shapes)
-            if (!shape.View.Paint(this, shape.Index, shape.IsNear))
-                return false;
+        {
+            current = shape;
+            if (!shape.View.Accept(this)) return false;
+        }
         if (!isOnly) layers.Write(part, rgb, first, step);
 
         var packets = part.Width / RoughPacket.Count;
@@ -74,12 +77,9 @@ internal sealed class RoughPainter
     }
 
     /// <summary>Paints one of the shapes, if its error is small enough.</summary>
-    /// <param name="shape">The shape.</param>
-    /// <param name="index">Its model's place in the scene.</param>
-    /// <param name="isNear">Whether each hit is surely its first crossing.</param>
-    /// <typeparam name="P">The kind of shape.</typeparam>
-    public bool Paint<P>(in P shape, int index, bool isNear) where P : struct, IPrimitive
+    public bool Visit<P>(P shape) where P : struct, IPrimitive
     {
+        var (index, isNear) = (current.Index, current.IsNear);
         var color = scene.Models[index].Color;
         var brightest = Math.Max(color.R, Math.Max(color.G, color.B));
         if (brightest > 1) return false;

@@ -17,6 +17,6 @@ internal readonly struct RoughPixels(byte[] rgb, int first, int step, ushort[] d
     public void Take(int row, int packet, Vector512<float> t, Vector512<int> least, Vector512<int> most)
     {
         doubts[row * packets + packet] = (ushort)~Vector512.Equals(least, most).ExtractMostSignificantBits();
-        RoughBytes.Store(least, ref rgb[first + row * step + packet * 3 * RoughPacket.Count]);
+        RoughBytes.Store(least, rgb, first + row * step + packet * 3 * RoughPacket.Count);
     }
 }

@@ -53,13 +53,13 @@ internal sealed class RoughRays(Camera camera)
 
         public void Set(int first, in Vector3<WidePacket> lower, in Vector3<WidePacket> upper)
         {
-            Vector512.Narrow(lower.X.Lanes, upper.X.Lanes).StoreUnsafe(ref x[first]);
-            Vector512.Narrow(lower.Y.Lanes, upper.Y.Lanes).StoreUnsafe(ref y[first]);
-            Vector512.Narrow(lower.Z.Lanes, upper.Z.Lanes).StoreUnsafe(ref z[first]);
+            Vector512.Narrow(lower.X.Lanes, upper.X.Lanes).StoreTo(x, first);
+            Vector512.Narrow(lower.Y.Lanes, upper.Y.Lanes).StoreTo(y, first);
+            Vector512.Narrow(lower.Z.Lanes, upper.Z.Lanes).StoreTo(z, first);
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static RoughPacket Load(float[] numbers, int first) => RoughPacket.Of(Vector512.LoadUnsafe(ref numbers[first]));
+        private static RoughPacket Load(float[] numbers, int first) => RoughPacket.Of(numbers.Load512(first));
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static RoughPacket Two(float[] numbers, int first) => new(Vector512.Create(numbers[first]), Vector512.Create(numbers[first + 1]));

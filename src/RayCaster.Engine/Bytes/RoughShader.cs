@@ -63,7 +63,7 @@ internal sealed class RoughShader
         var slack = Vector512.Create((float)error);
         var place = first + pixel / span.Width * step + 3 * (pixel % span.Width);
         var least = RoughBytes.Packed(r - slack, g - slack, b - slack);
-        RoughBytes.Store(least, ref rgb[place]);
+        RoughBytes.Store(least, rgb, place);
         if (Vector512.EqualsAll(least, RoughBytes.Packed(r + slack, g + slack, b + slack))) return;
         exact.Shade(span, pixel, rgb.AsSpan(place, 3 * RoughPacket.Count));
     }

@@ -59,7 +59,7 @@ internal sealed class SpanShader
             var bytes = Vector128.Shuffle(pixels.AsByte(), packed);
 
             // Twelve bytes; the four zeros after them fall on pixels that come next, but not beyond the span, where another thread may be at work.
-            if (j + 16 <= rgb.Length) bytes.StoreUnsafe(ref rgb[j]);
+            if (j + 16 <= rgb.Length) bytes.CopyTo(rgb[j..]);
             else
                 for (var k = j; k < Math.Min(j + 12, rgb.Length); k++) rgb[k] = bytes[k - j];
         }

@@ -1,11 +1,12 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>One thread's tool: casts the tiles of a scene with a crowd.</summary>
-internal sealed class CrowdCaster(Crowd crowd, Camera camera)
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal sealed class CrowdCaster<N>(Crowd<N> crowd, Camera camera) where N : struct, IPacket<N>
 {
-    private readonly CrowdPart part = new(camera);
+    private const int Side = CrowdGrid.PartSide;
+
+    private readonly CrowdPart<N> part = new(camera);
     private readonly RaySpan row = new(camera);
     private readonly CrowdOrder order = new();
 
@@ -18,20 +19,19 @@ internal sealed class CrowdCaster(Crowd crowd, Camera camera)
     /// <param name="sink">Takes the spans.</param>
     public void Cast(in Tile tile, Action<RaySpan>? others, ISpanSink sink)
     {
-        var (firstColumn, firstRow) = (tile.Column / CrowdPart.Side * CrowdPart.Side, tile.Row / CrowdPart.Side * CrowdPart.Side);
-        for (var y = firstRow; y < tile.EndRow; y += CrowdPart.Side)
+        var (firstColumn, firstRow) = (tile.Column / Side * Side, tile.Row / Side * Side);
+        for (var y = firstRow; y < tile.EndRow; y += Side)
         {
-            for (var x = firstColumn; x < tile.EndColumn; x += CrowdPart.Side)
+            for (var x = firstColumn; x < tile.EndColumn; x += Side)
             {
                 var (column, row) = (Math.Max(x, tile.Column), Math.Max(y, tile.Row));
-                var inner = new Tile(column, row, Math.Min(x + CrowdPart.Side, tile.EndColumn) - column, Math.Min(y + CrowdPart.Side, tile.EndRow) - row);
-                if (Vector512.IsHardwareAccelerated) Cast<WidePacket>(inner, others, sink);
-                else Cast<Packet>(inner, others, sink);
+                var inner = new Tile(column, row, Math.Min(x + Side, tile.EndColumn) - column, Math.Min(y + Side, tile.EndRow) - row);
+                CastPart(inner, others, sink);
             }
         }
     }
 
-    private void Cast<N>(in Tile tile, Action<RaySpan>? others, ISpanSink sink) where N : struct, IPacket<N>
+    private void CastPart(in Tile tile, Action<RaySpan>? others, ISpanSink sink)
     {
         crowd.Sort(tile, order);
         if (order.Sorted.Length == 0 && others is null)
@@ -39,22 +39,22 @@ internal sealed class CrowdCaster(Crowd crowd, Camera camera)
             sink.TakeMiss(tile);
             return;
         }
-        part.Enter<N>(tile);
-        if (others is not null) MeetOthers<N>(tile, others);
-        part.RefreshAll<N>();
-        crowd.Meet<N>(part, order.Sorted);
+        part.Enter(tile);
+        if (others is not null) MeetOthers(tile, others);
+        part.RefreshAll();
+        crowd.Meet(part, order.Sorted);
         sink.Take(part.Rays);
     }
 
     /// <summary>Row by row, since not every view can meet several rows at once.</summary>
-    private void MeetOthers<N>(in Tile tile, Action<RaySpan> others) where N : struct, IPacket<N>
+    private void MeetOthers(in Tile tile, Action<RaySpan> others)
     {
         row.Enter<N>(tile.Column, tile.Width);
         for (var i = 0; i < tile.Height; i++)
         {
             row.Aim<N>(tile.Row + i);
             others(row);
-            part.Take<N>(row);
+            part.Take(row);
         }
     }
 }

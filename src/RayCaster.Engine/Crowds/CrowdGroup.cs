@@ -1,10 +1,10 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
 /// <summary>The members of a crowd that have one kind of shape.</summary>
-internal abstract class CrowdGroup
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal abstract class CrowdGroup<N> where N : struct, IPacket<N>
 {
     /// <summary>Takes a model and its place in the scene, if it has this kind of shape.</summary>
     public abstract bool Add(Model model, int place);
@@ -32,14 +32,14 @@ internal abstract class CrowdGroup
     /// <param name="first">The first in the list.</param>
     /// <param name="end">The one after the last.</param>
     /// <param name="isClear">Whether all hits count, so that nobody needs to ask.</param>
-    public abstract void Meet(CrowdPart part, int first, int end, bool isClear);
+    public abstract void Meet(CrowdPart<N> part, int first, int end, bool isClear);
 }
 
 /// <inheritdoc/>
 /// <typeparam name="P">The kind of shape.</typeparam>
 /// <param name="clip">Which hits count.</param>
 /// <param name="most">How many models the scene has.</param>
-internal sealed class CrowdGroup<P>(ClipRange clip, int most) : CrowdGroup where P : struct, IPrimitive
+internal sealed class CrowdGroup<P, N>(ClipRange clip, int most) : CrowdGroup<N> where P : struct, IPrimitive where N : struct, IPacket<N>
 {
     private readonly GrowingArray<(P Shape, int Model)> shapes = new(); // as they came
     private readonly GrowingArray<(P Shape, int Model)> arranged = new();
@@ -79,8 +79,8 @@ internal sealed class CrowdGroup<P>(ClipRange clip, int most) : CrowdGroup where
                     (outlines.HalfX[i], outlines.HalfY[i], outlines.HalfZ[i]) = (half.X, half.Y, half.Z);
                 }
             }
-            if (Vector512.IsHardwareAccelerated) Look<WidePacket>(outlines);
-            else Look<Packet>(outlines);
+            if (typeof(P).IsAssignableTo(typeof(IRound))) outlines.OfBalls<N>();
+            else outlines.OfBoxes<N>();
             for (var i = 0; i < count; i++)
             {
                 member.Place = first + i;
@@ -89,12 +89,6 @@ internal sealed class CrowdGroup<P>(ClipRange clip, int most) : CrowdGroup where
                 else if (shows is null) others.Add(all[first + i].Model);
             }
         }
-    }
-
-    private static void Look<N>(Outlines outlines) where N : struct, IPacket<N>
-    {
-        if (typeof(P).IsAssignableTo(typeof(IRound))) outlines.OfBalls<N>();
-        else outlines.OfBoxes<N>();
     }
 
     /// <inheritdoc/>
@@ -121,14 +115,8 @@ internal sealed class CrowdGroup<P>(ClipRange clip, int most) : CrowdGroup where
     public override void Free() => arranged.Free();
 
     /// <inheritdoc/>
-    public override void Meet(CrowdPart part, int first, int end, bool isClear)
-    {
-        if (Vector512.IsHardwareAccelerated) Meet<WidePacket>(part, first, end, isClear);
-        else Meet<Packet>(part, first, end, isClear);
-    }
-
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void Meet<N>(CrowdPart part, int first, int end, bool isClear) where N : struct, IPacket<N>
+    public override void Meet(CrowdPart<N> part, int first, int end, bool isClear)
     {
         var (range, rays) = (clip, part.Rays);
         var shapes = arranged.Items;

@@ -8,6 +8,12 @@ internal sealed class CrowdOrder
     /// <summary>How many classes of distance are told apart; within one the order does not matter.</summary>
     private const int Classes = 256;
 
+    /// <summary>
+    /// How many members are looked at before their formulas run. What one of them hides of the others shows only after that: with 1 the formulas run for 0.38 million packets in a picture
+    /// of 100,000 spheres, with 4 for 0.43 and with 8 for 0.51; but with 1 each waits for what the one before has hit.
+    /// </summary>
+    public const int Batch = 4;
+
     private readonly int[] next = new int[Classes + 1];
     private (int Member, int Distance)[] listed = [];
     private (int Member, float NearestOfRest)[] sorted = [];

@@ -8,14 +8,14 @@ namespace RayCaster.Engine;
 /// Most members that are looked at are hidden, wholly or in part, and it cannot be foretold where. So the packets to ask a formula about are listed
 /// first, for some members at a time and without branches, and then asked without any: that way neither waits for the other.
 /// </remarks>
-internal sealed class CrowdPart(Camera camera)
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal sealed class CrowdPart<N>(Camera camera) where N : struct, IPacket<N>
 {
-    /// <summary>The most columns and rows. Its rays and hits, 48 bytes a pixel, should stay in the first-level cache.</summary>
-    public const int Side = 32;
+    private const int Side = CrowdGrid.PartSide;
 
     private const int BlockSide = 8, BlocksAcross = Side / BlockSide, Blocks = BlocksAcross * BlocksAcross;
 
-    private const int MostListed = Blocks * BlockSide * BlockSide / 4 * Crowd.Batch;
+    private const int MostListed = Blocks * BlockSide * BlockSide / 4 * CrowdOrder.Batch;
 
     private readonly int[] packets = new int[MostListed], places = new int[MostListed];
     private readonly double[] farthest = new double[Blocks]; // the greatest t of the nearest hits in each block
@@ -28,7 +28,7 @@ internal sealed class CrowdPart(Camera camera)
     public RaySpan Rays { get; } = new(camera, Side * Side);
 
     /// <summary>Goes to another part and aims its rays.</summary>
-    public void Enter<N>(in Tile tile) where N : struct, IPacket<N>
+    public void Enter(in Tile tile)
     {
         (this.tile, sides) = (tile, new(tile));
         Rays.Enter<N>(tile.Column, tile.Width, Side);
@@ -41,7 +41,7 @@ internal sealed class CrowdPart(Camera camera)
     }
 
     /// <summary>Takes over the hits of a row.</summary>
-    public void Take<N>(RaySpan span) where N : struct, IPacket<N>
+    public void Take(RaySpan span)
     {
         var row = (span.Row - tile.Row) * Side;
         for (var i = 0; i < tile.Width; i += N.Count) Rays.Set(row + i, span.NearestAt<N>(i), span.ModelsAt<N>(i));
@@ -49,28 +49,28 @@ internal sealed class CrowdPart(Camera camera)
     }
 
     /// <summary>Whether all pixels have a hit nearer than this.</summary>
-    public bool Hides<N>(double nearest) where N : struct, IPacket<N> => Visible<N>(nearest) == 0;
+    public bool Hides(double nearest) => Visible(nearest) == 0;
 
     /// <summary>Forgets the packets that are listed, and finds out how far the hits reach now that they have been asked.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void Refresh<N>() where N : struct, IPacket<N>
+    public void Refresh()
     {
-        for (; touched != 0; touched &= touched - 1) Measure<N>(BitOperations.TrailingZeroCount(touched));
+        for (; touched != 0; touched &= touched - 1) Measure(BitOperations.TrailingZeroCount(touched));
         count = 0;
     }
 
     /// <summary>Finds out how far the hits reach everywhere.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public void RefreshAll<N>() where N : struct, IPacket<N>
+    public void RefreshAll()
     {
-        for (var block = 0; block < Blocks; block++) Measure<N>(block);
+        for (var block = 0; block < Blocks; block++) Measure(block);
         (count, touched) = (0, 0);
     }
 
     /// <summary>Lists the packets in a member's rectangle where not all hits so far are nearer than it.</summary>
     /// <returns>Where in the list they end.</returns>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public int List<N>(in CrowdMember member) where N : struct, IPacket<N>
+    public int List(in CrowdMember member)
     {
         var (nearest, place) = (member.Nearest, member.Place);
         var shared = sides.And(member.Sides);
@@ -79,7 +79,7 @@ internal sealed class CrowdPart(Camera camera)
         var columns = (2u << (right / BlockSide)) - (1u << (left / BlockSide)); // a bit for each block
         var rows = (uint)((2UL << top) - (1UL << bottom));                      // a bit for each row
         var inRows = (2u << (top / BlockSide)) - (1u << (bottom / BlockSide));
-        var blocks = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible<N>(nearest);
+        var blocks = columns * ((inRows | inRows << 3 | inRows << 6 | inRows << 9) & 0x1111) & Visible(nearest);
         touched |= blocks;
         var least = Lanes.Broadcast<N>(nearest);
         var (rays, packets, places, end) = (Rays, this.packets, this.places, count);
@@ -109,7 +109,7 @@ internal sealed class CrowdPart(Camera camera)
 
     /// <summary>A bit for each block: whether it has pixels whose nearest hit is not nearer than this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private uint Visible<N>(double nearest) where N : struct, IPacket<N>
+    private uint Visible(double nearest)
     {
         var (least, bits) = (Lanes.Broadcast<N>(nearest), 0u);
         for (var i = 0; i < Blocks; i += N.Count) bits |= N.Bits(N.Load(farthest, i) >= least) << i;
@@ -117,7 +117,7 @@ internal sealed class CrowdPart(Camera camera)
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Measure<N>(int block) where N : struct, IPacket<N>
+    private void Measure(int block)
     {
         var i = Corner(block);
         var most = Rays.NearestAt<N>(i);

@@ -3,18 +3,18 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>Asks for the rays of a packet whether bounds can be rejected.</summary>
-internal readonly struct BoundsTest
+internal readonly struct BoundsTest<N> where N : struct, IPacket<N>, IReal<N>
 {
-    private readonly Packet inverseX, inverseY, inverseZ;
-    private readonly Packet mostlyX, ratherY; // masks: the axis that a ray follows most, as AlongRay chooses it
+    private readonly N inverseX, inverseY, inverseZ;
+    private readonly N mostlyX, ratherY; // masks: the axis that a ray follows most, as AlongRay chooses it
 
     /// <param name="direction">The rays' directions; they share one origin.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public BoundsTest(Vector3<Packet> direction)
+    public BoundsTest(Vector3<N> direction)
     {
-        var (x, y, z) = (Packet.Max(direction.X, -direction.X), Packet.Max(direction.Y, -direction.Y), Packet.Max(direction.Z, -direction.Z));
+        var (x, y, z) = (N.Max(direction.X, -direction.X), N.Max(direction.Y, -direction.Y), N.Max(direction.Z, -direction.Z));
         (mostlyX, ratherY) = ((x >= y) & (x >= z), y >= z);
-        (inverseX, inverseY, inverseZ) = ((Packet)1 / direction.X, (Packet)1 / direction.Y, (Packet)1 / direction.Z);
+        (inverseX, inverseY, inverseZ) = ((N)1.0 / direction.X, (N)1.0 / direction.Y, (N)1.0 / direction.Z);
     }
 
     /// <summary>Whether any of the rays may cross what is in the bounds, not behind its origin and not beyond <paramref name="nearest"/>.</summary>
@@ -26,17 +26,17 @@ internal readonly struct BoundsTest
     /// what is too far or behind.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool MayHit(Bounds bounds, Packet nearest)
+    public bool MayHit(Bounds bounds, N nearest)
     {
         var (x0, x1) = (bounds.Min.X * inverseX, bounds.Max.X * inverseX);
         var (y0, y1) = (bounds.Min.Y * inverseY, bounds.Max.Y * inverseY);
         var (z0, z1) = (bounds.Min.Z * inverseZ, bounds.Max.Z * inverseZ);
-        var (nearX, farX) = (Packet.Min(x0, x1), Packet.Max(x0, x1));
-        var (nearY, farY) = (Packet.Min(y0, y1), Packet.Max(y0, y1));
-        var (nearZ, farZ) = (Packet.Min(z0, z1), Packet.Max(z0, z1));
-        var missed = Packet.Max(nearX, Packet.Max(nearY, nearZ)) > Packet.Min(farX, Packet.Min(farY, farZ));
-        var tooFar = Packet.Select(mostlyX, nearX, Packet.Select(ratherY, nearY, nearZ)) > nearest;
-        var behind = Packet.Select(mostlyX, farX, Packet.Select(ratherY, farY, farZ)) < 0;
-        return !Packet.All(missed | tooFar | behind);
+        var (nearX, farX) = (N.Min(x0, x1), N.Max(x0, x1));
+        var (nearY, farY) = (N.Min(y0, y1), N.Max(y0, y1));
+        var (nearZ, farZ) = (N.Min(z0, z1), N.Max(z0, z1));
+        var missed = N.Max(nearX, N.Max(nearY, nearZ)) > N.Min(farX, N.Min(farY, farZ));
+        var tooFar = N.Select(mostlyX, nearX, N.Select(ratherY, nearY, nearZ)) > nearest;
+        var behind = N.Select(mostlyX, farX, N.Select(ratherY, farY, farZ)) < 0;
+        return !N.All(missed | tooFar | behind);
     }
 }

@@ -23,8 +23,8 @@ internal sealed class CoarseDepth
         for (var cell = 0; cell < least.Length; cell++)
         {
             var first = cell / Across * CellSide * Tile.MaxSide + cell % Across * CellSide;
-            var w = Vector256.LoadUnsafe(ref covered[first]);
-            for (var row = 1; row < CellSide; row++) w = Vector256.MinNative(w, Vector256.LoadUnsafe(ref covered[first + row * Tile.MaxSide]));
+            var w = covered.Load256(first);
+            for (var row = 1; row < CellSide; row++) w = Vector256.MinNative(w, covered.Load256(first + row * Tile.MaxSide));
             var half = Vector128.MinNative(w.GetLower(), w.GetUpper());
             half = Vector128.MinNative(half, Vector128.Shuffle(half, Vector128.Create(2, 3, 0, 1)));
             least[cell] = Math.Min(half[0], half[1]);
@@ -41,7 +41,7 @@ internal sealed class CoarseDepth
         var row = Vector256.Create(float.PositiveInfinity);
         var top = Math.Min(Across - 1, (cells.Top * CellSide + CellSide - 1 - firstRow) >> 3);
         for (var y = Math.Max(0, cells.Bottom * CellSide - firstRow) >> 3; y <= top; y++)
-            row = Vector256.MinNative(row, Vector256.LoadUnsafe(ref least[y * Across]));
+            row = Vector256.MinNative(row, least.Load256(y * Across));
         var hidden = Vector256.GreaterThan(row, Vector256.Create(w)).ExtractMostSignificantBits();
         var columns = (2u << cells.Right) - (1u << cells.Left);
         return (hidden & columns) == columns;

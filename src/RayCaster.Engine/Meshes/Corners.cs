@@ -14,7 +14,7 @@ internal abstract class Corners
     public abstract void See(ReadOnlySpan<int> triangles, out EightTriangles seen);
 
     /// <summary>Sees eight triangles that follow one another; where fewer are left, the last one again in the other lanes.</summary>
-    public virtual void SeeRun(int first, out EightTriangles seen)
+    public void SeeRun(int first, out EightTriangles seen)
     {
         Span<int> triangles = stackalloc int[8];
         Vector256.Min(Vector256.Create(first) + Vector256<int>.Indices, Vector256.Create(Count - 1)).CopyTo(triangles);

@@ -1,26 +1,22 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
 /// <summary>Asks the triangles' formula where each ray of a packet hits its own triangle.</summary>
-internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] indices)
+internal sealed class ExactHits<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) where N : struct, IPacket<N>
 {
-    private readonly double[] columns = new double[Length], rows = new double[Length], hits = new double[Length], nearness = new double[Length];
-    private readonly int[] triangles = new int[Length], places = new int[Length];
+    private readonly double[] columns = new double[N.Count], rows = new double[N.Count], hits = new double[N.Count], nearness = new double[N.Count];
+    private readonly int[] triangles = new int[N.Count], places = new int[N.Count];
     private int count;
-
-    /// <summary>How many questions are asked at once.</summary>
-    private static int Length => Vector512.IsHardwareAccelerated ? WidePacket.Count : Packet.Count;
 
     /// <summary>Where rays cross triangles, a lane for each pair.</summary>
     /// <param name="rays">The rays.</param>
-    /// <param name="triangle">The triangle of the first lane, which those of the others follow.</param>
-    /// <typeparam name="N">The kind of packet.</typeparam>
+    /// <param name="triangles">The triangles.</param>
+    /// <param name="first">The place there of the first lane's triangle, which those of the others follow.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a caller grown too large operators, silently, become calls
-    public Crossings<N> Cross<N>(in Ray<N> rays, ref int triangle) where N : struct, IPacket<N> => Triangle.Cross(
+    public Crossings<N> Cross(in Ray<N> rays, RawSpan<int> triangles, int first) => Triangle.Cross(
         new AlongRay<N>(rays),
-        N.Gather(vertices, indices, ref triangle, 0), N.Gather(vertices, indices, ref triangle, 1), N.Gather(vertices, indices, ref triangle, 2));
+        N.Gather(vertices, indices, triangles, first, 0), N.Gather(vertices, indices, triangles, first, 1), N.Gather(vertices, indices, triangles, first, 2));
 
     /// <summary>Asks about a pixel and a triangle, sooner or later, and keeps the t if it is less than what stands at the place.</summary>
     /// <param name="column">The pixel's column.</param>
@@ -33,16 +29,15 @@ internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] in
     public void Add(int column, int row, int triangle, int place, double[] least, float[] covered)
     {
         (columns[count], rows[count], triangles[count], places[count]) = (column, row, triangle, place);
-        if (++count == Length) Flush(least, covered);
+        if (++count == N.Count) Flush(least, covered);
     }
 
     /// <summary>Asks about all that is left.</summary>
     public void Flush(double[] least, float[] covered)
     {
         if (count == 0) return;
-        for (var i = count; i < Length; i++) (columns[i], rows[i], triangles[i]) = (columns[0], rows[0], triangles[0]);
-        if (Vector512.IsHardwareAccelerated) Ask<WidePacket>();
-        else Ask<Packet>();
+        for (var i = count; i < N.Count; i++) (columns[i], rows[i], triangles[i]) = (columns[0], rows[0], triangles[0]);
+        Ask();
         for (var i = 0; i < count; i++)
         {
             if (!(hits[i] < least[places[i]])) continue;
@@ -53,10 +48,10 @@ internal sealed class ExactHits(ScreenSpace screen, Vector3[] vertices, int[] in
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Ask<N>() where N : struct, IPacket<N>
+    private void Ask()
     {
         var direction = screen.Camera.Direction(N.Load(columns, 0), N.Load(rows, 0));
-        var crossings = Cross(new Ray<N>(screen.Camera.Position, direction), ref triangles[0]);
+        var crossings = Cross(new Ray<N>(screen.Camera.Position, direction), new(triangles), 0);
         var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.ZPerT(direction));
         hit.Store(hits, 0);
         (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(nearness, 0);

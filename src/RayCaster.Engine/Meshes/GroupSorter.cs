@@ -7,17 +7,17 @@ namespace RayCaster.Engine;
 /// One thread's tool: finds the tiles of a mesh's triangles, by the box around sixteen of them that follow one another. Where that box says
 /// little, each triangle is looked at.
 /// </summary>
-internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] indices, TriangleSorter each)
+internal sealed class GroupSorter<N>(ScreenSpace screen, Vector3[] vertices, int[] indices, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>The triangles of a group in more tiles than this are sorted one by one: they lie far from each other, or are large.</summary>
     private const int ManyTiles = 6;
 
     private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private readonly TriangleBoxes boxes = new(vertices, indices);
-    private readonly Vector256<double>[] lows = new Vector256<double>[WidePacket.Count], highs = new Vector256<double>[WidePacket.Count];
-    private readonly double[] left = new double[WidePacket.Count], right = new double[WidePacket.Count];
-    private readonly double[] bottom = new double[WidePacket.Count], top = new double[WidePacket.Count], most = new double[WidePacket.Count];
-    private readonly int[] middles = new int[WidePacket.Count];
+    private readonly BoxCorners lows = new(N.Count), highs = new(N.Count);
+    private readonly double[] left = new double[N.Count], right = new double[N.Count];
+    private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
+    private readonly int[] middles = new int[N.Count];
     private (uint Left, uint Right, uint Bottom, uint Top) extent = (int.MaxValue, 0, int.MaxValue, 0);
 
     /// <summary>Groups by tile and side.</summary>
@@ -27,14 +27,8 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     public (int Left, int Right, int Bottom, int Top) Extent => ((int)extent.Left, (int)extent.Right, (int)extent.Bottom, (int)extent.Top);
 
     /// <summary>Takes triangles.</summary>
-    public void Add(int first, int end)
-    {
-        if (Vector512.IsHardwareAccelerated) Add<WidePacket>(first, end);
-        else Add<Packet>(first, end);
-    }
-
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add<N>(int first, int end) where N : struct, IPacket<N>, IReal<N>
+    public void Add(int first, int end)
     {
         Groups.Reserve((end - first) / Group.Length);
         for (; first < end; first += N.Count * Group.Length)
@@ -43,10 +37,12 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
             {
                 // Where fewer are left than there are lanes, the last group again.
                 var begin = Math.Min(first + i * Group.Length, (end - 1) / Group.Length * Group.Length);
-                (lows[i], highs[i]) = boxes.Around(begin, Math.Min(begin + Group.Length, end));
+                var (low, high) = boxes.Around(begin, Math.Min(begin + Group.Length, end));
+                lows.Set(i, low);
+                highs.Set(i, high);
                 middles[i] = Math.Min(begin + Group.Length / 2, end - 1);
             }
-            var ((fit, shows), sides) = (Project<N>(), Sides<N>());
+            var ((fit, shows), sides) = (Project(), Sides());
             for (var i = 0; i < N.Count && first + i * Group.Length < end; i++)
             {
                 var (begin, bit) = (first + i * Group.Length, 1u << i);
@@ -62,10 +58,10 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     /// and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private (uint Fit, uint Shows) Project<N>() where N : struct, IPacket<N>, IReal<N>
+    private (uint Fit, uint Shows) Project()
     {
         Vector3<N> eye = screen.Camera.Position;
-        var (low, high) = (N.Transpose(ref lows[0]) - eye, N.Transpose(ref highs[0]) - eye);
+        var (low, high) = (lows.Load<N>() - eye, highs.Load<N>() - eye);
         var (center, half) = ((N)0.5 * (low + high), (N)0.5 * (high - low));
         var (nearest, farthest) = Range(-screen.Camera.W, center, half);
         var (inverse, inverseFar) = ((N)1.0 / nearest, (N)1.0 / farthest);
@@ -102,9 +98,9 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     /// Which groups' middle triangles are seen the way around that has a tile's second place; see <see cref="TriangleSorter"/>. Only the order of work depends on it.
     /// </summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private uint Sides<N>() where N : struct, IPacket<N>, IReal<N>
+    private uint Sides()
     {
-        var (a, b, c) = (Middle<N>(0), Middle<N>(1), Middle<N>(2));
+        var (a, b, c) = (Middle(0), Middle(1), Middle(2));
         var (e, f, g) = (b - a, c - a, a - (Vector3<N>)screen.Camera.Position);
         var volume = (e.Y * f.Z - e.Z * f.Y) * g.X + (e.Z * f.X - e.X * f.Z) * g.Y + (e.X * f.Y - e.Y * f.X) * g.Z;
         return N.Bits(volume > (N)0.0);
@@ -112,7 +108,7 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
 
     /// <summary>The pixels before or at places; they are in the picture where the group shows.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static void Keep<N>(double[] pixels, N place, N last) where N : struct, IPacket<N>, IReal<N> =>
+    private static void Keep(double[] pixels, N place, N last) =>
         N.Select(place >= (N)0.0, N.Select(place < last, place, last), 0.0).Store(pixels, 0);
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -153,7 +149,7 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     private static uint Pixel(double place) => (uint)double.ConvertToIntegerNative<int>(place);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static (N Least, N Most) Range<N>(Vector3 axis, Vector3<N> center, Vector3<N> half) where N : struct, IPacket<N>, IReal<N>
+    private static (N Least, N Most) Range(Vector3 axis, Vector3<N> center, Vector3<N> half)
     {
         Vector3<N> along = axis, across = new Vector3(Math.Abs(axis.X), Math.Abs(axis.Y), Math.Abs(axis.Z));
         var (middle, spread) = (center * along, half * across);
@@ -161,5 +157,5 @@ internal sealed class GroupSorter(ScreenSpace screen, Vector3[] vertices, int[] 
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector3<N> Middle<N>(int corner) where N : struct, IPacket<N>, IReal<N> => N.Gather(vertices, indices, ref middles[0], corner);
+    private Vector3<N> Middle(int corner) => N.Gather(vertices, indices, new(middles), 0, corner);
 }

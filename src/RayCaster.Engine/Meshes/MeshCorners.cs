@@ -1,6 +1,4 @@
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
@@ -11,7 +9,7 @@ namespace RayCaster.Engine;
 /// <param name="screen">The camera.</param>
 /// <param name="vertices">The corners.</param>
 /// <param name="indices">Three for each triangle, all of them places of vertices.</param>
-internal sealed class MeshCorners(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners
+internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
 {
     /// <inheritdoc/>
     public override int Count => indices.Length / 3;
@@ -25,25 +23,9 @@ internal sealed class MeshCorners(ScreenSpace screen, Vector3[] vertices, int[] 
     }
 
     /// <inheritdoc/>
-    public override void SeeRun(int first, out EightTriangles seen)
-    {
-        if (!Vector512.IsHardwareAccelerated || first + 8 > Count)
-        {
-            base.SeeRun(first, out seen);
-            return;
-        }
-        SeeRun(first, 0, out seen.A);
-        SeeRun(first, 1, out seen.B);
-        SeeRun(first, 2, out seen.C);
-    }
-
-    /// <inheritdoc/>
     public override void Fetch(int group)
     {
-        ref var index = ref indices[3 * group];
-        Lanes.Fetch(ref index);
-        Lanes.Fetch(ref Unsafe.Add(ref index, Group.Length));
-        Lanes.Fetch(ref Unsafe.Add(ref index, 2 * Group.Length));
+        for (var i = 0; i < 3; i++) Lanes.Fetch(ref indices[Math.Min(3 * group + i * Group.Length, indices.Length - 1)]);
     }
 
     /// <inheritdoc/>
@@ -51,34 +33,21 @@ internal sealed class MeshCorners(ScreenSpace screen, Vector3[] vertices, int[] 
     public override void FetchVertices(int group)
     {
         if (group + Group.Length > Count) return;
-        ref var index = ref Unsafe.Add(ref MemoryMarshal.GetArrayDataReference(indices), 3 * group);
-        ref var vertex = ref MemoryMarshal.GetArrayDataReference(vertices);
-        for (var i = 0; i < 3 * Group.Length; i += 9) // most are neighbours of others
+        var points = new RawSpan<Vector3>(vertices);
+        var places = new RawSpan<int>(indices);
+        for (var i = 3 * group; i < 3 * (group + Group.Length); i += 9) // most are neighbours of others
         {
-            Lanes.Fetch(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, i)));
-            Lanes.Fetch(ref Unsafe.Add(ref vertex, Unsafe.Add(ref index, i + 1)));
+            Lanes.Fetch(ref points[places[i]]);
+            Lanes.Fetch(ref points[places[i + 1]]);
         }
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void See(ReadOnlySpan<int> triangles, int corner, out EightPoints seen)
     {
-        ref var triangle = ref MemoryMarshal.GetReference(triangles);
-        if (Vector512.IsHardwareAccelerated)
-        {
-            var (x, y, w) = screen.Project(Lanes.Gather(vertices, indices, ref triangle, corner));
-            seen = new(Lanes.Narrow(x), Lanes.Narrow(y), Lanes.Narrow(w));
-            return;
-        }
-        var (x0, y0, w0) = screen.Project(Lanes.GatherFour(vertices, indices, ref triangle, corner));
-        var (x4, y4, w4) = screen.Project(Lanes.GatherFour(vertices, indices, ref Unsafe.Add(ref triangle, 4), corner));
-        seen = new(Lanes.Narrow(x0, x4), Lanes.Narrow(y0, y4), Lanes.Narrow(w0, w4));
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void SeeRun(int first, int corner, out EightPoints seen)
-    {
-        var (x, y, w) = screen.Project(Lanes.GatherRun(vertices, indices, first, corner));
-        seen = new(Lanes.Narrow(x), Lanes.Narrow(y), Lanes.Narrow(w));
+        var names = new RawSpan<int>(triangles);
+        var lower = screen.Project(N.Gather(vertices, indices, names, 0, corner));
+        var upper = N.Count == 8 ? lower : screen.Project(N.Gather(vertices, indices, names, N.Count, corner));
+        seen = new(N.Narrow(lower.X, upper.X), N.Narrow(lower.Y, upper.Y), N.Narrow(lower.W, upper.W));
     }
 }

@@ -98,41 +98,31 @@ internal sealed class MeshPainter
         for (var row = 0; row < tile.Height; row++)
         {
             var upwards = Vector512.Create((float)(1 + Square((tile.Row + row - screen.CenterY) / screen.Scale)));
-            ref var to = ref rgb[first + row * step];
             for (var i = 0; i < tile.Width; i += RoughPacket.Count, packet++)
             {
                 var at = row * TilePixels.Stride + i;
-                var ends = new RoughPacket(Vector512.LoadUnsafe(ref front[at]), Vector512.LoadUnsafe(ref covered[at]));
-                var far = RoughPacket.Of(unit * Vector512.Sqrt(upwards + Vector512.LoadUnsafe(ref squares[i])));
+                var ends = new RoughPacket(front.Load512(at), covered.Load512(at));
+                var far = RoughPacket.Of(unit * Vector512.Sqrt(upwards + squares.Load512(i)));
                 var light = scene.Attenuation(far / ends);
                 var (r, g, b) = (Color.Level(light * red), Color.Level(light * green), Color.Level(light * blue));
                 var least = RoughBytes.Packed(r.Upper - slack, g.Upper - slack, b.Upper - slack);
                 var most = RoughBytes.Packed(r.Lower + slack, g.Lower + slack, b.Lower + slack);
                 var isMiss = Vector512.Equals(ends.Lower, Vector512<float>.Zero).AsInt32();
                 var pixels = Vector512.ConditionalSelect(isMiss, background, least);
-                if (i + RoughPacket.Count <= tile.Width) RoughBytes.Store(pixels, ref Unsafe.Add(ref to, 3 * i));
-                else StoreTail(pixels, rgb.AsSpan(first + row * step + 3 * i, 3 * (tile.Width - i)));
+                if (i + RoughPacket.Count <= tile.Width) RoughBytes.Store(pixels, rgb, first + row * step + 3 * i);
+                else RoughBytes.StoreFew(pixels, rgb.AsSpan(first + row * step + 3 * i, 3 * (tile.Width - i)));
 
                 var doubt = (Vector512.Equals(least, most) | isMiss).ExtractMostSignificantBits() ^ RoughBytes.AllLanes;
                 if (decided is not null)
-                    doubt |= IsDecided(ref decided[at]) | (IsDecided(ref decided[at + Vector512<double>.Count]) << Vector512<double>.Count);
+                    doubt |= IsDecided(decided, at) | (IsDecided(decided, at + Vector512<double>.Count) << Vector512<double>.Count);
                 doubts[packet] = doubt;
             }
         }
     }
 
-    /// <summary>Stores the first pixels of a packet that reaches beyond the tile, where the filter knows of no hits.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    private static void StoreTail(in Vector512<int> pixels, Span<byte> rgb)
-    {
-        Span<byte> bytes = stackalloc byte[3 * RoughPacket.Count];
-        RoughBytes.Store(pixels, ref bytes[0]);
-        bytes[..rgb.Length].CopyTo(rgb);
-    }
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static ulong IsDecided(ref double t) =>
-        Vector512.LessThan(Vector512.LoadUnsafe(ref t), Vector512.Create(double.PositiveInfinity)).ExtractMostSignificantBits();
+    private static ulong IsDecided(double[] t, int place) =>
+        Vector512.LessThan(t.Load512(place), Vector512.Create(double.PositiveInfinity)).ExtractMostSignificantBits();
 
     private static double Square(double x) => x * x;
 }

@@ -5,14 +5,14 @@ namespace RayCaster.Engine;
 /// each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and where, the
 /// triangle's formula decides.
 /// </summary>
-internal sealed class MeshView : ModelView, ITileView
+internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IPacket<N>
 {
     private readonly ScreenSpace screen;
     private readonly Vector3[] vertices;
     private readonly int[] indices;
-    private readonly ScreenTriangles[] sets = []; // the triangles, and the pieces of those that had to be clipped
-    private readonly Hierarchy? hard;             // over those for which the filter knows nothing
-    private readonly TileFilter? filter;          // one thread's
+    private readonly ScreenTriangles<N>[] sets = []; // the triangles, and the pieces of those that had to be clipped
+    private readonly TriangleTree? hard;             // over those for which the filter knows nothing
+    private readonly TileFilter<N>? filter;          // one thread's
     private MeshPainter? painter;
 
     /// <param name="vertices">The corners.</param>
@@ -29,30 +29,30 @@ internal sealed class MeshView : ModelView, ITileView
             return;
         }
 
-        var whole = new ScreenTriangles(
-            screen, new MeshCorners(screen, vertices, indices), null,
-            each => new GroupSorter(screen, vertices, indices, each), () => new Twins(vertices, indices), threads);
+        var whole = new ScreenTriangles<N>(
+            screen, new MeshCorners<N>(screen, vertices, indices), null,
+            each => new GroupSorter<N>(screen, vertices, indices, each), () => new Twins(vertices, indices), threads);
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
-        var clipped = new ScreenTriangles(screen, new PieceCorners(clipper.Points), clipper.Owners, null, null, threads);
+        var clipped = new ScreenTriangles<N>(screen, new PieceCorners(clipper.Points), clipper.Owners, null, null, threads);
         sets = [whole, clipped];
 
         if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);
         Extent = hard is null ? ExtentOf(whole.Extent, clipped.Extent) : Tile.Everywhere;
     }
 
-    private MeshView(MeshView shared)
+    private MeshView(MeshView<N> shared)
     {
         (screen, vertices, indices, sets, hard, Extent) = (shared.screen, shared.vertices, shared.indices, shared.sets, shared.hard, shared.Extent);
-        filter = new TileFilter(screen, vertices, indices);
+        filter = new TileFilter<N>(screen, vertices, indices);
     }
 
     /// <inheritdoc/>
     public override Tile Extent { get; }
 
     /// <inheritdoc/>
-    public override ModelView ForThread() => new MeshView(this);
+    public override ModelView<N> ForThread() => new MeshView<N>(this);
 
     /// <inheritdoc/>
     public override HitRange Enter(in Tile tile, HitRange known)
@@ -67,21 +67,13 @@ internal sealed class MeshView : ModelView, ITileView
     {
         if (sets.Length > 0) filter!.Meet(span, index);
         if (hard is null) return;
-        for (var i = 0; i < span.Length; i += Packet.Count) span.Keep(i, hard.Nearest(span, i), Lanes.Broadcast<Packet>(index));
+        for (var i = 0; i < span.Length; i += N.Count) span.Keep(i, hard.Nearest<N>(span, i), Lanes.Broadcast<N>(index));
     }
 
     /// <inheritdoc/>
     public override void Free()
     {
         foreach (var set in sets) set.Free();
-    }
-
-    /// <inheritdoc/>
-    public bool Hit(in Tile tile, int index, double[] t, int[] models, int first, int step)
-    {
-        if (hard is not null || tile.Width < WidePacket.Count) return false;
-        filter!.Hit(index, t, models, first, step);
-        return true;
     }
 
     /// <inheritdoc/>

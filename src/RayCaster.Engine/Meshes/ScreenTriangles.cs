@@ -1,7 +1,8 @@
 namespace RayCaster.Engine;
 
 /// <summary>Triangles on the screen, sorted into the tiles of the picture in which they may cover a sample.</summary>
-internal sealed class ScreenTriangles
+/// <typeparam name="N">The kind of packet that sorts groups.</typeparam>
+internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 {
     private const int LeastForAThread = 1 << 15;
 
@@ -15,7 +16,7 @@ internal sealed class ScreenTriangles
     /// <param name="group">Makes a sorter of groups, which gives what it does not sort to the one of triangles; null where neighbours mean nothing.</param>
     /// <param name="twins">Makes what knows that triangles are the same; null where that is not known.</param>
     /// <param name="threads">How many threads may work.</param>
-    public ScreenTriangles(ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, GroupSorter>? group, Func<Twins>? twins, int threads)
+    public ScreenTriangles(ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, GroupSorter<N>>? group, Func<Twins>? twins, int threads)
     {
         (Corners, Owners) = (corners, owners);
         tilesAcross = Tile.TilesOf(screen.Camera.Width);

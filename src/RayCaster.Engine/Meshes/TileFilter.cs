@@ -8,13 +8,14 @@ namespace RayCaster.Engine;
 /// One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is left out, group by
 /// group, then triangles that cover no sample, eight at once.
 /// </summary>
-internal sealed class TileFilter
+internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
     /// <summary>How many groups are looked at before any of them is drawn, and how many of these their memory is asked for in advance.</summary>
     private const int GroupsAtOnce = 256, Ahead = 4;
 
     private readonly ScreenSpace screen;
     private readonly TilePixels pixels;
+    private readonly TileHits<N> hits;
     private readonly TriangleCover cover;
     private readonly CoarseDepth coarse = new();
     private readonly WaitingTriangles waiting = new(), waitingLarge = new();
@@ -24,12 +25,13 @@ internal sealed class TileFilter
 
     public TileFilter(ScreenSpace screen, Vector3[] vertices, int[] indices)
     {
-        (this.screen, pixels) = (screen, new(screen, vertices, indices));
-        cover = new(screen, pixels);
+        (this.screen, pixels) = (screen, new(vertices, indices));
+        hits = new(screen, vertices, indices, pixels);
+        cover = new(screen, pixels, hits.Decide);
     }
 
     /// <summary>Finds the pixels' triangles.</summary>
-    public HitRange Enter(in Tile tile, ScreenTriangles[] sets)
+    public HitRange Enter(in Tile tile, ScreenTriangles<N>[] sets)
     {
         this.tile = tile;
         isEmpty = true;
@@ -42,14 +44,14 @@ internal sealed class TileFilter
             Add(set, set.Of(tile, nearer));
             if (!isEmpty)
             {
-                pixels.Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
+                hits.Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
                 coarse.Update(pixels.Covered);
             }
             Add(set, set.GroupsOf(tile, 1 - nearer));
             Add(set, set.Of(tile, 1 - nearer));
         }
         if (isEmpty) return HitRange.None;
-        pixels.Decide();
+        hits.Decide();
         coarse.Update(pixels.Covered);
         var least = coarse.Least;
         return new(screen.Unit / cover.GreatestW * (1 - 1e-6), least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
@@ -58,16 +60,13 @@ internal sealed class TileFilter
     /// <summary>Keeps the hits of a part of a row of the tile.</summary>
     public void Meet(RaySpan span, int index)
     {
-        if (!isEmpty) pixels.Meet(span, index);
+        if (!isEmpty) hits.Meet(span, index);
     }
 
-    /// <inheritdoc cref="TilePixels.Hit(int, double[], int[], int, int)"/>
-    public void Hit(int index, double[] t, int[] models, int first, int step) => pixels.Hit(index, t, models, first, step);
+    /// <inheritdoc cref="TileHits{N}.Paint"/>
+    public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => hits.Paint(painter, rgb, first, step);
 
-    /// <inheritdoc cref="TilePixels.Paint"/>
-    public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => pixels.Paint(painter, rgb, first, step);
-
-    private static float MeanW(ScreenTriangles set, in Tile tile, int side)
+    private static float MeanW(ScreenTriangles<N> set, in Tile tile, int side)
     {
         const int Samples = 8;
         var sum = 0f;
@@ -94,7 +93,7 @@ internal sealed class TileFilter
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles set, ReadOnlySpan<Group> groups)
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<Group> groups)
     {
         if (groups.Length == 0) return;
         if (isEmpty) Begin();
@@ -119,7 +118,7 @@ internal sealed class TileFilter
         AddWaiting();
     }
 
-    private void Add(ScreenTriangles set, int group)
+    private void Add(ScreenTriangles<N> set, int group)
     {
         var end = Math.Min(group + Group.Length, set.Corners.Count);
         for (var first = group; first < end; first += 8)
@@ -129,7 +128,7 @@ internal sealed class TileFilter
         }
     }
 
-    private void Add(ScreenTriangles set, ReadOnlySpan<int> triangles)
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<int> triangles)
     {
         if (triangles.Length == 0) return;
         if (isEmpty) Begin();
@@ -145,7 +144,7 @@ internal sealed class TileFilter
 
     /// <summary>Takes the eight triangles that are seen, or less: those in whose boxes are samples wait.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles set, Vector256<int> names, int count)
+    private void Add(ScreenTriangles<N> set, Vector256<int> names, int count)
     {
         ref readonly var t = ref eight;
         var margin = Vector256.Create(screen.Margin);

@@ -91,8 +91,8 @@ internal static class TriangleSetUp
         Keep(fields, Slack, Vector256.AndNot(depthSlack, isSliver), leastW * Vector256.Create(1 - 4e-6f),
             shows & (Vector256.ConditionalSelect(isSliver, stretchedW, mostW) * Vector256.Create(1 + 4e-6f)));
         // Which way around a sliver is seen is not known; if it is the other way, its functions are below its area's and the others' slack.
-        Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack).StoreUnsafe(ref fields[8 * Outside]);
-        Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)).StoreUnsafe(ref fields[8 * Inside]);
+        Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack).StoreTo(fields, 8 * Outside);
+        Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)).StoreTo(fields, 8 * Inside);
         return shows.ExtractMostSignificantBits();
     }
 
@@ -132,8 +132,8 @@ internal static class TriangleSetUp
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Keep(float[] fields, int first, Vector256<float> a, Vector256<float> b, Vector256<float> c)
     {
-        a.StoreUnsafe(ref fields[8 * first]);
-        b.StoreUnsafe(ref fields[8 * first + 8]);
-        c.StoreUnsafe(ref fields[8 * first + 16]);
+        a.StoreTo(fields, 8 * first);
+        b.StoreTo(fields, 8 * first + 8);
+        c.StoreTo(fields, 8 * first + 16);
     }
 }

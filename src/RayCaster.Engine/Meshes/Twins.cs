@@ -1,5 +1,3 @@
-using System.Runtime.InteropServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>
@@ -32,10 +30,11 @@ internal sealed class Twins(Vector3[] vertices, int[] indices)
 
     private bool IsCorner(int triangle, int corner, in Vector3 point)
     {
-        ref var other = ref vertices[indices[3 * triangle + corner]];
-        return MemoryMarshal.AsBytes(new ReadOnlySpan<Vector3>(in other)).SequenceEqual(MemoryMarshal.AsBytes(new ReadOnlySpan<Vector3>(in point)));
+        ref readonly var other = ref vertices[indices[3 * triangle + corner]];
+        return Bits(other.X) == Bits(point.X) && Bits(other.Y) == Bits(point.Y) && Bits(other.Z) == Bits(point.Z);
     }
 
-    private static long HashOf(in Vector3 p) =>
-        BitConverter.DoubleToInt64Bits(p.X) + 7 * BitConverter.DoubleToInt64Bits(p.Y) + 31 * BitConverter.DoubleToInt64Bits(p.Z);
+    private static long HashOf(in Vector3 p) => Bits(p.X) + 7 * Bits(p.Y) + 31 * Bits(p.Z);
+
+    private static long Bits(double number) => BitConverter.DoubleToInt64Bits(number);
 }

@@ -27,25 +27,24 @@ internal sealed class WaitingTriangles
     /// <summary>Whether there is no room for another eight.</summary>
     public bool IsFull => Count > Limit - 8;
 
-    /// <summary>The number of the first one, which those of the others follow.</summary>
-    public ref int Triangle => ref triangles[0];
+    /// <summary>Their numbers.</summary>
+    public RawSpan<int> Triangles => new(triangles);
 
     /// <summary>Adds some of eight triangles, while it is not full.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(in EightTriangles t, Vector256<int> ids, uint lanes)
     {
-        var order = Vector256.LoadUnsafe(ref orders[8 * lanes]);
-        ref var at = ref corners[Count];
-        Vector256.ShuffleNative(t.A.X, order).StoreUnsafe(ref at);
-        Vector256.ShuffleNative(t.A.Y, order).StoreUnsafe(ref Unsafe.Add(ref at, Room));
-        Vector256.ShuffleNative(t.A.W, order).StoreUnsafe(ref Unsafe.Add(ref at, 2 * Room));
-        Vector256.ShuffleNative(t.B.X, order).StoreUnsafe(ref Unsafe.Add(ref at, 3 * Room));
-        Vector256.ShuffleNative(t.B.Y, order).StoreUnsafe(ref Unsafe.Add(ref at, 4 * Room));
-        Vector256.ShuffleNative(t.B.W, order).StoreUnsafe(ref Unsafe.Add(ref at, 5 * Room));
-        Vector256.ShuffleNative(t.C.X, order).StoreUnsafe(ref Unsafe.Add(ref at, 6 * Room));
-        Vector256.ShuffleNative(t.C.Y, order).StoreUnsafe(ref Unsafe.Add(ref at, 7 * Room));
-        Vector256.ShuffleNative(t.C.W, order).StoreUnsafe(ref Unsafe.Add(ref at, 8 * Room));
-        Vector256.ShuffleNative(ids, order).StoreUnsafe(ref triangles[Count]);
+        var order = orders.Load256((int)(8 * lanes));
+        Vector256.ShuffleNative(t.A.X, order).StoreTo(corners, Count);
+        Vector256.ShuffleNative(t.A.Y, order).StoreTo(corners, Count + Room);
+        Vector256.ShuffleNative(t.A.W, order).StoreTo(corners, Count + 2 * Room);
+        Vector256.ShuffleNative(t.B.X, order).StoreTo(corners, Count + 3 * Room);
+        Vector256.ShuffleNative(t.B.Y, order).StoreTo(corners, Count + 4 * Room);
+        Vector256.ShuffleNative(t.B.W, order).StoreTo(corners, Count + 5 * Room);
+        Vector256.ShuffleNative(t.C.X, order).StoreTo(corners, Count + 6 * Room);
+        Vector256.ShuffleNative(t.C.Y, order).StoreTo(corners, Count + 7 * Room);
+        Vector256.ShuffleNative(t.C.W, order).StoreTo(corners, Count + 8 * Room);
+        Vector256.ShuffleNative(ids, order).StoreTo(triangles, Count);
         Count += BitOperations.PopCount(lanes);
     }
 
@@ -55,7 +54,7 @@ internal sealed class WaitingTriangles
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private EightPoints Points(int first) => new(
-        Vector256.LoadUnsafe(ref corners[first]), Vector256.LoadUnsafe(ref corners[first + Room]), Vector256.LoadUnsafe(ref corners[first + 2 * Room]));
+        corners.Load256(first), corners.Load256(first + Room), corners.Load256(first + 2 * Room));
 
     /// <summary>Forgets all.</summary>
     public void Clear() => Count = 0;

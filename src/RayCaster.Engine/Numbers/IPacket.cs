@@ -30,15 +30,17 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>The packet that begins at a place in an array.</summary>
     static abstract N Load(double[] numbers, int first);
 
-    /// <summary>A corner of triangles of a mesh, one to each lane; see <see cref="Lanes"/>.</summary>
-    static abstract Vector3<N> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner);
+    /// <summary>A corner of triangles of a mesh, one to each lane. The mesh's indices have been checked.</summary>
+    /// <param name="vertices">The corners.</param>
+    /// <param name="indices">Three for each triangle.</param>
+    /// <param name="triangles">The triangles.</param>
+    /// <param name="first">The place there of the first lane's triangle, which those of the others follow.</param>
+    /// <param name="corner">Which corner.</param>
+    static abstract Vector3<N> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner);
 
-    /// <summary>Points, one to each lane, of which each is the last three of four numbers.</summary>
-    static abstract Vector3<N> Transpose(ref Vector256<double> first);
+    /// <summary>Eight numbers as floats; a packet of eight needs no upper one.</summary>
+    static abstract Vector256<float> Narrow(N lower, N upper);
 
     /// <summary>Puts the packet at a place in an array.</summary>
     void Store(double[] numbers, int first);
-
-    /// <summary>Puts numbers that are whole and within ±2³¹ there.</summary>
-    void StoreWhole(int[] numbers, int first);
 }

@@ -93,21 +93,26 @@ internal struct Packet : IPacket<Packet>
     public static Packet Sequence(int first) => new() { Lanes = Vector256.Create((double)first) + Vector256.Create(0.0, 1, 2, 3) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Load(double[] numbers, int first) => new() { Lanes = Vector256.LoadUnsafe(ref numbers[first]) };
+    public static Packet Load(double[] numbers, int first) => new() { Lanes = numbers.Load256(first) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner) =>
-        RayCaster.Engine.Lanes.GatherFour(vertices, indices, ref triangle, corner);
+    public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner)
+    {
+        var places = new RawSpan<int>(indices);
+        var numbers = RawSpan.NumbersOf(vertices);
+        var (a, b) = (3 * places[3 * triangles[first] + corner], 3 * places[3 * triangles[first + 1] + corner]);
+        var (c, d) = (3 * places[3 * triangles[first + 2] + corner], 3 * places[3 * triangles[first + 3] + corner]);
+        var z = new Packet(Vector256.Create(numbers[a + 2], numbers[b + 2], numbers[c + 2], numbers[d + 2]));
+        var (xyac, xybd) = (Vector256.Create(numbers.Load128(a), numbers.Load128(c)), Vector256.Create(numbers.Load128(b), numbers.Load128(d)));
+        if (Avx.IsSupported) return new(new(Avx.UnpackLow(xyac, xybd)), new(Avx.UnpackHigh(xyac, xybd)), z);
+        return new(new(Vector256.Create(xyac[0], xybd[0], xyac[2], xybd[2])), new(Vector256.Create(xyac[1], xybd[1], xyac[3], xybd[3])), z);
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<Packet> Transpose(ref Vector256<double> first) => RayCaster.Engine.Lanes.Transpose(
-        first, Unsafe.Add(ref first, 1), Unsafe.Add(ref first, 2), Unsafe.Add(ref first, 3));
+    public static Vector256<float> Narrow(Packet lower, Packet upper) => Vector256.Narrow(lower.Lanes, upper.Lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void StoreWhole(int[] numbers, int first) => ToInts().StoreUnsafe(ref numbers[first]);
+    public readonly void Store(double[] numbers, int first) => Lanes.StoreTo(numbers, first);
 
     /// <summary>The whole parts of numbers from 0 to 2³¹.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

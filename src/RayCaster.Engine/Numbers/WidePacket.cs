@@ -95,22 +95,23 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Sequence(int first) => new() { Lanes = Vector512.Create((double)first) + Vector512.Create(0.0, 1, 2, 3, 4, 5, 6, 7) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Load(double[] numbers, int first) => new() { Lanes = Vector512.LoadUnsafe(ref numbers[first]) };
+    public static WidePacket Load(double[] numbers, int first) => new() { Lanes = numbers.Load512(first) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<WidePacket> Gather(Vector3[] vertices, int[] indices, ref int triangle, int corner) =>
-        RayCaster.Engine.Lanes.Gather(vertices, indices, ref triangle, corner);
+    public static Vector3<WidePacket> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner)
+    {
+        var lower = Packet.Gather(vertices, indices, triangles, first, corner);
+        var upper = Packet.Gather(vertices, indices, triangles, first + Packet.Count, corner);
+        return new(Pair(lower.X, upper.X), Pair(lower.Y, upper.Y), Pair(lower.Z, upper.Z));
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<WidePacket> Transpose(ref Vector256<double> first) => RayCaster.Engine.Lanes.Transpose(
-        first, Unsafe.Add(ref first, 1), Unsafe.Add(ref first, 2), Unsafe.Add(ref first, 3),
-        Unsafe.Add(ref first, 4), Unsafe.Add(ref first, 5), Unsafe.Add(ref first, 6), Unsafe.Add(ref first, 7));
+    public static Vector256<float> Narrow(WidePacket lower, WidePacket upper) => Avx512F.IsSupported
+        ? Avx512F.ConvertToVector256Single(lower.Lanes)
+        : Vector256.Narrow(lower.Lanes.GetLower(), lower.Lanes.GetUpper());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Store(double[] numbers, int first) => Lanes.StoreUnsafe(ref numbers[first]);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void StoreWhole(int[] numbers, int first) => ToInts().StoreUnsafe(ref numbers[first]);
+    public readonly void Store(double[] numbers, int first) => Lanes.StoreTo(numbers, first);
 
     /// <summary>The whole parts of numbers within ±2³¹.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -120,4 +121,8 @@ internal struct WidePacket : IPacket<WidePacket>
 
     /// <summary>The numbers of all lanes, for printing a step of a formula.</summary>
     public readonly override string ToString() => FormattableString.Invariant($"{Lanes}");
+
+    /// <summary>Two halves; <see cref="Vector512.Create{T}(Vector256{T}, Vector256{T})"/> would clear the upper one before it is set.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static WidePacket Pair(Packet lower, Packet upper) => new() { Lanes = lower.Lanes.ToVector512Unsafe().WithUpper(upper.Lanes) };
 }

@@ -31,6 +31,24 @@ internal static class Workers
         job.End();
     }
 
+    /// <summary>Does work on this thread while others help; none may come, or some late. Returns when all of them have ended.</summary>
+    /// <param name="helpers">How many threads help at most.</param>
+    /// <param name="help">What each of them does. It must end soon after the work has ended, by an exception, too.</param>
+    /// <param name="work">What this thread does; its exception comes out.</param>
+    public static void Help(int helpers, Action help, Action work)
+    {
+        var job = new Job(helpers, _ => help());
+        Offer(job, helpers);
+        try
+        {
+            work();
+        }
+        finally
+        {
+            job.End();
+        }
+    }
+
     private static void Offer(Job job, int places)
     {
         if (places <= 0) return;
@@ -89,6 +107,7 @@ internal static class Workers
     /// <summary>The pieces of one call.</summary>
     private sealed class Job(int count, Action<int> work)
     {
+        private readonly object gate = new();
         private int next = -1, helpers;
         private bool isOver; // guarded by the lock, as the number of helpers is
         private ExceptionDispatchInfo? failure;
@@ -109,16 +128,16 @@ internal static class Workers
         /// <summary>The same on another thread, if it does not come too late.</summary>
         public void Help()
         {
-            lock (this)
+            lock (gate)
             {
                 if (isOver) return;
                 helpers++;
             }
             Work();
-            lock (this)
+            lock (gate)
             {
                 helpers--;
-                Monitor.Pulse(this);
+                Monitor.Pulse(gate);
             }
         }
 
@@ -126,10 +145,10 @@ internal static class Workers
         public void End()
         {
             StayAwakeWhile(ref helpers, isZero: false);
-            lock (this)
+            lock (gate)
             {
                 isOver = true;
-                while (helpers > 0) Monitor.Wait(this);
+                while (helpers > 0) Monitor.Wait(gate);
             }
             failure?.Throw();
         }

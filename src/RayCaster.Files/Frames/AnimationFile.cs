@@ -33,6 +33,8 @@ public static class AnimationFile
                 using var png = new PngReader(file, 3 * Camera.MaxPixels);
                 var header = png.Header;
                 Check(header, first ?? header, frames[0]);
+                if (png.IsAnimation) throw new PictureFileException("it is an animation already, of which only the first picture would be taken");
+                png.CheckLines(); // or the animation would hold what no program can show
                 if (first is null)
                 {
                     output.Write(PngChunk.Signature);

@@ -25,6 +25,13 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
 
     public void BeginFace() => CornerCount = 0;
 
+    /// <summary>Makes room for so many triangles of one face at once: to double the room again and again takes twice the memory.</summary>
+    public void Expect(long triangles)
+    {
+        var needed = indexCount + 3 * triangles;
+        if (triangles > 1 && needed > indices.Length && needed <= Array.MaxLength) Array.Resize(ref indices, (int)Math.Max(needed, Math.Min(2L * indices.Length, Array.MaxLength)));
+    }
+
     /// <summary>Adds a corner to the face; from the third on each makes a triangle with the first corner and the one before.</summary>
     /// <param name="vertex">The place among the file's vertices, from 0. One beyond every array becomes the last int, which is too.</param>
     public void AddCorner(long vertex) => Add((int)Math.Min(vertex, int.MaxValue));
@@ -48,9 +55,15 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
     public MeshPiece TakePiece()
     {
         var piece = new MeshPiece(Copy(vertices, vertexCount), Copy(indices, indexCount), countsFromHere);
+        Drop();
+        return piece;
+    }
+
+    /// <summary>Forgets what has been collected; what stands above is still counted.</summary>
+    public void Drop()
+    {
         verticesBefore += vertexCount;
         (vertexCount, indexCount, countsFromHere) = (0, 0, false);
-        return piece;
     }
 
     private void Add(int corner)

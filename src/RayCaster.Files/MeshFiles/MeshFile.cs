@@ -7,10 +7,16 @@ public static class MeshFile
     /// <param name="path">The file, of any size.</param>
     /// <param name="threads">How many threads read a large file; one per core if left out.</param>
     /// <exception cref="MeshFileException">The file is not there, is of another kind, or is broken.</exception>
-    public static MeshData Read(string path, int? threads = null)
+    public static MeshData Read(string path, int? threads = null) => Read(path, threads, new FileNames());
+
+    /// <summary>The same for one of many files.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="threads">How many threads read a large file; one per core if left out.</param>
+    /// <param name="names">Finds what is meant by the names of files that are not there.</param>
+    internal static MeshData Read(string path, int? threads, FileNames names)
     {
         var reader = ReaderOf(path);
-        using var stream = Open(path);
+        using var stream = Open(path, names);
         return reader(new MeshSource(path, stream, threads: threads ?? Environment.ProcessorCount));
     }
 
@@ -30,7 +36,7 @@ public static class MeshFile
         var other => throw new MeshFileException(path, $"a mesh file must be .obj, .ply or .stl, but this one is {other}"),
     };
 
-    private static Stream Open(string path)
+    private static Stream Open(string path, FileNames names)
     {
         try
         {
@@ -41,7 +47,7 @@ public static class MeshFile
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new MeshFileException(path, $"file not found{FileNames.Hint(path)}", inner: e);
+            throw new MeshFileException(path, $"file not found{names.HintFor(path)}", inner: e);
         }
         catch (UnauthorizedAccessException e)
         {
@@ -67,5 +73,5 @@ public static class MeshFile
         return copy;
     }
 
-    private static string? FullPath(string path) => Path.IsPathFullyQualified(path) ? null : $"; looked for {Path.GetFullPath(path)}";
+    private static string? FullPath(string path) => Path.IsPathFullyQualified(path) ? null : $"; looked for {PrintableText.Of(Path.GetFullPath(path))}";
 }

@@ -15,6 +15,14 @@ internal static class MeshReader
         return (threads > 1 ? ReadSideBySide(source, begin(), threads) : null) ?? ReadInOrder(source, begin());
     }
 
+    /// <summary>Reads a file anew and keeps nothing of it: for its first mistake, which only now can be told.</summary>
+    /// <exception cref="MeshFileException">The mistake.</exception>
+    public static void Check(MeshSource source, MeshFormat format)
+    {
+        var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: true));
+        for (; format.Next(block); mesh.Drop()) format.Read(block, mesh);
+    }
+
     private static MeshData ReadInOrder(MeshSource source, MeshFormat format)
     {
         var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: true));

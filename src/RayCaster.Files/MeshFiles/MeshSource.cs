@@ -39,6 +39,20 @@ internal sealed class MeshSource(string path, Stream stream, int blockSize = Mes
         }
     }
 
+    /// <summary>The place of the first byte from a place on that is neither blank nor 0; null if there is none.</summary>
+    public long? FirstNotBlank(long from)
+    {
+        if (from >= Length) return null;
+        var buffer = new byte[Math.Min(1 << 16, Length - from)];
+        for (; from < Length; from += buffer.Length)
+        {
+            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Length - from));
+            Read(from, bytes);
+            if (bytes.IndexOfAnyExcept(" \t\r\n\v\f\0"u8) is >= 0 and var place) return from + place;
+        }
+        return null;
+    }
+
     /// <summary>A mistake of the whole file.</summary>
     public MeshFileException Error(string reason) => new(path, reason);
 

@@ -16,7 +16,7 @@ internal sealed class ObjFile : TextFormat
         var mesh = MeshReader.Read(source, () => new ObjFile(source));
         // A face may stand before its vertices, so only now is the range known. The second reading stops at the first index beyond it.
         if (IsWhole(mesh, source.Threads)) return mesh;
-        MeshReader.Read(source, () => new ObjFile(source, mesh.Vertices.Length));
+        MeshReader.Check(source, new ObjFile(source, mesh.Vertices.Length));
         throw source.Error("the file changed while it was read");
     }
 
@@ -31,6 +31,7 @@ internal sealed class ObjFile : TextFormat
             {
                 mesh.AddVertex(new(
                     scanner.NextNumber("the vertex's x"), scanner.NextNumber("the vertex's y"), scanner.NextNumber("the vertex's z")));
+                while (scanner.NextInLine() is { IsEmpty: false } more) scanner.ToNumber(more, "what follows a vertex's x, y and z");
             }
             else if (statement is [(byte)'f'])
             {

@@ -21,7 +21,11 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
     {
         for (; rowsLeft == 0; elementsBegun++)
         {
-            if (elementsBegun == header.Elements.Count) return false;
+            if (elementsBegun == header.Elements.Count)
+            {
+                CheckRest();
+                return false;
+            }
             Begin(header.Elements[elementsBegun]);
         }
 
@@ -60,6 +64,14 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
         rowsLeft = element.Count;
     }
 
+    /// <summary>Behind the last row may be nothing but blanks: what else is there was surely meant to be seen.</summary>
+    private void CheckRest()
+    {
+        if (source.FirstNotBlank(position) is not { } rest) return;
+        const string reason = "there is more in the file than the rows that its header promises";
+        throw header.Format == "ascii" ? source.ErrorAtLine(rest, reason) : source.ErrorAtByte(rest, reason);
+    }
+
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private void ReadRow(PlyValues values, PlyElement element, MeshBuilder mesh)
     {
@@ -84,6 +96,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
     {
         if (count < 3) throw values.Error($"a face needs at least three corners, but this one has {count}");
         mesh.BeginFace();
+        mesh.Expect(Math.Min(count, values.MostLeft) - 2);
         for (; count > 0; count--)
         {
             var index = values.Next(type);

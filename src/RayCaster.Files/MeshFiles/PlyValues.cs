@@ -12,6 +12,9 @@ internal abstract class PlyValues
     /// <summary>Passes numbers by without looking at them.</summary>
     public abstract void Skip(PlyProperty property, long count);
 
+    /// <summary>No more numbers than this are left, whatever a count says.</summary>
+    public abstract long MostLeft { get; }
+
     /// <summary>Goes to the next row of an element.</summary>
     public abstract void BeginRow();
 
@@ -26,6 +29,8 @@ internal abstract class PlyValues
 internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
 {
     private readonly TextScanner scanner = new(block, position: 0);
+
+    public override long MostLeft => (block.Length - scanner.Position + 1L) / 2; // each a digit and a blank
 
     public override double Next(PlyType type) => scanner.ToNumber(NextWord(), "the value");
 
@@ -62,6 +67,8 @@ internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValu
     private readonly byte[] buffer = block.Buffer;
     private readonly int length = block.Length;
     private int position, last;
+
+    public override long MostLeft => length - position;
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override double Next(PlyType type)

@@ -43,7 +43,8 @@ internal sealed class TrianglePly
             at += element.Count * size;
         }
         Fits = header.Format == "binary_little_endian" && faceCount > 0 && vertexCount > 0
-            && Math.Max(vertexCount, Corners * faceCount) <= Array.MaxLength && vertexSize <= source.BlockSize;
+            && Math.Max(vertexCount, Corners * faceCount) <= Array.MaxLength && vertexSize <= source.BlockSize
+            && source.FirstNotBlank(at) is null;
     }
 
     /// <summary>Whether the header is as it should be.</summary>

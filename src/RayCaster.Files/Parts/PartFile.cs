@@ -35,20 +35,32 @@ public sealed class PartFile : IDisposable
         return new PartFile(path, file, reader, facts);
     });
 
-    /// <summary>Whether a file is there, is not damaged, and holds just this. Its pixels are not decompressed, but their checksums are checked.</summary>
-    public static bool Holds(string path, PartFacts facts)
+    /// <inheritdoc cref="Holds(string, PartFacts, out string)"/>
+    public static bool Holds(string path, PartFacts facts) => Holds(path, facts, out _);
+
+    /// <summary>Whether a file is there, can be read to its last pixel, and holds just this.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="facts">What it is to hold.</param>
+    /// <param name="reason">Why it does not, as the end of a sentence; null where there is no file.</param>
+    public static bool Holds(string path, PartFacts facts, out string? reason)
     {
+        reason = null;
         if (!File.Exists(path)) return false;
         try
         {
             using var part = Open(path);
-            if (part?.Facts != facts) return false;
-            part.reader.CheckData();
+            reason = part is null ? "it does not say which scene it shows, as pictures do that are drawn with --rows or --resume"
+                : part.Facts.Version != facts.Version ? $"it was drawn by version {part.Facts.Version}"
+                : part.Facts != facts ? "it shows another scene, another size or other lines"
+                : null;
+            if (reason is not null) return false;
+            part!.reader.CheckLines();
             return true;
         }
-        catch (PictureFileException)
+        catch (PictureFileException e)
         {
-            return false; // a damaged part is drawn anew
+            reason = e.Message;
+            return false;
         }
     }
 
@@ -63,7 +75,7 @@ public sealed class PartFile : IDisposable
         }
         catch (PictureFileException e)
         {
-            throw new PictureFileException($"cannot read {Path}: {e.Message}", e);
+            throw new PictureFileException($"cannot read {Path}: {e.Message}", e) { NamesFile = true };
         }
     }
 

@@ -1,6 +1,6 @@
 namespace RayCaster.Files;
 
-/// <summary>Joins the checksums of two parts of a zlib stream (RFC 1950, clause 8).</summary>
+/// <summary>The checksum at the end of a zlib stream (RFC 1950, clause 8).</summary>
 internal static class Adler32
 {
     /// <summary>The checksum of no bytes.</summary>
@@ -8,6 +8,27 @@ internal static class Adler32
 
     /// <summary>The largest prime below 2^16.</summary>
     private const uint Modulus = 65521;
+
+    /// <summary>So many bytes cannot make the sums overflow.</summary>
+    private const int BytesAtOnce = 5552;
+
+    /// <summary>The checksum of what came before and some more bytes.</summary>
+    public static uint Add(uint sum, ReadOnlySpan<byte> bytes)
+    {
+        var (a, b) = (sum & 0xFFFF, sum >> 16);
+        while (!bytes.IsEmpty)
+        {
+            var part = bytes[..Math.Min(bytes.Length, BytesAtOnce)];
+            foreach (var value in part)
+            {
+                a += value;
+                b += a;
+            }
+            (a, b) = (a % Modulus, b % Modulus);
+            bytes = bytes[part.Length..];
+        }
+        return b << 16 | a;
+    }
 
     /// <summary>The checksum of a part and the rest behind it.</summary>
     /// <remarks>

@@ -33,12 +33,13 @@ public static class PictureFile
     {
         try
         {
-            var bytes = ReadToEnd(stream);
-            ReadOnlySpan<byte> file = bytes;
-            if (file.IsEmpty) throw new PictureFileException("the file is empty");
-            if (IsPng(file)) return PngReader.Read(new MemoryStream(bytes.Array!, bytes.Offset, bytes.Count), mostBytes);
-            if (IsPnm(file)) return PnmReader.Read(file, mostBytes);
-            throw new PictureFileException($"{Guess(file)}; PNG, PBM, PGM and PPM can be read");
+            // A few bytes tell what it is. A pipe cannot go back: the rest follows them.
+            var start = new byte[8];
+            var begun = start.AsSpan(0, stream.Read(start));
+            if (begun.IsEmpty) throw new PictureFileException("the file is empty");
+            if (begun[0] == PngChunk.Signature[0]) return PngReader.Read(InMemory(begun, stream), mostBytes);
+            if (begun[0] == 'P') return PnmReader.Read(new PnmBytes(begun, stream), mostBytes);
+            throw new PictureFileException($"{Guess(begun)}; PNG, PBM, PGM and PPM can be read");
         }
         catch (OutOfMemoryException e)
         {
@@ -79,13 +80,13 @@ public static class PictureFile
             isKept = result is not null;
             return result;
         }
-        catch (PictureFileException e)
+        catch (PictureFileException e) when (!e.NamesFile)
         {
-            throw new PictureFileException($"cannot read {path}: {e.Message}", e);
+            throw new PictureFileException($"cannot read {path}: {e.Message}", e) { NamesFile = true };
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new PictureFileException($"picture file not found: {path}\n  looked for {Path.GetFullPath(path)}", e);
+            throw new PictureFileException($"picture file not found: {path}\n  looked for {PrintableText.Of(Path.GetFullPath(path))}", e);
         }
         catch (ArgumentException e) // empty, or with a zero in it
         {
@@ -125,22 +126,18 @@ public static class PictureFile
         return text.ToString();
     }
 
-    private static bool IsPng(ReadOnlySpan<byte> file) => file[0] == PngChunk.Signature[0];
-
-    private static bool IsPnm(ReadOnlySpan<byte> file) => file[0] == 'P';
-
     /// <summary>The bytes that are there; a pipe or a device promises no length, so that memory grows with them.</summary>
-    private static ArraySegment<byte> ReadToEnd(Stream stream)
+    private static MemoryStream InMemory(ReadOnlySpan<byte> begun, Stream stream)
     {
-        if (stream.CanSeek && stream.Length - stream.Position > MostBytes) throw TooLong();
+        if (stream.CanSeek && begun.Length + stream.Length - stream.Position > MostBytes) throw TooLong();
         // One more than there should be, so that the end is met without growing.
-        var bytes = new byte[stream.CanSeek ? Math.Clamp(stream.Length - stream.Position + 1, 1, MostBytes) : 1 << 16];
-        for (var length = 0; ;)
+        var bytes = new byte[stream.CanSeek ? Math.Clamp(begun.Length + stream.Length - stream.Position + 1, 1, MostBytes) : 1 << 16];
+        begun.CopyTo(bytes);
+        for (var length = begun.Length; ;)
         {
             var count = stream.Read(bytes.AsSpan(length));
-            if (count == 0) return new(bytes, 0, length);
+            if (count == 0) return new MemoryStream(bytes, 0, length);
             length += count;
-            if (length == count && !IsPng(bytes) && !IsPnm(bytes)) return new(bytes, 0, length); // enough to see what it is not
             if (length < bytes.Length) continue;
             if (length == MostBytes) throw TooLong();
             Array.Resize(ref bytes, (int)Math.Min(2L * length, MostBytes));

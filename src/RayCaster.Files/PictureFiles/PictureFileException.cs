@@ -8,6 +8,9 @@ public sealed class PictureFileException(string message, Exception? cause = null
     private const int NoSpaceOnUnix = 28, QuotaOnLinux = 122, QuotaOnMac = 69;
     private const int DiskFullOnWindows = unchecked((int)0x80070070);
 
+    /// <summary>Whether the message says which file it is about.</summary>
+    internal bool NamesFile { get; init; }
+
     /// <summary>Whether an exception is the system's way to say that a file cannot be used; the last is what a file comes to that grows too large.</summary>
     internal static bool IsCausedByFile(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException;
 

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Text;
 
 namespace RayCaster.Files;
 
@@ -6,15 +7,16 @@ namespace RayCaster.Files;
 internal sealed class PngChunkReader
 {
     private readonly Stream file;
-    private readonly byte[] frame = new byte[8];
+    private readonly byte[] frame = new byte[8], passedBy = new byte[1 << 14];
     private long start;
     private uint crc;
 
     /// <summary>Begins with the first chunk.</summary>
-    /// <param name="file">The file, which can seek.</param>
-    /// <exception cref="PictureFileException">It does not begin like a PNG.</exception>
+    /// <param name="file">The file.</param>
+    /// <exception cref="PictureFileException">It cannot seek, or does not begin like a PNG.</exception>
     public PngChunkReader(Stream file)
     {
+        if (!file.CanSeek) throw new PictureFileException("it is a pipe or a device; name a file");
         this.file = file;
         file.Position = 0;
         if (Fill(frame) < frame.Length || !frame.AsSpan().SequenceEqual(PngChunk.Signature))
@@ -36,7 +38,10 @@ internal sealed class PngChunkReader
         if (follow < 0 || Fill(frame) < frame.Length)
             throw new PictureFileException($"the file is cut short: it ends at byte {file.Length:N0}, before its chunk IEND");
         Left = BinaryPrimitives.ReadUInt32BigEndian(frame);
-        Type = PictureFile.Printable(frame.AsSpan(4));
+        foreach (var letter in frame.AsSpan(4))
+            if (!char.IsAsciiLetter((char)letter))
+                throw new PictureFileException($"its chunk at byte {start:N0} is of the type {PictureFile.Printable(frame.AsSpan(4))}, which is not four letters");
+        Type = Encoding.ASCII.GetString(frame.AsSpan(4));
         if (Left > follow)
             throw new PictureFileException(
                 $"the file is cut short: its chunk {Type} at byte {start:N0} needs {Left:N0} bytes, but {follow:N0} follow");
@@ -80,8 +85,7 @@ internal sealed class PngChunkReader
     /// <summary>Reads the rest of the chunk for its checksum alone.</summary>
     public void Check()
     {
-        var buffer = new byte[Math.Min(Left, 1 << 16)];
-        while (Left > 0) Read(buffer);
+        while (Left > 0) Read(passedBy);
     }
 
     /// <summary>Leaves the rest of the chunk out, checksum and all.</summary>

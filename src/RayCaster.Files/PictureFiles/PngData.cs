@@ -4,6 +4,11 @@ namespace RayCaster.Files;
 /// <param name="chunks">Stands at the first of these chunks.</param>
 internal sealed class PngData(PngChunkReader chunks) : Stream
 {
+    private uint lastFour;
+
+    /// <summary>The last four bytes that were read, as a number: at the end of the data their checksum.</summary>
+    public uint LastFour => lastFour;
+
     public override bool CanRead => true;
 
     public override bool CanSeek => false;
@@ -27,7 +32,9 @@ internal sealed class PngData(PngChunkReader chunks) : Stream
             chunks.Skip();
             chunks.Next();
         }
-        return chunks.Read(buffer);
+        var count = chunks.Read(buffer);
+        foreach (var value in buffer[Math.Max(0, count - 4)..count]) lastFour = lastFour << 8 | value;
+        return count;
     }
 
     public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));

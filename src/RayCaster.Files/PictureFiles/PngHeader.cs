@@ -14,8 +14,8 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     /// <summary>The colour type whose samples are places in the palette.</summary>
     public const int Palette = 3;
 
-    /// <summary>A line of pixels of up to 8 bytes then fits into an array with room to spare.</summary>
-    private const int MostColumns = 1 << 27;
+    /// <summary>No longer than the lines that are drawn here: two lines, of up to 8 bytes a pixel, are in memory whatever the file's size.</summary>
+    private const int MostColumns = Camera.MaxSide;
 
     /// <summary>Colour types by their samples: grey, red-green-blue, palette, grey and alpha, red-green-blue and alpha.</summary>
     public int Channels => ColorType switch { 0 or Palette => 1, 4 => 2, Rgb => 3, _ => 4 };

@@ -11,11 +11,16 @@ internal sealed class PngLines
     private readonly byte[] samples;
     private byte[] line, above;
 
+    /// <summary>The checksum of all that was decompressed, the passes before this one included.</summary>
+    public uint CheckSum { get; private set; }
+
     /// <param name="data">The decompressed data, from the first line of the pass on.</param>
     /// <param name="header">The picture.</param>
     /// <param name="pass">The pass.</param>
-    public PngLines(Stream data, PngHeader header, PngPass pass)
+    /// <param name="checkSum">The checksum of what came before.</param>
+    public PngLines(Stream data, PngHeader header, PngPass pass, uint checkSum)
     {
+        CheckSum = checkSum;
         (this.data, this.header) = (data, header);
         var columns = pass.Columns(header.Width);
         // Filters look a whole pixel to the left, beyond the edge at zeros: these stand before each line. The byte before the line is
@@ -34,6 +39,7 @@ internal sealed class PngLines
         var filtered = line.AsSpan(margin - 1);
         if (data.ReadAtLeast(filtered, filtered.Length, throwOnEndOfStream: false) < filtered.Length)
             throw new PictureFileException($"the file is cut short: its data end in line {y} of {header.Height}");
+        CheckSum = Adler32.Add(CheckSum, filtered);
         var filter = filtered[0];
         filtered[0] = 0;
         PngFilter.Undo(filter, line, above, margin);

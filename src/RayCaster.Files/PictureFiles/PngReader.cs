@@ -19,6 +19,7 @@ internal sealed class PngReader : IDisposable
     private readonly byte[] palette = [];
     private readonly long firstData;
     private ZLibStream? data;
+    private PngData? compressed;
     private PngLines? lines;
     private int linesRead;
 
@@ -30,8 +31,8 @@ internal sealed class PngReader : IDisposable
     {
         chunks = new(file);
         PngHeader? header = null;
-        var (dataBytes, paletteBytes) = (0L, 0L);
-        for (chunks.Next(); ; chunks.Next())
+        var (dataBytes, paletteBytes, before) = (0L, 0L, "");
+        for (chunks.Next(); ; before = chunks.Type, chunks.Next())
         {
             if (header is null && chunks.Type != "IHDR") throw new PictureFileException($"its first chunk is {chunks.Type} instead of IHDR");
             switch (chunks.Type)
@@ -41,17 +42,26 @@ internal sealed class PngReader : IDisposable
                 case "IHDR" when header is null:
                     header = PngHeader.Read(chunks.ReadUpTo(PngHeader.Bytes), mostBytes);
                     continue;
+                case "PLTE" when firstData != 0:
+                    throw new PictureFileException("its palette comes after its data");
+                case "PLTE" when paletteBytes > 0:
+                    throw new PictureFileException("it has two palettes");
                 case "PLTE":
                     paletteBytes = chunks.Left;
                     palette = chunks.ReadUpTo(3 * 256);
                     break;
+                case "IDAT" when firstData != 0 && before != "IDAT":
+                    throw new PictureFileException("its chunks IDAT do not follow one another");
                 case "IDAT":
                     if (firstData == 0) firstData = chunks.Place;
                     dataBytes += chunks.Left;
                     chunks.Skip();
                     continue;
-                case "tEXt" when chunks.Left <= MostText:
-                    if (Encoding.Latin1.GetString(chunks.ReadUpTo(MostText)).Split('\0') is [PartFacts.Keyword, var text]) PartText ??= text;
+                case "acTL":
+                    IsAnimation = true;
+                    break;
+                case "tEXt" when chunks.Left <= MostText && PartText is null:
+                    PartText = TextOf(chunks.ReadUpTo(MostText));
                     break;
                 case "IEND":
                     break;
@@ -77,6 +87,9 @@ internal sealed class PngReader : IDisposable
     /// <summary>What the file says about its pixels.</summary>
     public PngHeader Header { get; }
 
+    /// <summary>Whether it is the first picture of an animation (APNG).</summary>
+    public bool IsAnimation { get; }
+
     /// <summary>What the file says of the picture that it is part of (<see cref="PartFacts"/>), or null.</summary>
     public string? PartText { get; }
 
@@ -88,11 +101,12 @@ internal sealed class PngReader : IDisposable
         return reader.ReadPicture();
     }
 
-    /// <summary>Checks the checksums of the compressed pixels, without reading the pixels.</summary>
-    /// <exception cref="PictureFileException">One is wrong.</exception>
-    public void CheckData()
+    /// <summary>Reads all lines of a picture that is not interlaced for nothing but to see whether they can be read.</summary>
+    /// <exception cref="PictureFileException">They cannot.</exception>
+    public void CheckLines()
     {
-        for (chunks.Return(firstData); chunks.Type != "IEND"; chunks.Next()) chunks.Check();
+        var line = new byte[3 * Header.Width];
+        for (var y = 0; y < Header.Height; y++) ReadLine(line);
     }
 
     /// <summary>Reads the next line of a picture that is not interlaced; the last one brings the end of the data, which is checked.</summary>
@@ -100,13 +114,13 @@ internal sealed class PngReader : IDisposable
     /// <exception cref="PictureFileException">The data are damaged.</exception>
     public void ReadLine(Span<byte> rgb) => FromData(rgb, static (reader, rgb) =>
     {
-        reader.lines ??= new(reader.OpenData(), reader.Header, reader.Header.Passes[0]);
+        reader.lines ??= new(reader.OpenData(), reader.Header, reader.Header.Passes[0], Adler32.OfNothing);
         var samples = reader.lines.Next(reader.linesRead);
         if (reader.Header.ColorType == PngHeader.Rgb) samples.CopyTo(rgb);
         else
             for (; !rgb.IsEmpty; rgb = rgb[3..], samples = samples[reader.Header.Channels..])
                 (rgb[0], rgb[1], rgb[2]) = reader.ColorOf(samples);
-        if (++reader.linesRead == reader.Header.Height) reader.CheckEnd();
+        if (++reader.linesRead == reader.Header.Height) reader.CheckEnd(reader.lines.CheckSum);
     });
 
     /// <summary>The pixels as they are compressed, a zlib stream; checksums are checked.</summary>
@@ -124,12 +138,14 @@ internal sealed class PngReader : IDisposable
         var picture = new Picture(Header.Width, Header.Height);
         FromData(picture, static (reader, picture) =>
         {
+            var checkSum = Adler32.OfNothing;
             foreach (var pass in reader.Header.Passes)
             {
-                var lines = new PngLines(reader.data!, reader.Header, pass);
+                var lines = new PngLines(reader.data!, reader.Header, pass, checkSum);
                 for (var y = pass.Y; y < picture.Height; y += pass.StepY) reader.Place(lines.Next(y), y, pass, picture);
+                checkSum = lines.CheckSum;
             }
-            reader.CheckEnd();
+            reader.CheckEnd(checkSum);
         });
         return picture;
     }
@@ -137,14 +153,26 @@ internal sealed class PngReader : IDisposable
     private ZLibStream OpenData()
     {
         chunks.Return(firstData);
-        return data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
+        return data = new ZLibStream(compressed = new PngData(chunks), CompressionMode.Decompress);
     }
 
-    /// <summary>The end of the data brings their own checksum, and what may follow in the file that of its chunk.</summary>
-    private void CheckEnd()
+    /// <summary>What a text says of the part that the picture is; null where it is another one. A file may have a million of them.</summary>
+    private static string? TextOf(ReadOnlySpan<byte> chunk)
+    {
+        var end = chunk.IndexOf((byte)0);
+        if (end != PartFacts.Keyword.Length || chunk[(end + 1)..].Contains((byte)0)) return null;
+        return Encoding.Latin1.GetString(chunk[..end]) == PartFacts.Keyword ? Encoding.Latin1.GetString(chunk[(end + 1)..]) : null;
+    }
+
+    /// <summary>
+    /// The end of the data brings their own checksum, and what may follow in the file that of its chunk. The runtime refuses a wrong checksum, but not
+    /// one that is cut off.
+    /// </summary>
+    private void CheckEnd(uint checkSum)
     {
         if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
         data.BaseStream.CopyTo(Stream.Null);
+        if (compressed!.LastFour != checkSum) throw new PictureFileException("its compressed data do not end with their checksum");
     }
 
     /// <summary>Reads something from the data; what is wrong with them is the checksum's fault first.</summary>

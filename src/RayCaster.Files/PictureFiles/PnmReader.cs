@@ -1,31 +1,26 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// PBM, PGM and PPM, in text (P1, P2, P3) and in bytes (P4, P5, P6), with any maxval. Of several pictures in a file the first is read.
+/// PBM, PGM and PPM, in text (P1, P2, P3) and in bytes (P4, P5, P6), with any maxval. No more of the file is read than the header asks for:
+/// of several pictures in a file the first is read, and what follows may have no end.
 /// </summary>
-internal ref struct PnmReader
+internal sealed class PnmReader
 {
-    private readonly ReadOnlySpan<byte> file;
+    /// <summary>What is allocated for a picture from a pipe, of which nobody knows whether it holds what it promises; more when that has come.</summary>
+    private const int FirstBytes = 1 << 16;
+
+    private readonly PnmBytes file;
     private readonly int kind, width, height, maxval;
-    private int at = 2; // after the P and its digit
 
     /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
-    public static Picture Read(ReadOnlySpan<byte> file, long mostBytes)
-    {
-        var reader = new PnmReader(file, mostBytes);
-        reader.CheckLength();
-        return reader.ReadPixels();
-    }
+    public static Picture Read(PnmBytes file, long mostBytes) => new PnmReader(file, mostBytes).ReadPixels();
 
-    private PnmReader(ReadOnlySpan<byte> file, long mostBytes)
+    private PnmReader(PnmBytes file, long mostBytes)
     {
         this.file = file;
-        kind = file.Length < 2 ? 0 : file[1] - '0';
-        if (kind is < 1 or > 6)
-        {
-            var start = PictureFile.Printable(file[..Math.Min(2, file.Length)]);
-            throw new PictureFileException($"it begins with '{start}'; P1 to P6 can be read, and PNG");
-        }
+        var start = file.Take(2);
+        kind = start.Length < 2 ? 0 : start[1] - '0';
+        if (kind is < 1 or > 6) throw new PictureFileException($"it begins with '{PictureFile.Printable(start)}'; P1 to P6 can be read, and PNG");
         width = ReadNumber("the width");
         height = ReadNumber("the height");
         maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval");
@@ -34,76 +29,91 @@ internal ref struct PnmReader
         if (kind >= 4) SkipSeparator();
     }
 
-    private readonly int Channels => kind is 3 or 6 ? 3 : 1;
+    private int Channels => kind is 3 or 6 ? 3 : 1;
 
-    /// <summary>Refuses a header that promises more than the file holds, before anything is allocated for it.</summary>
-    private readonly void CheckLength()
+    private long Samples => (long)width * height * Channels;
+
+    /// <summary>The bytes behind the header: of a text the least there can be.</summary>
+    private long DataBytes => kind switch
     {
-        var samples = (long)width * height * Channels;
-        var (bytes, least) = kind switch
-        {
-            1 => (samples, "at least "), // digits may stand close together
-            2 or 3 => (2 * samples - 1, "at least "), // a digit each, and blanks between them
-            4 => ((width + 7L) / 8 * height, ""),
-            _ => (maxval > 255 ? 2 * samples : samples, ""),
-        };
-        if (file.Length - at >= bytes) return;
-        throw new PictureFileException($"the file is cut short: {width:N0} × {height:N0} pixels need {least}{bytes:N0} bytes "
-            + $"after the header, but there are {file.Length - at:N0}");
-    }
+        1 => Samples, // digits may stand close together
+        2 or 3 => 2 * Samples - 1, // a digit each, and blanks between them
+        4 => (width + 7L) / 8 * height,
+        _ => maxval > 255 ? 2 * Samples : Samples,
+    };
 
     private Picture ReadPixels()
     {
-        var picture = new Picture(width, height);
-        var rgb = picture.Rgb.AsSpan();
-        if (kind == 6 && maxval == 255)
+        var dataAt = file.Place;
+        if (file.Length is { } length && length - dataAt < DataBytes) throw CutShort(length - dataAt);
+        var rgb = new byte[file.Length is null ? Math.Min(FirstBytes, 3L * width * height) : 3L * width * height];
+        var pixel = new byte[3];
+        for (var (y, at) = (0, 0); y < height; y++)
         {
-            file.Slice(at, rgb.Length).CopyTo(rgb);
-            return picture;
-        }
-        for (var y = 0; y < height; y++)
-        {
-            for (var x = 0; x < width; x++, rgb = rgb[3..])
+            if (kind == 6 && maxval == 255)
             {
-                if (Channels == 1) rgb[..3].Fill(ReadSample(x));
-                else (rgb[0], rgb[1], rgb[2]) = (ReadSample(x), ReadSample(x), ReadSample(x));
+                for (var end = at + 3 * width; at < end;)
+                {
+                    MakeRoom(ref rgb, at + 1);
+                    var count = file.Read(rgb.AsSpan(at, Math.Min(rgb.Length, end) - at));
+                    if (count == 0) throw CutShort(file.Place - dataAt);
+                    at += count;
+                }
+                continue;
             }
-            if (kind == 4) at += (width + 7) / 8;
+            var bits = 0;
+            for (var x = 0; x < width; x++, at += 3)
+            {
+                MakeRoom(ref rgb, at + 3);
+                if (kind == 4) bits = x % 8 == 0 ? Byte(dataAt) : bits << 1;
+                for (var c = 0; c < Channels; c++) pixel[c] = ReadSample(bits, dataAt);
+                (rgb[at], rgb[at + 1], rgb[at + 2]) = Channels == 1 ? (pixel[0], pixel[0], pixel[0]) : (pixel[0], pixel[1], pixel[2]);
+            }
         }
-        return picture;
+        return new Picture(width, height, rgb);
+    }
+
+    /// <summary>Doubles the picture's memory when that is full, up to what the header says.</summary>
+    private void MakeRoom(ref byte[] rgb, int bytes)
+    {
+        if (bytes > rgb.Length) Array.Resize(ref rgb, (int)Math.Min(Math.Max(2L * rgb.Length, bytes), 3L * width * height));
     }
 
     /// <summary>The next sample, scaled to 8 bits and rounded to nearest.</summary>
-    private byte ReadSample(int x)
+    /// <param name="bits">In a bitmap of bytes the sample, as the highest of eight bits.</param>
+    /// <param name="dataAt">Where the samples begin, for a message.</param>
+    private byte ReadSample(int bits, long dataAt)
     {
-        var start = at;
+        var start = file.Place;
         var value = kind switch
         {
             1 => 1 - ReadBit(), // in a bitmap 1 is ink: black
             2 or 3 => ReadNumber("a value"),
-            4 => 1 - (file[at + x / 8] >> (7 - x % 8) & 1),
-            _ when maxval > 255 => file[at++] << 8 | file[at++],
-            _ => file[at++],
+            4 => 1 - (bits >> 7 & 1),
+            _ when maxval > 255 => Byte(dataAt) << 8 | Byte(dataAt),
+            _ => Byte(dataAt),
         };
         if (value > maxval) throw new PictureFileException($"the value {value} at byte {start} is greater than maxval, which is {maxval}");
         return (byte)((value * 255 + maxval / 2) / maxval);
     }
 
+    private int Byte(long dataAt) => file.Next() is >= 0 and var value ? value : throw CutShort(file.Place - dataAt);
+
     private int ReadBit()
     {
         SkipBlanks("a 0 or 1");
-        return file[at] is (byte)'0' or (byte)'1' ? file[at++] - '0' : throw Unexpected("a 0 or 1");
+        return file.Peek() is '0' or '1' ? file.Next() - '0' : throw Unexpected("a 0 or 1");
     }
 
     /// <summary>A whole number after any blanks and comments.</summary>
     private int ReadNumber(string what)
     {
         SkipBlanks(what);
-        if (!char.IsAsciiDigit((char)file[at])) throw Unexpected(what);
-        var (number, start) = (0L, at);
-        for (; at < file.Length && char.IsAsciiDigit((char)file[at]); at++)
+        if (!IsDigit(file.Peek())) throw Unexpected(what);
+        var (number, start) = (0L, file.Place);
+        while (IsDigit(file.Peek()))
         {
-            number = number * 10 + file[at] - '0';
+            number = number * 10 + file.Next() - '0';
             if (number > int.MaxValue)
                 throw new PictureFileException($"{what} at byte {start} is greater than {int.MaxValue:N0}, which is the limit");
         }
@@ -113,28 +123,33 @@ internal ref struct PnmReader
     /// <summary>Skips to the next thing that is neither blank nor comment; it is there.</summary>
     private void SkipBlanks(string what)
     {
-        for (; at < file.Length && (IsBlank(file[at]) || file[at] == '#'); at++)
-            if (file[at] == '#') SkipComment();
-        if (at >= file.Length) throw new PictureFileException($"the file is cut short: it ends where {what} is due");
+        while (IsBlank(file.Peek()) || file.Peek() == '#')
+            if (file.Next() == '#') SkipComment();
+        if (file.Peek() < 0) throw new PictureFileException($"the file is cut short: it ends where {what} is due");
     }
 
-    /// <summary>From # to the end of the line, or to the last byte of the file.</summary>
+    /// <summary>From # to the end of the line, which stays, or of the file.</summary>
     private void SkipComment()
     {
-        while (at < file.Length - 1 && file[at] is not ((byte)'\n' or (byte)'\r')) at++;
+        while (file.Peek() is >= 0 and not ('\n' or '\r')) file.Next();
     }
 
     /// <summary>Exactly one blank, or a comment with its line end, stands before the bytes, which may look like blanks too.</summary>
     private void SkipSeparator()
     {
-        if (at < file.Length && file[at] == '#') SkipComment();
-        if (at >= file.Length) throw new PictureFileException("the file is cut short: it ends with its header");
-        if (!IsBlank(file[at])) throw Unexpected("a line end");
-        at++;
+        if (file.Peek() == '#') SkipComment();
+        if (file.Peek() < 0) throw new PictureFileException("the file is cut short: it ends with its header");
+        if (!IsBlank(file.Peek())) throw Unexpected("a line end");
+        file.Next();
     }
 
-    private static bool IsBlank(byte value) => value is (byte)' ' or (>= (byte)'\t' and <= (byte)'\r');
+    private static bool IsBlank(int value) => value is ' ' or (>= '\t' and <= '\r');
 
-    private readonly PictureFileException Unexpected(string due) =>
-        new($"'{PictureFile.Printable(file.Slice(at, 1))}' at byte {at}, where {due} is due");
+    private static bool IsDigit(int value) => value is >= '0' and <= '9';
+
+    /// <summary>What is thrown where a header promises more than the file holds; of a file, before anything is allocated for it.</summary>
+    private PictureFileException CutShort(long there) => new($"the file is cut short: {width:N0} × {height:N0} pixels need "
+        + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
+
+    private PictureFileException Unexpected(string due) => new($"'{PictureFile.Printable([(byte)file.Peek()])}' at byte {file.Place}, where {due} is due");
 }

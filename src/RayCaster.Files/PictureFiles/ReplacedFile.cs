@@ -13,7 +13,7 @@ public sealed class ReplacedFile : Stream
 
     /// <summary>Begins to write; the old file stays as it is.</summary>
     /// <exception cref="PictureFileException">
-    /// The path is a folder, its folder is that of the devices, does not exist or may not be written to, or the old file is read-only.
+    /// The path is a folder or a device, its folder is that of the devices, does not exist or may not be written to, or the old file is read-only.
     /// </exception>
     public ReplacedFile(string path)
     {
@@ -26,10 +26,11 @@ public sealed class ReplacedFile : Stream
             if (Directory.Exists(target) || folder is null || Path.EndsInDirectorySeparator(target))
                 throw Failure("it is a folder; name a file in it");
             if (folder == "/dev") throw Failure("its folder is for devices, not for files"); // root would lose /dev/null
-            if (!Directory.Exists(folder)) throw Failure("its folder does not exist", $"\n  make the folder {folder} first");
+            if (!Directory.Exists(folder)) throw Failure("its folder does not exist", $"\n  make the folder {PrintableText.Of(folder)} first");
+            if (!FileKind.MayBeReplaced(target)) throw Failure("it is a device, a pipe or a socket, or a link to something else than a file; name a file");
             if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly))
                 throw Failure("the old file is read-only");
-            file = TemporaryFile.Create(target);
+            file = WrittenFiles.Begin(() => TemporaryFile.Create(target));
             temporary = file.Name;
             TemporaryFile.DeleteOrphans(target, temporary);
         }
@@ -71,7 +72,8 @@ public sealed class ReplacedFile : Stream
         {
             // To the disk: a network drive tells only now that the quota is used up, and by then the old picture must still be there.
             file.Flush(flushToDisk: true);
-            File.Move(temporary, target, overwrite: true); // while it is locked, lest somebody take it for an orphan
+            // While it is locked, lest somebody take it for an orphan.
+            WrittenFiles.Finish(temporary, path, () => File.Move(temporary, target, overwrite: true));
             closed = true;
             file.Dispose();
         }
@@ -127,7 +129,7 @@ public sealed class ReplacedFile : Stream
         if (closed || !disposing) return;
         closed = true;
         Quietly(file.Dispose); // what is still buffered may not fit on the disk
-        Quietly(() => File.Delete(temporary));
+        WrittenFiles.Delete(temporary);
         base.Dispose(disposing);
     }
 
@@ -146,5 +148,5 @@ public sealed class ReplacedFile : Stream
     private PictureFileException Failure(Exception cause) => Failure(PictureFileException.Reason(cause), cause: cause);
 
     private PictureFileException Failure(string reason, string hint = "", Exception? cause = null) =>
-        new($"cannot write {path}: {reason}{hint}", cause);
+        new($"cannot write {path}: {reason}{hint}", cause) { NamesFile = true };
 }

@@ -1,3 +1,5 @@
+using System.Text;
+
 namespace RayCaster.Files;
 
 /// <summary>
@@ -6,7 +8,11 @@ namespace RayCaster.Files;
 /// </summary>
 internal static class TemporaryFile
 {
-    private const int MostAttempts = 5;
+    private const int MostAttempts = 5, LongestName = 255; // bytes
+    private const string Ending = ".XXXXXXXX.tmp";
+
+    /// <summary>Who may read, write and execute; not the bits that give a program its owner's rights.</summary>
+    private const UnixFileMode Rights = (UnixFileMode)511;
 
     /// <summary>Unix renames a file that is locked for one; Windows only one that others may delete, which no orphan's finder does while it is written.</summary>
     private static FileShare Sharing => OperatingSystem.IsWindows() ? FileShare.Delete : FileShare.None;
@@ -18,10 +24,10 @@ internal static class TemporaryFile
     {
         for (var attempt = 1; ; attempt++)
         {
-            var path = $"{target}.{Random.Shared.Next():x8}.tmp";
+            var path = $"{Beginning(target)}.{Random.Shared.Next():x8}.tmp";
             try
             {
-                var file = new FileStream(path, FileMode.CreateNew, FileAccess.Write, Sharing, bufferSize: 1 << 16);
+                var file = new FileStream(path, Options(target));
                 // Between its making and its locking another process may have found it and taken it for an orphan. From now on none can.
                 if (File.Exists(path)) return file;
                 file.Dispose();
@@ -33,6 +39,24 @@ internal static class TemporaryFile
         }
     }
 
+    /// <summary>The old file's rights are the new one's from the beginning: what others may not read they cannot read meanwhile either.</summary>
+    private static FileStreamOptions Options(string target)
+    {
+        var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write, Share = Sharing, BufferSize = 1 << 16 };
+        if (!OperatingSystem.IsWindows() && File.Exists(target)) options.UnixCreateMode = File.GetUnixFileMode(target) & Rights | UnixFileMode.UserWrite;
+        return options;
+    }
+
+    /// <summary>The target's path, shortened where a name with the ending would be longer than file systems take.</summary>
+    private static string Beginning(string target)
+    {
+        var name = Path.GetFileName(target);
+        if (Encoding.UTF8.GetByteCount(name) is var bytes && (bytes <= LongestName - Ending.Length || bytes > LongestName)) return target; // the latter is refused whatever is done
+        var length = name.Length;
+        while (Encoding.UTF8.GetByteCount(name.AsSpan(0, length)) > LongestName - Ending.Length || char.IsHighSurrogate(name[length - 1])) length--;
+        return target[..(target.Length - name.Length + length)];
+    }
+
     /// <summary>Deletes what writers of the same target have left that had no time to tidy: killed, or cut off from power. Never fails.</summary>
     /// <param name="target">The full path of what is written.</param>
     /// <param name="own">The temporary file that is written now.</param>
@@ -40,7 +64,7 @@ internal static class TemporaryFile
     {
         try
         {
-            var name = Path.GetFileName(target);
+            var name = Path.GetFileName(Beginning(target));
             bool? locksHold = null;
             foreach (var path in Directory.EnumerateFiles(Path.GetDirectoryName(target)!))
                 if (path != own && IsOneOf(name, Path.GetFileName(path)) && (locksHold ??= IsLocked(own)))
@@ -55,7 +79,7 @@ internal static class TemporaryFile
     /// <summary>Whether a file is a temporary one of this target and no other's, though other names may begin with the target's.</summary>
     private static bool IsOneOf(string target, ReadOnlySpan<char> file)
     {
-        if (file.Length != target.Length + ".XXXXXXXX.tmp".Length || !file.StartsWith(target) || !file.EndsWith(".tmp")) return false;
+        if (file.Length != target.Length + Ending.Length || !file.StartsWith(target) || !file.EndsWith(".tmp")) return false;
         var digits = file[target.Length..^4];
         return digits[0] == '.' && !digits[1..].ContainsAnyExcept("0123456789abcdef");
     }

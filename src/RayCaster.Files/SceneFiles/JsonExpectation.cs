@@ -40,7 +40,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     private JsonMistake? AfterValue(int at, int valueEnd)
     {
         if (Lookalike(at) is { } lookalike) return lookalike;
-        if (utf8[at] == '/') return Slash(at);
+        if (utf8[at] == '/') return last == JsonTokenType.Number && at == valueEnd && IsDigit(at + 1) ? Fraction(at) : Slash(at);
         if (open.Length == 0) return new(at, LineEnd(at), "the scene has ended before this; a file holds one object");
         if (utf8[at] == ',')
         {
@@ -81,6 +81,9 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 return new(at, at + 1, "a key is missing before the colon");
             case '}' or ']':
                 return WrongBracket(at);
+            case '{' when last == JsonTokenType.EndObject && tree.KeyOfLastClosed is { } key:
+                var name = tree.Text.Quote(tree[key].Start, tree[key].End);
+                return new(at, at + 1, $"a second object follows the one of {name}; several stand in brackets: {name}: [ {{ ... }}, {{ ... }} ]");
             case '{' or '[':
                 return new(at, at + 1, "a key in double quotes must come first: \"key\": value");
             case '#':
@@ -239,6 +242,13 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     }
 
     private static JsonMistake Comment(int at) => new(at, at + 1, "a comment starts with //, not with #");
+
+    private JsonMistake Fraction(int at)
+    {
+        var number = tree.Last;
+        var end = TokenEnd(at + 1);
+        return new(number.Start, end, $"{tree.Text.Quote(number.Start, end)} is not a number; JSON knows no fractions: write 0.5 for 1/2");
+    }
 
     private JsonMistake Slash(int at) => IsComment(at)
         ? new(at, at + 2, "this comment is never closed; */ is missing")

@@ -9,7 +9,7 @@ internal sealed class JsonTree
     public const int MaxDepth = 64;
 
     private Node[] nodes;
-    private int count;
+    private int count, lastClosed;
 
     private JsonTree(SourceText text) => (Text, nodes) = (text, new Node[16 + text.Utf8.Length / 4]);
 
@@ -32,6 +32,9 @@ internal sealed class JsonTree
     /// <summary>The text.</summary>
     public SourceText Text { get; }
 
+    /// <summary>How many keys were looked at to find some: what a reader may not do once for each error.</summary>
+    public long KeysLookedAt { get; set; }
+
     /// <summary>The outermost value.</summary>
     public JsonValue Root => new(this, 0);
 
@@ -43,6 +46,9 @@ internal sealed class JsonTree
 
     /// <summary>The token that was added last.</summary>
     public Node Last => nodes[count - 1];
+
+    /// <summary>The key of the object that was closed last; null if it has none, since it stands in an array or is the outermost.</summary>
+    public int? KeyOfLastClosed => lastClosed > 0 && nodes[lastClosed - 1].Kind == JsonTokenType.PropertyName ? lastClosed - 1 : null;
 
     /// <summary>Reads a text.</summary>
     /// <param name="text">The text; valid UTF-8.</param>
@@ -88,7 +94,7 @@ internal sealed class JsonTree
     /// <summary>Ends an array or object.</summary>
     /// <param name="opening">The number of its token.</param>
     /// <param name="end">The place after its closing bracket.</param>
-    private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next) = (end, count);
+    private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next, lastClosed) = (end, count, opening);
 
     /// <summary>The text with blanks in place of comments. The JSON reader's own skipping stumbles over a comment between a key and its colon.</summary>
     private static ReadOnlySpan<byte> WithoutComments(ReadOnlySpan<byte> utf8)

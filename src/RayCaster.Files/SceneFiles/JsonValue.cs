@@ -75,8 +75,10 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     public JsonValue? FindKey(string name)
     {
         for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next)
-            if (new JsonValue(tree, key).Is(name))
-                return new JsonValue(tree, key);
+        {
+            tree.KeysLookedAt++;
+            if (new JsonValue(tree, key).Is(name)) return new JsonValue(tree, key);
+        }
         return null;
     }
 

@@ -11,6 +11,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
 
     private const int LongestMessage = 2000; // a mesh file's path may stand in it, as long as somebody likes
     private readonly List<Finding> findings = [];
+    private readonly FileNames names = new();
     private Dictionary<string, (MeshData? Mesh, MeshFileException? Refusal)>? meshes; // few scenes name one
 
     /// <summary>How many errors were found so far.</summary>
@@ -25,8 +26,8 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     /// <summary>How many threads read and place a large mesh; one per core if null.</summary>
     public int? Threads => threads;
 
-    /// <summary>The full paths of the mesh files that were asked for.</summary>
-    public string[] MeshFiles => meshes is null ? [] : Array.ConvertAll([.. meshes.Keys], Path.GetFullPath);
+    /// <summary>The full paths of the mesh files that were looked for.</summary>
+    public IReadOnlyCollection<string> MeshFiles => meshes is null ? [] : Array.ConvertAll([.. meshes.Keys], Path.GetFullPath);
 
     /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
     public void Add(bool isError, int start, int end, string path, string message)
@@ -34,7 +35,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
         if (isError) ErrorCount++;
         else if (findings.Count >= MostProblems) return;
         if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
-        findings.Add(new(isError, start, end, path, SourceText.Printable(message)));
+        findings.Add(new(isError, start, end, path, PrintableText.Of(message)));
     }
 
     /// <summary>The problems in the order of the text.</summary>
@@ -61,8 +62,9 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     public MeshData Mesh(string file)
     {
         var path = Path.Combine(folder, file.Replace('\\', '/'));
+        var place = Path.GetFullPath(path); // a scene may write one file's name in a thousand ways
         meshes ??= [];
-        if (!meshes.TryGetValue(path, out var known)) meshes.Add(path, known = Read(path));
+        if (!meshes.TryGetValue(place, out var known)) meshes.Add(place, known = Read(path));
         return known.Mesh ?? throw known.Refusal!;
     }
 
@@ -70,7 +72,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     {
         try
         {
-            return (MeshFile.Read(path, threads), null);
+            return (MeshFile.Read(path, threads, names), null);
         }
         catch (MeshFileException refusal)
         {

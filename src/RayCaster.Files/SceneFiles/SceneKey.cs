@@ -10,6 +10,7 @@ internal enum KeyKind
     Factors,
     Color,
     Text,
+    Texts,
     Choice,
     Object,
     Objects,

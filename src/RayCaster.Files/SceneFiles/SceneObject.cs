@@ -137,6 +137,17 @@ internal sealed class SceneObject
     /// <summary>A text, or null where it is left out.</summary>
     public string? OptionalText(string key, string meaning) => Text(key, meaning, false);
 
+    /// <summary>An array of texts, without those elements that are none; empty where it is left out.</summary>
+    public IReadOnlyList<string> Texts(string key, string meaning, bool isRequired)
+    {
+        described?.Add(new(key, KeyKind.Texts, meaning, isRequired));
+        if (Take(key, meaning, isRequired) is not { } value) return [];
+        if (value.Kind == JsonTokenType.StartArray)
+            return [.. value.Content.Where((text, i) => IsText(text, key, i)).Select(text => text.Text)];
+        Report(value, key, " must be an array of texts in brackets [ ], but is " + value.InWords);
+        return [];
+    }
+
     /// <summary>One of several words; the first where it is left out.</summary>
     public string OptionalChoice(string key, string meaning, params string[] words) =>
         Choice(key, meaning, words[0], words) ?? words[0];
@@ -227,12 +238,13 @@ internal sealed class SceneObject
     private void RefuseUnknownKeys(SceneDocument document, IEnumerable<string> allowed)
     {
         asked.AddRange(allowed);
-        var refused = new HashSet<string>(); // each once, though it may be there twice
-        foreach (var key in json.Keys)
+        var places = new Dictionary<string, JsonValue>(); // each key once, though it may be there twice
+        foreach (var key in json.Keys) places.TryAdd(key.Text, key);
+        var free = asked.FindAll(known => !places.ContainsKey(known)); // once for all unknown keys: there may be as many as there are bytes
+        foreach (var (name, key) in places)
         {
             if (document.IsHopeless) return;
-            if (asked.Contains(key.Text) || !refused.Add(key.Text)) continue;
-            Report(true, key, PathOf(Shown(key.Text)), " is an unknown key" + RightKey(key.Text));
+            if (!asked.Contains(name)) Report(true, key, PathOf(Shown(name)), " is an unknown key" + RightKey(name, free, places));
         }
     }
 
@@ -248,14 +260,13 @@ internal sealed class SceneObject
     }
 
     /// <summary>A key that may be anything, fit for a message.</summary>
-    private static string Shown(string key) => SourceText.Printable(key.Length > 60 ? key[..60] + "…" : key);
+    private static string Shown(string key) => PrintableText.Of(key.Length > 60 ? key[..60] + "…" : key);
 
     /// <summary>Which key somebody may have meant: first of those that are missing, then of those that are there already.</summary>
-    private string RightKey(string wrong)
+    private string RightKey(string wrong, List<string> free, Dictionary<string, JsonValue> places)
     {
-        var free = asked.FindAll(known => !Has(known));
         if (Spelling.DidYouMean(wrong, free) is { Length: > 0 } help) return help;
-        if (Spelling.Nearest(wrong, asked) is { } near && json.FindKey(near) is { } there)
+        if (Spelling.Nearest(wrong, asked) is { } near && places.TryGetValue(near, out var there))
             return $"; \"{near}\" is already there, in line {document!.Text.LineOf(there.Start)}";
         return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
     }
@@ -278,10 +289,10 @@ internal sealed class SceneObject
         return Take(key, meaning, isRequired) is { } value && IsText(value, key) ? value.Text : null;
     }
 
-    private bool IsText(JsonValue value, string key)
+    private bool IsText(JsonValue value, string key, int? element = null)
     {
         if (value.Kind == JsonTokenType.String) return true;
-        Report(value, key, " must be a text in double quotes, but is " + value.InWords);
+        Report(value, key, " must be a text in double quotes, but is " + value.InWords, element);
         return false;
     }
 

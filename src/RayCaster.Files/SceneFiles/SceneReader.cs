@@ -57,15 +57,15 @@ public static class SceneReader
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, int? threads = null)
     {
-        var files = Array.Empty<string>();
+        IReadOnlyCollection<string> meshFiles = [];
         var scene = Parse(utf8, displayName, folder, "the scene", Read, out var problems, threads);
-        return new(scene, problems) { Files = files };
+        return new(scene, problems) { MeshFiles = meshFiles };
 
         Scene? Read(SceneObject o)
         {
-            var scene = ReadScene(o);
-            files = o.Document!.MeshFiles;
-            return scene;
+            var read = ReadScene(o);
+            meshFiles = o.Document!.MeshFiles;
+            return read;
         }
     }
 
@@ -194,7 +194,7 @@ public static class SceneReader
     {
         var model = type.Read(o);
         model.Color = o.Color("color", "Its colour in full light, as [red, green, blue], 1 being full intensity, or as \"#rrggbb\".", Color.White);
-        model.Name = o.OptionalText("name", "A name for people; the picture does not depend on it.");
+        model.Name = o.OptionalText("name", "A name for people; the picture does not depend on it.") is { } name ? PrintableText.Of(name) : null;
         return model;
     }
 

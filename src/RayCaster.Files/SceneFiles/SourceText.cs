@@ -26,7 +26,7 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         var text = Encoding.UTF8.GetString(Utf8[start..Math.Min(end, start + 240)]);
         var cut = text.AsSpan().IndexOfAny('\r', '\n') is >= 0 and var lineEnd ? lineEnd : text.Length;
         cut = Math.Min(cut, 60);
-        return Printable(cut < text.Length || start + 240 < end ? string.Concat(text.AsSpan(0, cut), "…") : text);
+        return PrintableText.Of(cut < text.Length || start + 240 < end ? string.Concat(text.AsSpan(0, cut), "…") : text);
     }
 
     /// <summary>The line of a byte, from 1, and its column, from 1, in UTF-16 units. LF, CR LF and CR end a line.</summary>
@@ -63,9 +63,9 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         if (cutAfter) to = Math.Max(start, WholeCharacter(from + LongestExcerpt));
         end = Math.Min(end, to);
 
-        var before = (cutBefore ? "…" : "") + Printable(Encoding.UTF8.GetString(Utf8[from..start]));
-        var value = Printable(Encoding.UTF8.GetString(Utf8[start..end]));
-        var after = Printable(Encoding.UTF8.GetString(Utf8[end..to])) + (cutAfter ? "…" : "");
+        var before = (cutBefore ? "…" : "") + PrintableText.Of(Encoding.UTF8.GetString(Utf8[from..start]));
+        var value = PrintableText.Of(Encoding.UTF8.GetString(Utf8[start..end]));
+        var after = PrintableText.Of(Encoding.UTF8.GetString(Utf8[end..to])) + (cutAfter ? "…" : "");
         var indent = string.Create(before.Length, before, (span, text) =>
         {
             for (var i = 0; i < span.Length; i++) span[i] = text[i] == '\t' ? '\t' : ' ';
@@ -96,14 +96,4 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
                 return offset - back;
         return offset;
     }
-
-    /// <summary>Without what could move a terminal's cursor.</summary>
-    public static string Printable(string text) => string.Create(text.Length, text, (span, from) =>
-    {
-        for (var i = 0; i < span.Length; i++)
-        {
-            var isSafe = from[i] == '\t' || !(char.IsControl(from[i]) || from[i] is >= '\u202A' and <= '\u202E' or >= '\u2066' and <= '\u2069');
-            span[i] = isSafe ? from[i] : '\uFFFD';
-        }
-    });
 }

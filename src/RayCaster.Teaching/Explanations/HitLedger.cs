@@ -14,6 +14,9 @@ public sealed class HitLedger
     /// <summary>Formulas that take about a second; with more a sample of the rays is judged.</summary>
     private const long MostFormulas = 8_000_000;
 
+    /// <summary>So many models and triangles are judged in a few seconds, mostly in one.</summary>
+    private const long MostPartsOfQuick = 500_000;
+
     private readonly LedgerEntry[] entries;
 
     private HitLedger(Scene scene, LedgerEntry[] entries) => (Scene, this.entries) = (scene, entries);
@@ -55,12 +58,25 @@ public sealed class HitLedger
         }
         var ledger = new HitLedger(scene, entries);
         var step = StepOf(camera, cost);
-        for (var row = (int)(step / 2); row < camera.Height; row += step)
+        // From the middle of the first step on, which in a picture of one line is that line.
+        var (firstColumn, firstRow) = (Math.Min(step, camera.Width) / 2, Math.Min(step, camera.Height) / 2);
+        for (var row = firstRow; row < camera.Height; row += step)
         {
-            cancellation.ThrowIfCancellationRequested();
-            for (var column = (int)(step / 2); column < camera.Width; column += step) ledger.Judge(witnesses, column, row);
+            for (var column = firstColumn; column < camera.Width; column += step)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                ledger.Judge(witnesses, column, row);
+            }
         }
         return ledger;
+    }
+
+    /// <summary>Whether a scene is judged so soon that nobody minds who has not asked for it: its parts count, in however few models they are.</summary>
+    public static bool IsQuick(Scene scene)
+    {
+        var parts = 0L;
+        foreach (var model in scene.Models) parts += model is Mesh mesh ? mesh.TriangleCount : 1;
+        return parts <= MostPartsOfQuick;
     }
 
     /// <summary>The table, and in words what is odd.</summary>

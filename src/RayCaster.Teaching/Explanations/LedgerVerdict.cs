@@ -105,6 +105,8 @@ internal static class LedgerVerdict
         }
         else if (color is (0, 0, 0)) sentences.Add("All that is hit is black: the models' own color is [0, 0, 0], or nearly so.");
         else if (color is (255, 255, 255)) sentences.Add("All that is hit is white: color times attenuation is 1 or more in each channel, and is clamped.");
+        else if (color is not null && ledger.Hits == ledger.Rays && camera.FovY < 3)
+            sentences.Add(Text($"All pixels have one colour: fovY is {camera.FovY:G7} degrees, so all rays go nearly the same way. In radians it would be {camera.FovY * 180 / Math.PI:0.##} degrees."));
         else if (color is { } only && ledger.Hits == ledger.Rays) sentences.Add($"All pixels have the colour {only}: the camera sees a single surface, and from so near that its light does not change.");
         if (color is { } shown && ledger.Hits < ledger.Rays && shown == ledger.Scene.Background.ToBytes())
             sentences.Add("The background has the same colour: choose another one, and the models' outline shows.");

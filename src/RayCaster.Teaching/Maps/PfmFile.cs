@@ -55,12 +55,12 @@ public static class PfmFile
         {
             "Pf" => 1,
             "PF" => 3,
-            var other => throw new PictureFileException($"it begins with '{SourceText.Printable(other)}'; a PFM begins with Pf or PF"),
+            var other => throw new PictureFileException($"it begins with '{PrintableText.Of(other)}'; a PFM begins with Pf or PF"),
         };
         var (width, height) = (Side(Word(stream)), Side(Word(stream)));
         var scaleText = Word(stream);
         if (!double.TryParse(scaleText, NumberStyles.Float, CultureInfo.InvariantCulture, out var scale) || scale == 0 || !double.IsFinite(scale))
-            throw new PictureFileException($"its scale is '{SourceText.Printable(scaleText)}'; it must be a number other than 0");
+            throw new PictureFileException($"its scale is '{PrintableText.Of(scaleText)}'; it must be a number other than 0");
         var bytes = (Int128)width * height * channels * 4;
         if (bytes > stream.Length - stream.Position)
             throw new PictureFileException($"{width} × {height} pixels need {bytes:N0} bytes, but only {stream.Length - stream.Position:N0} follow");
@@ -83,7 +83,7 @@ public static class PfmFile
     private static int Side(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var side) && side is > 0 and <= Camera.MaxSide
             ? side
-            : throw new PictureFileException($"one side is '{SourceText.Printable(text)}'; it must be a whole number from 1 to {Camera.MaxSide}");
+            : throw new PictureFileException($"one side is '{PrintableText.Of(text)}'; it must be a whole number from 1 to {Camera.MaxSide}");
 
     /// <summary>The next word of the header, and the one blank after it: behind the last one the numbers begin.</summary>
     private static string Word(Stream stream)

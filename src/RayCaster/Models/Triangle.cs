@@ -60,8 +60,9 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     /// <summary>Barycentric: X = (1 − u − v) A + u B + v C.</summary>
     (double U, double V) ISurface.Parameters(Vector3 X)
     {
-        var (e1, e2) = (B - A, C - A);
+        var size = Math.Max((B - A).Length, (C - A).Length); // whose fourth power may be beyond the largest number
+        var (e1, e2, p) = ((B - A) / size, (C - A) / size, (X - A) / size);
         var n = e1 % e2;
-        return ((X - A) % e2 * n / (n * n), e1 % (X - A) * n / (n * n));
+        return (p % e2 * n / (n * n), e1 % p * n / (n * n));
     }
 }

@@ -14,6 +14,11 @@ public sealed class Picture
         (Width, Height, Rgb) = (width, height, new byte[checked(width * height * 3)]);
     }
 
+    /// <param name="width">Pixels in a line.</param>
+    /// <param name="height">Lines.</param>
+    /// <param name="rgb">Its bytes, as many as there must be; they are not copied.</param>
+    internal Picture(int width, int height, byte[] rgb) => (Width, Height, Rgb) = (width, height, rgb);
+
     /// <summary>Pixels in a line.</summary>
     public int Width { get; }
 

@@ -39,7 +39,8 @@ public class PromisesTests
     [InlineData("20 are printed", SceneReading.Printed)]
     [InlineData("a scene file of n bytes | 4 MiB + 75 n", MemoryLimit.BytesOfScene)]
     [InlineData("each mesh file of n bytes | 4 MiB + 75 n", MemoryLimit.BytesOfMesh)]
-    [InlineData("4 MiB + 20 n", MemoryLimit.BytesOfPicture)]
+    [InlineData("4 MiB + 10 n + 3 p + 64 w", MemoryLimit.BytesOfColumn)]
+    [InlineData("+ 9 p", MemoryLimit.BytesOfPixelFromPipe)]
     public void TheLimitsAreThoseOfTheCode(string written, int limit)
     {
         Assert.Contains(written, Read("docs/limits.md"));
@@ -48,7 +49,7 @@ public class PromisesTests
 
     [Fact]
     public void OnlyTheReplacedFileWrites() =>
-        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs"],
+        NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "WrittenFiles.cs", "HandOutFolder.cs"],
             @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 
     [Fact]

@@ -66,7 +66,7 @@ public class RendererTests
     {
         var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
         var scene = room with { Camera = room.Camera.WithSize(1301, 901) };
-        Assert.True(SmallPicture.IsPlain(scene, 901) && !SmallPicture.IsSmall(scene, 901));
+        Assert.True(PlainWork.IsPlain(scene, 901) && !PlainWork.IsSmall(scene, 901));
 
         var bytes = new List<byte>();
         new Renderer(scene, threads).Draw(part => bytes.AddRange(part));

@@ -1,3 +1,4 @@
+using System.IO.Compression;
 using RayCaster.Testing.Fuzzing;
 using System.Text;
 
@@ -30,6 +31,10 @@ public class MemoryTests
     {
         { "a.obj", "|v 0 0 0\n|f 1 2 3" },
         { "a.obj", "v 0 0 0\n|f 1 1 1\n|" },
+        { "a.obj", "v 0 0 0\n|f 1 1 1\n|f 1 1 9" },
+        { "a.obj", "v 0 0 0\nf| 1| 9" },
+        { "a.obj", "|v 0 0 0\n|f 1 2 999999999" },
+        { "a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty char z\nelement face 1\nproperty list uint char vertex_indices\nend_header\n\0\0\0\0\0\u000f\0|\0|\u0009" },
         { "a.obj", "v 0 0 0\nf| 1|" },
         { "a.obj", "v 0 0 0\nf| -1|" },
         { "a.obj", "v 0 0 |0|\nf 1 1 1" },
@@ -68,6 +73,66 @@ public class MemoryTests
         PngChunk.Write(file, "IHDR"u8, [0, 0, 0, 1, 0, 0, 0, 1, 8, 2, 0, 0, 0]);
         while (file.Length < Size) PngChunk.Write(file, "IDAT"u8, []);
         Reading.OfPicture(new("a.png", file.ToArray()));
+    }
+
+    [Theory]
+    [InlineData("tEXt", "IDAT")]
+    [InlineData("aaAa", "bbBb")]
+    public void AMillionChunksOfTwoKindsTakeNoMoreThanIsSaid(string one, string other)
+    {
+        var file = new MemoryStream();
+        file.Write(PngChunk.Signature);
+        PngChunk.Write(file, "IHDR"u8, [0, 0, 0, 1, 0, 0, 0, 1, 8, 2, 0, 0, 0]);
+        while (file.Length < Size)
+        {
+            PngChunk.Write(file, Encoding.ASCII.GetBytes(one), [1]);
+            PngChunk.Write(file, Encoding.ASCII.GetBytes(other), [1]);
+        }
+        Reading.OfPicture(new("a.png", file.ToArray()));
+    }
+
+    /// <summary>What is small in the file and large in memory: lines as long as they may be, in all kinds of pixels, and pictures of one bit a pixel.</summary>
+    [Theory]
+    [InlineData(1_000_000, 1, 16, 6, false)]
+    [InlineData(1_000_000, 1, 8, 2, false)]
+    [InlineData(1_000_000, 1, 1, 0, false)]
+    [InlineData(1_000_000, 8, 16, 6, true)]
+    [InlineData(1_000_000, 8, 1, 3, true)]
+    [InlineData(1, 1_000_000, 8, 2, false)]
+    [InlineData(8000, 8000, 1, 0, false)]
+    public void ASmallFileOfALargePictureTakesNoMoreThanIsSaid(int width, int height, byte bits, byte color, bool interlaced)
+    {
+        var header = new PngHeader(width, height, bits, color, interlaced);
+        var (file, data) = (new MemoryStream(), new MemoryStream());
+        using (var zlib = new ZLibStream(data, CompressionLevel.Optimal, leaveOpen: true)) zlib.Write(new byte[(long)header.DataBytes]);
+        file.Write(PngChunk.Signature);
+        PngChunk.Write(file, "IHDR"u8, header.ToBytes());
+        if (color == PngHeader.Palette) PngChunk.Write(file, "PLTE"u8, [0, 0, 0]);
+        PngChunk.Write(file, "IDAT"u8, data.ToArray());
+        PngChunk.Write(file, "IEND"u8, []);
+        Promise.Within(MemoryLimit.OfPicture(file.Length, width, height), () => PictureFile.Read(new MemoryStream(file.ToArray())));
+    }
+
+    /// <summary>Of a pipe no more is read than the header asks for, though it never ends, and no more memory is taken than for what has come.</summary>
+    [Theory]
+    [InlineData("P6 5 5 255\n", 5, 5)]
+    [InlineData("P5 1000 1000 65535\n", 1000, 1000)]
+    [InlineData("P4 4000 1000\n", 4000, 1000)]
+    [InlineData("P1 100 100\n", 100, 100)]
+    [InlineData("P2 100 100 9\n", 100, 100)]
+    public void AnEndlessPictureIsReadAsFarAsItsHeaderAsks(string header, int width, int height)
+    {
+        var pipe = new EndlessPipe(header, header[1] < '4' ? "0 " : "\0");
+        Promise.Within(MemoryLimit.OfPipe(0, width, height), () => Assert.Equal(height, PictureFile.Read(pipe).Height));
+        Assert.InRange(pipe.Given, 0, header.Length + 2L * width * height + (1 << 17));
+    }
+
+    [Fact]
+    public void APipeThatPromisesTooMuchTakesNoMoreThanHasCome()
+    {
+        var bytes = Encoding.ASCII.GetBytes("P6 20000 20000 255\n" + new string('x', 100_000));
+        Promise.Within(MemoryLimit.OfPipe(bytes.Length, 0, 0), () =>
+            Assert.Contains("but there are 100,000", Assert.Throws<PictureFileException>(() => PictureFile.Read(new Pipe(bytes))).Message));
     }
 
     /// <summary>The part between two bars is repeated until there is a megabyte.</summary>

@@ -76,9 +76,11 @@ internal static class Reading
         try
         {
             Picture? picture = null;
-            // A picture may be large in a small file; it is then what the limit is for, and is measured from its own size.
-            var most = MemoryLimit.OfPicture(file.Bytes.Length, 1 << 26);
-            Promise.Within(most, () => picture = PictureFile.Read(new MemoryStream(file.Bytes)));
+            // What a picture takes is known when it has been read; one that is refused may have said the most that there can be.
+            var before = GC.GetAllocatedBytesForCurrentThread();
+            Promise.Within(MemoryLimit.OfPicture(file.Bytes.Length, 1 << 10, 1 << 18), () => picture = PictureFile.Read(new MemoryStream(file.Bytes)));
+            var taken = GC.GetAllocatedBytesForCurrentThread() - before;
+            Assert.InRange(taken, 0, MemoryLimit.OfPicture(file.Bytes.Length, picture!.Width, picture.Height));
             Assert.Equal(3L * picture!.Width * picture.Height, picture.Rgb.Length);
         }
         catch (PictureFileException e)

@@ -38,12 +38,12 @@ public class ObjFileTests
     [Theory]
     [InlineData("v 1 2 3 1.0")]
     [InlineData("v 1 2 3 0.5 0.5 0.5")]
-    [InlineData("v 1 2 3 red")]
     [InlineData("v +1 .2e1 3.")]
     [InlineData("v 1e0 20E-1 0.3e+1")]
     public void ExtraNumbersOfAVertexAreSkipped(string vertex) => Assert.Equal(new(1, 2, 3), Read(vertex + "\nf 1 1 1\n").Vertices[0]);
 
     [Theory]
+    [InlineData("v 1 2 3 red\nf 1 2 3", "(5): what follows a vertex's x, y and z must be a finite number, but is 'red'")]
     [InlineData("f 1 2 9", "(5): face index 9 is beyond the file's 4 vertices")]
     [InlineData("f 1 2 3\nf 1 2 5\nf 9 1 1", "(6): face index 5 is beyond the file's 4 vertices")]
     [InlineData("f 1 2 2147483648", "(5): face index 2147483648 is beyond the file's 4 vertices")]

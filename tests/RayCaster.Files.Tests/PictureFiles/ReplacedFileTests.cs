@@ -99,6 +99,61 @@ public sealed class ReplacedFileTests : IDisposable
         Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
     }
 
+    /// <summary>Wherever it lies, and by whatever link it is named: the type is looked at, not the name.</summary>
+    [Theory]
+    [InlineData("mknod room.png c 1 3")]
+    [InlineData("mknod room.png b 7 200")]
+    [InlineData("mkfifo room.png")]
+    [InlineData("python3 -c \"import socket; socket.socket(socket.AF_UNIX).bind('room.png')\"")]
+    [InlineData("ln -s /dev/null room.png")]
+    [InlineData("ln -s nowhere room.png")]
+    public void WhatIsNoFileIsNotReplaced(string make)
+    {
+        if (!OperatingSystem.IsLinux()) return;
+        using (var shell = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo("sh", ["-c", make + " 2>/dev/null"]) { WorkingDirectory = folder.Path })!)
+            shell.WaitForExit();
+        if (folder.Names.Count() == 0) return; // one may not make it, or there is no such program
+        Refused(folder["room.png"], $"cannot write {folder["room.png"]}: it is a device, a pipe or a socket, or a link to something else than a file; name a file");
+    }
+
+    [Fact]
+    public void AnEmptyFileIsAFile()
+    {
+        using (var file = new ReplacedFile(folder.Write("room.png", ""u8)))
+        {
+            file.Write("new"u8);
+            file.Commit();
+        }
+        Assert.Equal("new", File.ReadAllText(folder["room.png"]));
+    }
+
+    [Fact]
+    public void TheOldFilesRightsStay()
+    {
+        if (OperatingSystem.IsWindows()) return; // rights are others there
+        const UnixFileMode mine = UnixFileMode.UserRead | UnixFileMode.UserWrite;
+        File.SetUnixFileMode(folder.Write("room.png", "old"u8), mine);
+        using var file = new ReplacedFile(folder["room.png"]);
+        foreach (var name in folder.Names) Assert.Equal(mine, File.GetUnixFileMode(folder[name])); // the temporary one is no more open to others
+        file.Commit();
+        Assert.Equal(mine, File.GetUnixFileMode(folder["room.png"]));
+    }
+
+    [Theory]
+    [InlineData(242, "x")]
+    [InlineData(255, "x")]
+    [InlineData(251, "\u00e4")]
+    public void ANameMayBeAsLongAsTheSystemTakes(int bytes, string letter)
+    {
+        var name = string.Concat(Enumerable.Repeat(letter, (bytes - 4) / System.Text.Encoding.UTF8.GetByteCount(letter))) + ".png";
+        using (var file = new ReplacedFile(folder[name]))
+        {
+            file.Write("new"u8);
+            file.Commit();
+        }
+        Assert.Equal([name], folder.Names);
+    }
+
     [Fact]
     public void AFolderThatIsNotThereIsNotMade()
     {

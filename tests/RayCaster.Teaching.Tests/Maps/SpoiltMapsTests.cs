@@ -16,7 +16,7 @@ public class SpoiltMapsTests
     {
         try
         {
-            Promise.Within(MemoryLimit.OfPicture(file.Bytes.Length, 0), () => PfmFile.Read(new MemoryStream(file.Bytes)));
+            Promise.Within(MemoryLimit.OfPicture(file.Bytes.Length, 0, 0), () => PfmFile.Read(new MemoryStream(file.Bytes)));
         }
         catch (PictureFileException e)
         {

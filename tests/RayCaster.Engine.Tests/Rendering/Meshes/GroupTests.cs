@@ -13,9 +13,9 @@ public class GroupTests
     {
         var (vertices, indices) = Specks(Group.Length, turn);
         var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
-        var corners = new MeshCorners(screen, vertices, indices);
-        var inGroups = new ScreenTriangles(screen, corners, null, each => new GroupSorter(screen, vertices, indices, each), null, 1);
-        var oneByOne = new ScreenTriangles(screen, corners, null, null, null, 1);
+        var corners = new MeshCorners<Packet>(screen, vertices, indices);
+        var inGroups = new ScreenTriangles<Packet>(screen, corners, null, each => new GroupSorter<Packet>(screen, vertices, indices, each), null, 1);
+        var oneByOne = new ScreenTriangles<Packet>(screen, corners, null, null, null, 1);
         int[] sides = [0, 1];
         Assert.Equal(Group.Length, sides.Max(side => oneByOne.Of(tile, side).Length));
         Assert.Equal(1, sides.Sum(side => inGroups.GroupsOf(tile, side).Length));
@@ -31,7 +31,7 @@ public class GroupTests
     public void ARunOfTrianglesIsSeenWhereEachOfThemIs(int count)
     {
         var (vertices, indices) = Specks(count, 0);
-        var corners = new MeshCorners(new(camera), vertices, indices);
+        var corners = new MeshCorners<Packet>(new(camera), vertices, indices);
         for (var first = 0; first < count; first += 8)
         {
             int[] ids = [.. Enumerable.Range(first, 8).Select(i => Math.Min(i, count - 1))];
@@ -52,8 +52,21 @@ public class GroupTests
         var (vertices, indices) = Specks(40, 0);
         var (low, high) = new TriangleBoxes(vertices, indices).Around(8, 8 + count);
         Vector3[] corners = [.. indices[24..(24 + 3 * count)].Select(i => vertices[i])];
-        Assert.Equal([corners.Min(p => p.X), corners.Min(p => p.Y), corners.Min(p => p.Z)], [low[1], low[2], low[3]]);
-        Assert.Equal([corners.Max(p => p.X), corners.Max(p => p.Y), corners.Max(p => p.Z)], [high[1], high[2], high[3]]);
+        Assert.Equal([corners.Min(p => p.X), corners.Min(p => p.Y), corners.Min(p => p.Z)], [low[0], low[1], low[2]]);
+        Assert.Equal([corners.Max(p => p.X), corners.Max(p => p.Y), corners.Max(p => p.Z)], [high[0], high[1], high[2]]);
+    }
+
+    /// <summary>Behind the last vertex of the array there is no number to read with it.</summary>
+    [Theory]
+    [InlineData(0)]
+    [InlineData(1)]
+    [InlineData(2)]
+    public void TheBoxOfAGroupWithTheLastVertexIsThatOfItsCorners(int spare)
+    {
+        var (vertices, indices) = Specks(16, 0);
+        var (low, high) = new TriangleBoxes([.. vertices, .. new Vector3[spare]], indices).Around(0, 16);
+        Assert.Equal([vertices.Min(p => p.X), vertices.Min(p => p.Y), vertices.Min(p => p.Z)], [low[0], low[1], low[2]]);
+        Assert.Equal([vertices.Max(p => p.X), vertices.Max(p => p.Y), vertices.Max(p => p.Z)], [high[0], high[1], high[2]]);
     }
 
     [Fact]
@@ -61,7 +74,7 @@ public class GroupTests
     {
         Vector3[] vertices = [new(1, 2, 3), new(double.NaN, double.NaN, double.NaN), new(4, 0, 5)];
         var (low, high) = new TriangleBoxes(vertices, [1, 0, 2]).Around(0, 1);
-        Assert.Equal([1.0, 0, 3, 4, 2, 5], [low[1], low[2], low[3], high[1], high[2], high[3]]);
+        Assert.Equal([1.0, 0, 3, 4, 2, 5], [low[0], low[1], low[2], high[0], high[1], high[2]]);
     }
 
     [Theory]

@@ -49,7 +49,7 @@ public class MarginTests
     {
         var (camera, mesh) = OnEdges(new Random(1));
         var screen = new ScreenSpace(camera);
-        var corners = new MeshCorners(screen, mesh.Vertices, mesh.Indices);
+        var corners = new MeshCorners<Packet>(screen, mesh.Vertices, mesh.Indices);
         var missing = 0;
         for (var i = 0; i < corners.Count; i++)
         {
@@ -80,7 +80,7 @@ public class MarginTests
         var random = new Random(1);
         var vertices = new Vector3[100_000];
         for (var i = 0; i < vertices.Length; i++) vertices[i] = new(random.NextDouble(), random.NextDouble(), random.NextDouble());
-        var corners = new MeshCorners(screen, vertices, [.. Enumerable.Range(0, vertices.Length / 3 * 3)]);
+        var corners = new MeshCorners<Packet>(screen, vertices, [.. Enumerable.Range(0, vertices.Length / 3 * 3)]);
         var worst = 0.0;
         for (var i = 0; i < corners.Count; i += 8)
         {
@@ -243,7 +243,7 @@ public class MarginTests
     private static int WrongPixels(Camera camera, MeshData mesh, ScreenSpace screen)
     {
         var scene = new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
-        var view = new MeshView(mesh.Vertices, mesh.Indices, screen).ForThread();
+        var view = new MeshView<Packet>(mesh.Vertices, mesh.Indices, screen).ForThread();
         var (span, wrong) = (new RaySpan(camera), 0);
         for (var column = 0; column < camera.Width; column += Tile.MaxSide)
         {

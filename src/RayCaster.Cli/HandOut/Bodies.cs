@@ -1,0 +1,98 @@
+using System.Text.RegularExpressions;
+
+namespace RayCaster.Cli;
+
+/// <summary>
+/// A source file of the lab with marked bodies. Between <c>// BEGIN SOLUTION "slide"</c> and <c>// END SOLUTION</c> stands what students write; lines
+/// <c>// STUB code</c> in it are what stands there until then. Without such a line a note stands there: no hit.
+/// </summary>
+internal sealed partial class Bodies
+{
+    private readonly string[] lines; // without their ends
+
+    private Bodies(string[] lines, List<Body> all) => (this.lines, All) = (lines, all);
+
+    /// <summary>A marked body: the lines of its two markers, from 0.</summary>
+    /// <param name="Slide">The slide's title.</param>
+    /// <param name="Begin">The line of its first marker.</param>
+    /// <param name="End">The line of its last marker.</param>
+    public sealed record Body(string Slide, int Begin, int End);
+
+    /// <summary>The bodies in the order of the file.</summary>
+    public IReadOnlyList<Body> All { get; }
+
+    /// <summary>Finds the bodies.</summary>
+    /// <param name="file">What an error calls the file.</param>
+    /// <param name="text">The file.</param>
+    /// <exception cref="ProblemException">A marker is missing, or names no slide of a step.</exception>
+    public static Bodies Parse(string file, string text)
+    {
+        var lines = text.Split('\n');
+        var all = new List<Body>();
+        (string Slide, int Line)? open = null;
+        for (var i = 0; i < lines.Length; i++)
+        {
+            var line = lines[i].Trim();
+            if (line.StartsWith("// BEGIN SOLUTION"))
+            {
+                if (open is var (_, before)) throw Problem(i, $"a body begins here, but that of line {before + 1} has no // END SOLUTION");
+                if (BeginMarker().Match(line) is not { Success: true } match) throw Problem(i, "after // BEGIN SOLUTION stands the slide's title in quotes");
+                var slide = match.Groups[1].Value;
+                if (Teaching.LabSteps.StepOf(slide) == 0) throw Problem(i, $"no step has the slide \"{slide}\"");
+                open = (slide, i);
+            }
+            else if (line == "// END SOLUTION")
+            {
+                if (open is not var (slide, begin)) throw Problem(i, "a body ends here that has no // BEGIN SOLUTION");
+                all.Add(new(slide, begin, i));
+                open = null;
+            }
+            else if (line.StartsWith("// STUB") && open is null)
+            {
+                throw Problem(i, "a stub stands between // BEGIN SOLUTION and // END SOLUTION");
+            }
+        }
+        return open is var (_, last) ? throw Problem(last, "the body that begins here has no // END SOLUTION") : new(lines, all);
+
+        ProblemException Problem(int line, string message) => new($"{file}({line + 1}): error: {message}");
+    }
+
+    /// <summary>The file with stubs in the place of some bodies.</summary>
+    /// <param name="isOpen">Whether a body of a slide is for the students to write.</param>
+    public string With(Func<string, bool> isOpen) => Replaced(body => isOpen(body.Slide) ? Stub(body) : Inside(body));
+
+    /// <summary>The file with some bodies as they stand in another version of it.</summary>
+    /// <param name="other">The other version: the same file but for what stands in the bodies.</param>
+    /// <param name="isTaken">Whether a body of a slide is taken from there.</param>
+    public string WithBodiesOf(Bodies other, Func<string, bool> isTaken)
+    {
+        var next = 0;
+        return Replaced(body => other.All[next++] is var its && isTaken(body.Slide) ? other.Inside(its) : Inside(body));
+    }
+
+    private string Replaced(Func<Body, IEnumerable<string>> inside)
+    {
+        var result = new List<string>();
+        var next = 0;
+        foreach (var body in All)
+        {
+            result.AddRange(lines[next..(body.Begin + 1)]);
+            result.AddRange(inside(body));
+            next = body.End;
+        }
+        result.AddRange(lines[next..]);
+        return string.Join('\n', result);
+    }
+
+    private string[] Inside(Body body) => lines[(body.Begin + 1)..body.End];
+
+    private List<string> Stub(Body body)
+    {
+        var stub = Inside(body).Where(line => line.Contains("// STUB ")).Select(line => line.Replace("// STUB ", "")).ToList();
+        var indent = lines[body.Begin][..lines[body.Begin].IndexOf('/')];
+        return stub.Count > 0 ? stub : [$"{indent}Todo.Note(\"{body.Slide}\");"];
+    }
+
+    [GeneratedRegex("^// BEGIN SOLUTION \"([^\"]+)\"$")]
+    private static partial Regex BeginMarker();
+}

@@ -1,0 +1,50 @@
+using System.Text;
+
+namespace RayCaster.Cli;
+
+/// <summary>
+/// The files of a hand-out that are the same for everybody or made of the lab's source. They are in this program itself, so that no clone of
+/// its repository is needed; the project file says which they are.
+/// </summary>
+internal static class HandOutFiles
+{
+    private const string Prefix = "handout/", Source = "src/Lab/";
+
+    /// <summary>All files: paths below the hand-out's folder, and what is in them.</summary>
+    public static IEnumerable<(string Path, byte[] Content)> All()
+    {
+        var assembly = typeof(HandOutFiles).Assembly;
+        foreach (var name in assembly.GetManifestResourceNames().Order(StringComparer.Ordinal))
+        {
+            if (!name.Replace('\\', '/').StartsWith(Prefix)) continue;
+            using var stream = assembly.GetManifestResourceStream(name)!;
+            var content = new byte[stream.Length];
+            stream.ReadExactly(content);
+            yield return (name.Replace('\\', '/')[Prefix.Length..], content);
+        }
+    }
+
+    /// <summary>The same with stubs in the place of some bodies of the lab.</summary>
+    /// <param name="isOpen">Whether a step is for the students to do.</param>
+    /// <exception cref="ProblemException">A body of the lab is not marked as it must be.</exception>
+    public static List<(string Path, byte[] Content)> With(Func<int, bool> isOpen)
+    {
+        var steps = new HashSet<int>();
+        var files = new List<(string, byte[])>();
+        foreach (var (path, content) in All())
+        {
+            if (!path.StartsWith(Source) || !path.EndsWith(".cs"))
+            {
+                files.Add((path, content));
+                continue;
+            }
+            var bodies = Bodies.Parse("src/RayCaster.Lab/" + path[Source.Length..], Encoding.UTF8.GetString(content));
+            foreach (var body in bodies.All) steps.Add(Teaching.LabSteps.StepOf(body.Slide));
+            files.Add((path, Encoding.UTF8.GetBytes(bodies.With(slide => isOpen(Teaching.LabSteps.StepOf(slide))))));
+        }
+        for (var step = 1; step <= Teaching.LabSteps.Count; step++)
+            if (!steps.Contains(step))
+                throw new ProblemException($"src/RayCaster.Lab: error: no body of step {step} is marked with // BEGIN SOLUTION");
+        return files;
+    }
+}

@@ -1,0 +1,72 @@
+namespace RayCaster.Cli;
+
+/// <summary>Writes a hand-out: a folder that is a course's repository. It is there whole or not at all.</summary>
+internal static class HandOutFolder
+{
+    /// <summary>What the lab and its tests use of this program.</summary>
+    private static readonly string[] libraries = ["RayCaster.Library", "RayCaster.Files", "RayCaster.Engine", "RayCaster.Teaching"];
+
+    /// <summary>Writes all files.</summary>
+    /// <param name="folder">The folder; it must not be there, or be empty.</param>
+    /// <param name="isOpen">Whether a step is for the students to do.</param>
+    /// <param name="cancellation">Ends the work; nothing is left behind.</param>
+    /// <exception cref="ProblemException">It cannot be written.</exception>
+    public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)
+    {
+        var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
+        if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
+            throw new ProblemException($"raycaster: {folder} is there already, and not empty\n  Name a new folder: a hand-out overwrites nothing.");
+        var files = HandOutFiles.With(isOpen);
+        var temporary = $"{target}.{Random.Shared.Next():x8}.tmp"; // beside the target, so that it can be renamed
+        try
+        {
+            foreach (var (path, content) in files) Write(Path.Combine(temporary, path), content);
+            foreach (var library in libraries) CopyLibrary(library, Path.Combine(temporary, "lib"));
+            WritePictures(Path.Combine(temporary, "scenes"), cancellation);
+            if (Directory.Exists(target)) Directory.Delete(target); // empty
+            Directory.Move(temporary, target);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            throw new ProblemException($"raycaster: the hand-out cannot be written: {e.Message}");
+        }
+        finally
+        {
+            if (Directory.Exists(temporary)) Directory.Delete(temporary, recursive: true);
+        }
+    }
+
+    private static void Write(string path, byte[] content)
+    {
+        Directory.CreateDirectory(Path.GetDirectoryName(path)!);
+        File.WriteAllBytes(path, content);
+    }
+
+    /// <summary>Copies an assembly.</summary>
+    private static void CopyLibrary(string name, string folder)
+    {
+        Directory.CreateDirectory(folder);
+        var file = Path.Combine(AppContext.BaseDirectory, name + ".dll");
+        if (!File.Exists(file))
+            throw new ProblemException($"raycaster: {name}.dll is not beside this program, so a hand-out cannot have it\n  Publish raycaster as separate files, not as one.");
+        File.Copy(file, Path.Combine(folder, name + ".dll"));
+    }
+
+    /// <summary>The picture of each scene after each step, as scenes/step07/room.png.</summary>
+    private static void WritePictures(string scenes, CancellationToken cancellation)
+    {
+        foreach (var file in Directory.GetFiles(scenes, "*.json", SearchOption.AllDirectories))
+        {
+            if (file.EndsWith(".schema.json")) continue;
+            var reading = SceneReader.Read(file);
+            var scene = reading.Scene ?? throw new ProblemException($"raycaster: a scene of the hand-out has errors\n{reading.Report()}");
+            for (var step = 1; step <= Teaching.LabSteps.Count; step++)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                var picture = Path.Combine(scenes, $"step{step:00}", Path.ChangeExtension(Path.GetRelativePath(scenes, file), ".png"));
+                Directory.CreateDirectory(Path.GetDirectoryName(picture)!);
+                PictureFile.Write(picture, Teaching.LabSteps.Draw(scene, step));
+            }
+        }
+    }
+}

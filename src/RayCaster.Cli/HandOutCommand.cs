@@ -1,0 +1,56 @@
+namespace RayCaster.Cli;
+
+/// <summary>Writes the lab as a folder for students.</summary>
+internal sealed class HandOutCommand : Command
+{
+    public override Option[] Options { get; } = [Option.Open, Option.Solution, Option.Quiet];
+
+    public override string Help => """
+        Description:
+          Writes a hand-out of the lab: a folder that is a course's repository, with a program that
+          draws from the first minute, what is to be written in ten steps, tests for each step, and
+          the picture of each scene after each step.
+
+        Usage:
+          raycaster handout <folder> [options]
+
+        Arguments:
+          <folder>  A new folder.
+
+        Options:
+              --open <steps>  The steps that are for the students to do, as 1..4 or 7; the others
+                              are done already. [default: 1..10]
+              --solution      No step is open: what the teacher keeps.
+          -q, --quiet         Prints errors only.
+
+        Examples:
+          dotnet run --project src/RayCaster.Cli -- handout ../lab1
+          dotnet run --project src/RayCaster.Cli -- handout ../lab1-boxes --open 7
+
+        """;
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var folder = line.Exactly("<folder>")[0];
+        var (first, last) = OpenSteps(line);
+        HandOutFolder.Write(folder, step => first <= step && step <= last, cancellation);
+        if (!line.Has(Option.Quiet))
+        {
+            var steps = last == 0 ? "all steps are done" : first == last ? $"step {first} is open" : $"steps {first} to {last} are open";
+            StandardFile.WriteError($"{folder}: {steps}; README.md says how to begin{Environment.NewLine}");
+        }
+        return ExitCode.Done;
+    }
+
+    private static (int First, int Last) OpenSteps(CommandLine line)
+    {
+        if (line.Has(Option.Solution))
+            return line.Has(Option.Open) ? throw ProblemException.Usage("with '--solution' no step is open: leave '--open' out") : (0, 0);
+        if (line[Option.Open] is not { } text) return (1, Teaching.LabSteps.Count);
+        var ends = text.Split("..");
+        if (ends.Length <= 2 && CommandLine.ParseCount(ends[0]) is { } first && CommandLine.ParseCount(ends[^1]) is { } last
+            && first <= last && last <= Teaching.LabSteps.Count)
+            return (first, last);
+        throw ProblemException.Usage($"'{text}' are no steps: write one from 1 to {Teaching.LabSteps.Count}, or the first and the last as in 1..4");
+    }
+}

@@ -1,0 +1,77 @@
+using System.Diagnostics;
+using System.Globalization;
+
+namespace RayCaster.Cli;
+
+/// <summary>Gives points for the pictures of a class.</summary>
+internal sealed class MarkCommand : Command
+{
+    public override Option[] Options { get; } =
+        [Option.Output, Option.JUnit, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress];
+
+    public override string Help => """
+        Description:
+          Marks the submissions of a class by their pictures: runs each program on the scenes of a
+          rubric, or takes the pictures that it left, finds out what is wrong, and gives points for
+          what is right. What nothing explains is flagged, and never scored by a guess.
+
+        Usage:
+          raycaster mark <rubric> <submissions> -o <folder> [options]
+          raycaster mark <rubric>
+
+        Arguments:
+          <rubric>       Scenes, how to run a program, and what costs points (JSON,
+                         docs/teaching.md). By itself it is checked: which of its mistakes
+                         its scenes cannot show.
+          <submissions>  A folder with a folder for each student.
+
+        Options:
+          -o, --output <folder>  Where the marks go: marks.csv, class.html for the teacher, and
+                                 feedback.html in a folder for each student.
+              --junit <file>     The marks as JUnit XML, too.
+              --resume           Keeps the marks that are there, of submissions that have not
+                                 changed since.
+          -t, --threads <n>      How many submissions are in work at a time. [default: one per core]
+          -q, --quiet            Prints errors only.
+              --no-progress      Never draws a progress line.
+
+        The programs of students run with your rights. docs/teaching.md says what holds them, and
+        what only a container does.
+
+        Examples:
+          raycaster mark docs/rubric.json
+          raycaster mark docs/rubric.json submissions -o marks
+
+        Exit codes:
+          0 marked, whatever the marks are; 1 the rubric has errors; 2 could not do it.
+
+        """;
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <submissions>");
+        var (rubric, report) = Abandonable.Run(() => (RubricReader.Read(line.Operands[0], out var report), report), cancellation);
+        StandardFile.WriteError(report);
+        if (rubric is null) return ExitCode.No;
+        var quiet = line.Has(Option.Quiet);
+        if (line.Operands.Count == 1)
+        {
+            StandardFile.WriteOutput(Abandonable.Run(() => RubricReport.Text(rubric), cancellation));
+            return ExitCode.Done;
+        }
+
+        if (line[Option.Output] is not { } output) throw ProblemException.Usage("where do the marks go? Say it as in -o marks");
+        if (!quiet && rubric.Source.Run.Count > 0) StandardFile.WriteError($"Students' programs run with your rights, within {RubricReport.HeldBy}.\n");
+        using var progress = new CountLine(!quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted, "submissions");
+        var start = Stopwatch.GetTimestamp();
+        var options = new ClassMarks.Options(
+            line.ThreadCount() ?? Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit], progress.Show);
+        var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
+        progress.Wipe();
+        if (!quiet)
+            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
+                $"{output}: {marks.Count} submissions marked, {marks.Count(student => student.LookYourself.Count > 0)} to look at yourself, " +
+                $"{Stopwatch.GetElapsedTime(start).TotalSeconds:0.0} s{Environment.NewLine}"));
+        return ExitCode.Done;
+    }
+}

@@ -1,0 +1,46 @@
+namespace RayCaster.Cli;
+
+/// <summary>Standard input, as far as there is one.</summary>
+internal static class StandardInput
+{
+    private const string Descriptors = "/proc/self/fd", Facts = "/proc/self/fdinfo";
+
+    /// <summary>
+    /// Whether the process was started without it. On Linux the first file that the runtime opens then takes its number: a pipe for its own use, from which
+    /// a read would never return. It is told by its other end, which is open for writing in this process and in no other.
+    /// </summary>
+    public static bool IsClosed
+    {
+        get
+        {
+            if (!Directory.Exists(Descriptors)) return false; // not Linux
+            if (TargetOf("0") is not { } input) return true;
+            if (!Path.GetFileName(input).StartsWith("pipe:", StringComparison.Ordinal)) return false;
+            foreach (var descriptor in Directory.GetFileSystemEntries(Descriptors))
+                if (TargetOf(Path.GetFileName(descriptor)) == input && IsForWriting(Path.GetFileName(descriptor)))
+                    return true;
+            return false;
+        }
+    }
+
+    private static string? TargetOf(string descriptor)
+    {
+        try
+        {
+            return new FileInfo(Path.Combine(Descriptors, descriptor)).LinkTarget;
+        }
+        catch (IOException)
+        {
+            return null; // closed in the meantime: that by which the folder was listed
+        }
+    }
+
+    /// <summary>Whether the access mode, the last octal digit of a descriptor's flags, is "write only".</summary>
+    private static bool IsForWriting(string descriptor)
+    {
+        foreach (var line in File.ReadLines(Path.Combine(Facts, descriptor)))
+            if (line.StartsWith("flags:", StringComparison.Ordinal))
+                return (line[^1] & 3) == 1;
+        return false;
+    }
+}

@@ -1,0 +1,58 @@
+namespace RayCaster.Cli;
+
+/// <summary>Makes a scene of its own for each student.</summary>
+internal sealed class VaryCommand : Command
+{
+    public override Option[] Options { get; } = [Option.Seed, Option.Output, Option.Quiet];
+
+    public override string Help => """
+        Description:
+          Moves the numbers of a scene a little, so that each student has a scene of their own
+          that looks the same and shows the same mistakes, which is checked. Comments and layout
+          of the file stay as they are.
+
+        Usage:
+          raycaster vary <scene> --seed <text> -o <file>
+
+        Arguments:
+          <scene>  The scene file.
+
+        Options:
+              --seed <text>    Whose scene it is, say the student's number: the same seed gives the
+                               same scene.
+          -o, --output <file>  Where to write the scene; where it names meshes, beside the old one.
+          -q, --quiet          Prints errors only.
+
+        Examples:
+          raycaster vary scenes/weeks/4-all.json --seed 12345 -o scenes/my/12345.json
+
+        Exit codes:
+          0 done, 1 the scene has errors, or no variation shows the same mistakes, 2 could not do it.
+
+        """;
+
+    public override int Run(CommandLine line, CancellationToken cancellation)
+    {
+        var path = line.Exactly("<scene>")[0];
+        if (line[Option.Seed] is not { Length: > 0 } seed) throw ProblemException.Usage("whose scene is it to be? Say it as in --seed 12345");
+        if (line[Option.Output] is not { } output) throw ProblemException.Usage("where does the scene go? Say it as in -o mine.json");
+        byte[] text = [];
+        var reading = Abandonable.Run(() => SceneReader.Read(path, look: bytes => text = bytes.ToArray()), cancellation);
+        StandardFile.WriteError(reading.Report());
+        if (reading.Scene is not { } scene) return text.Length == 0 ? ExitCode.CouldNot : ExitCode.No;
+
+        var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
+        if (scene.Models.Any(model => model is Mesh) && Path.GetDirectoryName(Path.GetFullPath(output)) != folder)
+            throw new ProblemException($"raycaster: {path} names mesh files, whose paths start at its folder: write {Path.GetFileName(output)} to {folder}");
+        if (Abandonable.Run(() => SceneVariation.Of(text, folder, seed), cancellation) is not { } varied)
+        {
+            StandardFile.WriteError($"{path}: no variation of it shows all the mistakes that it shows; try another seed{Environment.NewLine}");
+            return ExitCode.No;
+        }
+        using var file = new ReplacedFile(output);
+        file.Write(varied);
+        file.Commit();
+        if (!line.Has(Option.Quiet)) StandardFile.WriteError($"{output}: {path}, varied; it shows the same mistakes{Environment.NewLine}");
+        return ExitCode.Done;
+    }
+}

@@ -1,0 +1,188 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// The rays of up to 64 pixels side by side in one row of a tile, or of all rows of a small part, and the nearest hit of each so far. Reused from span to span.
+/// Its numbers lie in arrays, a place for each pixel, from which packets of any kind are taken; the lanes of the last packet that
+/// reach beyond the span's end are cast, too, and ignored.
+/// </summary>
+internal sealed class RaySpan(Camera camera, int capacity = RaySpan.MaxLength)
+{
+    /// <summary>The most pixels in a span: few enough to stay in the first-level cache, many enough to make a virtual call cheap.</summary>
+    public const int MaxLength = Tile.MaxSide;
+
+    /// <summary>The most pixels of a small part of a tile, the rows of which are cast at once; they stay in the first-level cache, too. (The parts of a crowd are larger.)</summary>
+    public const int MaxArea = 256;
+
+    private readonly Vector3 origin = camera.Position;
+    private readonly Columns columns = new(camera, MaxLength);
+    private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
+    private readonly double[] zPerT = new double[capacity];
+    private readonly double[] near = new double[capacity], far = new double[capacity]; // the crossings with one model
+    private readonly double[] t = new double[capacity];
+    private readonly double[] model = new double[capacity];
+
+    /// <summary>The first pixel's column, from the left.</summary>
+    public int Column { get; private set; }
+
+    /// <summary>The lowest pixels' row, from the bottom.</summary>
+    public int Row { get; private set; }
+
+    /// <summary>How many numbers there are from the first pixel's to the last one's.</summary>
+    public int Length => (Rows - 1) * Pitch + Width;
+
+    /// <summary>How many pixels lie in a row.</summary>
+    public int Width { get; private set; }
+
+    /// <summary>How many rows there are.</summary>
+    public int Rows { get; private set; } = 1;
+
+    /// <summary>How many numbers there are from a pixel's to that of the one above it.</summary>
+    public int Pitch { get; private set; }
+
+    /// <summary>Whether there are no numbers between the rows.</summary>
+    public bool IsDense => Pitch == Width || Rows == 1;
+
+    /// <summary>The t of the nearest hit of each pixel, +∞ for none; numbers beyond the span's length mean nothing.</summary>
+    public ReadOnlySpan<double> T => t;
+
+    /// <summary>Tells the models of some pixels' nearest hits, by their places in the scene; −1 for none.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public void CopyModels(int first, Span<int> to)
+    {
+        for (; to.Length >= Packet.Count; to = to[Packet.Count..], first += Packet.Count) ModelsAt<Packet>(first).ToInts().CopyTo(to);
+        for (var i = 0; i < to.Length; i++) to[i] = (int)model[first + i];
+    }
+
+    /// <summary>Comes to the columns that the next rows have in common.</summary>
+    /// <param name="column">The first column.</param>
+    /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
+    /// <param name="pitch">How many numbers to leave for each row; as many as there are columns, if left out.</param>
+    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    public void Enter<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
+    {
+        (Column, Width, Pitch, Rows) = (column, length, pitch ?? length, 1);
+        columns.Enter<N>(column, length);
+    }
+
+    /// <summary>Aims the rays of a row, or of several one after another, and forgets all hits.</summary>
+    /// <param name="row">The lowest row, from the bottom.</param>
+    /// <param name="rows">How many; more than one only where the pitch is one of whole packets.</param>
+    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    public void Aim<N>(int row, int rows = 1) where N : struct, IPacket<N>
+    {
+        (Row, Rows) = (row, rows);
+        for (var i = 0; i < rows; i++) AimRow<N>(row + i, i * Pitch);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private void AimRow<N>(int row, int first) where N : struct, IPacket<N>
+    {
+        var upwards = camera.Upwards(Lanes.Broadcast<N>(row));
+        for (var i = 0; i < Width; i += N.Count)
+        {
+            var direction = camera.Direction(columns.At<N>(i), upwards);
+            direction.X.Store(x, first + i);
+            direction.Y.Store(y, first + i);
+            direction.Z.Store(z, first + i);
+            camera.ZPerT(direction).Store(zPerT, first + i);
+            Lanes.Broadcast<N>(double.PositiveInfinity).Store(t, first + i);
+            Lanes.Broadcast<N>(-1).Store(model, first + i);
+        }
+    }
+
+    /// <summary>Takes some numbers out of all questions: nothing is nearer than the hits there, which no sink sees, since they are not in the span's columns and rows.</summary>
+    public void Hide(int first, int count) => Array.Fill(t, double.NegativeInfinity, first, count);
+
+    /// <summary>Where the rays start.</summary>
+    public Vector3 Origin => origin;
+
+    /// <summary>The direction of a pixel's ray.</summary>
+    public Vector3 DirectionAt(int pixel) => new(x[pixel], y[pixel], z[pixel]);
+
+    /// <summary>The rays of the packet that begins at a pixel.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Ray<N> RaysAt<N>(int pixel) where N : struct, IPacket<N> =>
+        new(origin, new Vector3<N>(N.Load(x, pixel), N.Load(y, pixel), N.Load(z, pixel)));
+
+    /// <summary>The t of the nearest hits so far of the packet that begins at a pixel.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N NearestAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(t, pixel);
+
+    /// <summary>The models of these hits.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N ModelsAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(model, pixel);
+
+    /// <summary>What z gains along these rays for one unit of t.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N ZPerTAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(zPerT, pixel);
+
+    /// <summary>Sets the hits of the packet that begins at a pixel.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Set<N>(int pixel, N hits, N models) where N : struct, IPacket<N>
+    {
+        hits.Store(t, pixel);
+        models.Store(model, pixel);
+    }
+
+    /// <summary>Whether all hits so far of some pixels are nearer than a model can be.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public bool Hides<N>(int first, int end, double nearest) where N : struct, IPacket<N>
+    {
+        var nearestOfModel = Lanes.Broadcast<N>(nearest);
+        for (var i = first; i < end; i += N.Count)
+            if (!N.All(NearestAt<N>(i) < nearestOfModel))
+                return false;
+        return true;
+    }
+
+    /// <summary>Notes the crossings of a model with the packet that begins at a pixel.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Note<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N>
+    {
+        crossings.Near.Store(near, pixel);
+        crossings.Far.Store(far, pixel);
+    }
+
+    /// <summary>Keeps of the crossings that were noted those that count and are nearer than all hits before.</summary>
+    /// <param name="first">The first pixel, where a packet begins.</param>
+    /// <param name="end">The pixel after the last.</param>
+    /// <param name="modelIndex">The model's place in the scene.</param>
+    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
+    public void KeepNoted<N>(int first, int end, int modelIndex) where N : struct, IPacket<N>
+    {
+        for (var i = first; i < end; i += N.Count) Keep(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), Lanes.Broadcast<N>(modelIndex));
+    }
+
+    /// <summary>The first of the crossings that counts, in each lane, or NaN.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N First<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N> =>
+        camera.ClipRange.First(crossings, N.Load(zPerT, pixel));
+
+    /// <summary>Keeps the hits of a model that are nearer than all before.</summary>
+    /// <param name="pixel">Where the packet begins.</param>
+    /// <param name="hit">The model's t in each lane, NaN for none.</param>
+    /// <param name="modelIndex">The model's place in the scene: of equal hits the one of the first model stays, in whatever order they come.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void Keep<N>(int pixel, N hit, N modelIndex) where N : struct, IPacket<N>
+    {
+        var (nearest, models) = (NearestAt<N>(pixel), ModelsAt<N>(pixel));
+        var better = Ray.IsNearer(hit, nearest) | (N.Equal(hit, nearest) & (modelIndex < models));
+        Set(pixel, N.Select(better, hit, nearest), N.Select(better, modelIndex, models));
+    }
+
+    /// <summary>Meets a model that knows only single rays.</summary>
+    public void MeetOneByOne(Model only, int modelIndex)
+    {
+        for (var i = 0; i < Length; i++)
+        {
+            var ray = new Ray(origin, DirectionAt(i)) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
+            if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i]))) continue;
+            t[i] = hit;
+            model[i] = modelIndex;
+        }
+    }
+}

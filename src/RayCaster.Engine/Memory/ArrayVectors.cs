@@ -1,0 +1,48 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// Vectors of numbers that follow one another in an array. The first place is checked, the others are not: the arrays have room for whole vectors. Built with the
+/// constant CHECKED, all places are checked.
+/// </summary>
+internal static class ArrayVectors
+{
+    /// <summary>The numbers from a place on, as many as fill 16 bytes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector128<T> Load128<T>(this T[] numbers, int place) where T : struct => Vector128.LoadUnsafe(ref At(numbers, place, Vector128<T>.Count));
+
+    /// <summary>As many as fill 32 bytes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<T> Load256<T>(this T[] numbers, int place) where T : struct => Vector256.LoadUnsafe(ref At(numbers, place, Vector256<T>.Count));
+
+    /// <summary>As many as fill 64 bytes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector512<T> Load512<T>(this T[] numbers, int place) where T : struct => Vector512.LoadUnsafe(ref At(numbers, place, Vector512<T>.Count));
+
+    /// <summary>Writes numbers into an array, from a place on.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void StoreTo<T>(this Vector256<T> vector, T[] numbers, int place) where T : struct =>
+        vector.StoreUnsafe(ref At(numbers, place, Vector256<T>.Count));
+
+    /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void StoreTo<T>(this Vector128<T> vector, T[] numbers, int place) where T : struct =>
+        vector.StoreUnsafe(ref At(numbers, place, Vector128<T>.Count));
+
+    /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void StoreTo<T>(this Vector512<T> vector, T[] numbers, int place) where T : struct =>
+        vector.StoreUnsafe(ref At(numbers, place, Vector512<T>.Count));
+
+    /// <summary>The first of some numbers in an array.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static ref T At<T>(T[] numbers, int place, int count) where T : struct
+    {
+#if CHECKED
+        _ = numbers.AsSpan(place, count);
+#endif
+        return ref numbers[place];
+    }
+}

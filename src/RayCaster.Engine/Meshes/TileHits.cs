@@ -1,0 +1,69 @@
+using System.Runtime.CompilerServices;
+using System.Runtime.Intrinsics;
+
+namespace RayCaster.Engine;
+
+/// <summary>One thread's tool: computes by the triangles' formula where the rays of a tile hit the triangles that the filter proposes.</summary>
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <param name="screen">The camera.</param>
+/// <param name="vertices">The corners of the mesh.</param>
+/// <param name="indices">Three for each triangle.</param>
+/// <param name="pixels">What the filter knows.</param>
+internal sealed class TileHits<N>(ScreenSpace screen, Vector3[] vertices, int[] indices, TilePixels pixels) where N : struct, IPacket<N>
+{
+    private readonly ExactHits<N> exact = new(screen, vertices, indices);
+
+    /// <summary>Computes the hits that wait and may still be in front.</summary>
+    public void Decide()
+    {
+        if (pixels.Queue.Count == 0) return;
+        pixels.BeginDecided();
+        foreach (var (pixel, triangle, mostW) in pixels.Queue.Items)
+            if (!(mostW < pixels.Covered[pixel]))
+                Add(pixel, triangle);
+        exact.Flush(pixels.Decided, pixels.Covered);
+        pixels.Queue.Clear();
+    }
+
+    /// <summary>Keeps the hits of a part of a row of the tile.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public void Meet(RaySpan span, int index)
+    {
+        var (decided, hasDecided, proposed) = (pixels.Decided, pixels.HasDecided, pixels.Proposed);
+        var first = (span.Row - pixels.Tile.Row) * TilePixels.Stride + span.Column - pixels.Tile.Column;
+        for (var i = 0; i < span.Length; i += N.Count)
+        {
+            var at = first + i;
+            var hit = Lanes.Broadcast<N>(double.NaN);
+            if (HasAny(at)) hit = span.First(i, exact.Cross(span.RaysAt<N>(i), new(proposed), at));
+            if (hasDecided)
+            {
+                var other = N.Load(decided, at);
+                hit = N.Select(hit <= other, hit, other);
+            }
+            span.Keep(i, hit, Lanes.Broadcast<N>(index));
+        }
+    }
+
+    /// <summary>Writes the bytes of the tile, in which nothing but the mesh may show.</summary>
+    public void Paint(MeshPainter painter, byte[] rgb, int first, int step)
+    {
+        painter.Paint(pixels.Tile, pixels.Covered, pixels.Front, pixels.HasDecided ? pixels.Decided : null, rgb, first, step);
+        foreach (var pixel in painter.Doubts.Items)
+        {
+            if (!pixels.HasDecided) pixels.Decided[pixel] = double.PositiveInfinity;
+            if (pixels.Front[pixel] > 0) Add(pixel, pixels.Proposed[pixel]);
+        }
+        exact.Flush(pixels.Decided, pixels.Covered);
+        foreach (var pixel in painter.Doubts.Items) painter.Write(pixel, pixels.Decided[pixel]);
+    }
+
+    private void Add(int pixel, int triangle) => exact.Add(
+        pixels.Tile.Column + pixel % TilePixels.Stride, pixels.Tile.Row + pixel / TilePixels.Stride, triangle, pixel, pixels.Decided, pixels.Covered);
+
+    /// <summary>Whether any pixel of a packet has a proposed triangle.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private bool HasAny(int pixel) => N.Count == 8
+        ? pixels.Front.Load256(pixel) != Vector256<float>.Zero
+        : pixels.Front.Load128(pixel) != Vector128<float>.Zero;
+}

@@ -1,0 +1,112 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// A tree of bounds over the triangles of a mesh (a bounding volume hierarchy, BVH). Bounds reject whole branches; which triangle is hit, and where,
+/// always comes from the triangle's own formula, so the answer is the one of all triangles in order.
+/// </summary>
+public sealed class TriangleTree
+{
+    private readonly Vector3[] vertices;
+    private readonly int[] indices;
+    private readonly int[] order; // triangles by leaf
+    private readonly TreeNode[] nodes;
+    private readonly int depth;
+
+    /// <param name="vertices">The corners.</param>
+    /// <param name="indices">Three for each triangle.</param>
+    public TriangleTree(Vector3[] vertices, int[] indices)
+    {
+        (this.vertices, this.indices) = (vertices, indices);
+        (nodes, order, depth) = new TreeBuilder(vertices, indices).Build();
+    }
+
+    /// <summary>The least of the t that a function gives for the triangles near which a line passes, before its origin or behind it; null for none.</summary>
+    /// <param name="origin">Where the line begins.</param>
+    /// <param name="direction">Its direction.</param>
+    /// <param name="hit">
+    /// The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within the triangle's bounds.
+    /// </param>
+    public double? Nearest(Vector3 origin, Vector3 direction, Func<int, double?> hit)
+    {
+        double? nearest = null;
+        if (nodes.Length > 0) Visit(0, new(origin, direction), hit, ref nearest);
+        return nearest;
+    }
+
+    private void Visit(int index, in Line line, Func<int, double?> hit, ref double? nearest)
+    {
+        ref readonly var node = ref nodes[index];
+        for (var i = node.First; i < node.First + node.Count; i++)
+            if (hit(order[i]) is { } t && t < (nearest ?? double.PositiveInfinity))
+                nearest = t;
+        if (node.IsLeaf) return;
+
+        var (first, second) = (index + 1, node.Second);
+        var (t0, t1) = (line.Enters(nodes[first].Bounds), line.Enters(nodes[second].Bounds));
+        if (t1 < t0) ((first, second), (t0, t1)) = ((second, first), (t1, t0)); // the nearer one may spare the other
+        if (t0 <= (nearest ?? double.MaxValue)) Visit(first, line, hit, ref nearest);
+        if (t1 <= (nearest ?? double.MaxValue)) Visit(second, line, hit, ref nearest);
+    }
+
+    /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel, or NaN; a hit beyond the nearest one so far does not count.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
+    internal N Nearest<N>(RaySpan span, int pixel) where N : struct, IPacket<N>
+    {
+        var (best, hit) = (span.NearestAt<N>(pixel), Lanes.Broadcast<N>(double.NaN));
+        if (nodes.Length == 0) return hit;
+
+        var ray = span.RaysAt<N>(pixel);
+        var along = new AlongRay<N>(ray);
+        var (origin, ahead) = (span.Origin, span.DirectionAt(pixel));
+        var test = new BoundsTest<N>(ray.Direction);
+
+        Span<int> stack = stackalloc int[depth + 1];
+        var top = 0;
+        stack[top++] = 0;
+        while (top > 0)
+        {
+            var index = stack[--top];
+            ref readonly var node = ref nodes[index];
+            if (!test.MayHit(node.Bounds.PaddedFrom(origin), best)) continue;
+            if (!node.IsLeaf)
+            {
+                // The child that the first ray meets first comes first, so that its hits reject the other.
+                var isAhead = TreeBuilder.Coordinate(ahead, node.Axis) >= 0;
+                stack[top++] = isAhead ? node.Second : index + 1;
+                stack[top++] = isAhead ? index + 1 : node.Second;
+                continue;
+            }
+            for (var i = node.First; i < node.First + node.Count; i++)
+            {
+                var corner = 3 * order[i];
+                var triangle = new Triangle(vertices[indices[corner]], vertices[indices[corner + 1]], vertices[indices[corner + 2]]);
+                var t = span.First(pixel, triangle.Cross(along));
+                var nearer = t < best;
+                best = N.Select(nearer, t, best);
+                hit = N.Select(nearer, t, hit);
+            }
+        }
+        return hit;
+    }
+
+    /// <summary>A line through a point, and where it enters bounds.</summary>
+    private readonly struct Line(Vector3 origin, Vector3 direction)
+    {
+        private readonly Vector3 inverse = new(1 / direction.X, 1 / direction.Y, 1 / direction.Z);
+
+        /// <summary>The t at which the line enters bounds, behind its origin too; +∞ if it passes them by.</summary>
+        /// <remarks>In a face's plane 0 · ∞ is NaN, of which nothing is known: −∞.</remarks>
+        public double Enters(Bounds bounds)
+        {
+            var (min, max) = bounds.PaddedFrom(origin);
+            var (x0, x1) = (min.X * inverse.X, max.X * inverse.X);
+            var (y0, y1) = (min.Y * inverse.Y, max.Y * inverse.Y);
+            var (z0, z1) = (min.Z * inverse.Z, max.Z * inverse.Z);
+            var enters = Math.Max(Math.Min(x0, x1), Math.Max(Math.Min(y0, y1), Math.Min(z0, z1)));
+            var leaves = Math.Min(Math.Max(x0, x1), Math.Min(Math.Max(y0, y1), Math.Max(z0, z1)));
+            return enters > leaves ? double.PositiveInfinity : double.IsNaN(enters) ? double.NegativeInfinity : enters;
+        }
+    }
+}

@@ -1,0 +1,167 @@
+namespace RayCaster.Engine;
+
+/// <summary>
+/// Draws some lines of a picture in bands, from top to bottom: threads cast the strips of the next bands while finished bands are written in order.
+/// Only a few bands are in memory at a time.
+/// </summary>
+/// <remarks>
+/// Strips are handed out one after another over all bands, so that no thread waits at the end of a band. The thread that writes casts strips, too, while
+/// the band that it writes next is not finished; so one thread is enough for all of it. Another thread that comes to a band for which there is no room waits
+/// until the oldest band is written.
+/// </remarks>
+internal sealed class BandQueue
+{
+    private const int BytesOfBand = 1 << 24;
+
+    private readonly Frame frame;
+    private readonly Camera camera;
+    private readonly bool isPlain;
+    private readonly Action<int>? linesDone;
+    private readonly CancellationToken cancellation;
+    private readonly int rowsOfBand, stripsAcross, threadCount;
+    private readonly int lowestRow, endRow; // of the lines to draw
+    private readonly long bandCount, lowestBand;
+
+    private readonly byte[][] buffers;
+    private readonly object gate = new();   // guards all that follows
+    private readonly int[] stripsMissing;   // of the band in each buffer
+    private long nextStrip, bandsWritten;
+    private Exception? failure;
+
+    /// <param name="frame">What to draw.</param>
+    /// <param name="firstLine">The first line, counted from the top.</param>
+    /// <param name="endLine">The line after the last.</param>
+    /// <param name="threads">How many threads cast.</param>
+    /// <param name="isPlain">Whether every ray may as well meet every model.</param>
+    /// <param name="linesDone">Called with how many more lines have been cast, from any thread.</param>
+    /// <param name="cancellation">Stops the work.</param>
+    public BandQueue(Frame frame, int firstLine, int endLine, int threads, bool isPlain, Action<int>? linesDone, CancellationToken cancellation)
+    {
+        (this.frame, camera, this.isPlain) = (frame, frame.Scene.Camera, isPlain);
+        (this.linesDone, this.cancellation) = (linesDone, cancellation);
+
+        // A band is a row of tiles, or of very wide pictures a half, a quarter … of one, so that no tile lies in two bands.
+        for (rowsOfBand = Tile.MaxSide; rowsOfBand > 1 && 3L * camera.Width * rowsOfBand > BytesOfBand;) rowsOfBand /= 2;
+        stripsAcross = Tile.StripsOf(camera.Width);
+        (lowestRow, endRow) = (camera.Height - endLine, camera.Height - firstLine);
+        lowestBand = lowestRow / rowsOfBand;
+        bandCount = (endRow - 1) / rowsOfBand - lowestBand + 1;
+        threadCount = (int)Math.Min(threads, bandCount * stripsAcross);
+        buffers = new byte[threadCount == 1 ? 1 : Math.Min(bandCount, threads + 2)][];
+        stripsMissing = new int[buffers.Length];
+        for (var i = 0; i < buffers.Length; i++) (buffers[i], stripsMissing[i]) = (new byte[3 * camera.Width * rowsOfBand], stripsAcross);
+    }
+
+    /// <summary>Draws it all.</summary>
+    /// <param name="write">Takes whole lines, in order, on this thread.</param>
+    public void WriteAll(Action<ReadOnlySpan<byte>> write)
+    {
+        var shader = frame.Shader; // made before other threads need it
+        if (threadCount == 1) WriteAll(write, shader);
+        else Workers.Help(threadCount - 1, () => Help(shader), () => WriteAll(write, shader));
+    }
+
+    private void WriteAll(Action<ReadOnlySpan<byte>> write, SpanShader shader)
+    {
+        try
+        {
+            var (caster, sink) = (frame.NewCaster(isPlain), new PictureSink(shader, camera.Width));
+            for (var band = 0L; band < bandCount; band++)
+            {
+                while (NextFor(band) is >= 0 and var strip) Cast(strip, caster, sink);
+                write(buffers[band % buffers.Length].AsSpan(0, 3 * camera.Width * RowsOf(band).Height));
+                Release(band);
+            }
+        }
+        catch (Exception e)
+        {
+            Fail(e);
+            throw;
+        }
+    }
+
+    /// <summary>Casts strips on another thread, until none is left.</summary>
+    private void Help(SpanShader shader)
+    {
+        try
+        {
+            var sink = new PictureSink(shader, camera.Width);
+            for (IStripCaster? caster = null; Next() is >= 0 and var strip;) Cast(strip, caster ??= frame.NewCaster(isPlain), sink);
+        }
+        catch (Exception e)
+        {
+            Fail(e);
+        }
+    }
+
+    private void Cast(long strip, IStripCaster caster, PictureSink sink)
+    {
+        var (band, column) = Math.DivRem(strip, stripsAcross);
+        var (row, height) = RowsOf(band);
+        var (left, buffer) = ((int)column * Tile.MaxStrip, (int)(band % buffers.Length));
+        sink.Enter(buffers[buffer], row + height - 1);
+        caster.Cast(new(left, row, Math.Min(Tile.MaxStrip, camera.Width - left), height), sink);
+        lock (gate)
+        {
+            if (--stripsMissing[buffer] > 0) return;
+            Monitor.PulseAll(gate);
+        }
+        linesDone?.Invoke(height);
+    }
+
+    /// <summary>The rows of a band; band 0 holds the first of the lines. The first and the last band may be cut.</summary>
+    private (int Row, int Height) RowsOf(long band)
+    {
+        var row = (int)(lowestBand + bandCount - 1 - band) * rowsOfBand;
+        var (first, end) = (Math.Max(row, lowestRow), Math.Min(row + rowsOfBand, endRow));
+        return (first, end - first);
+    }
+
+    /// <summary>Whether the band of the next strip has a buffer: the one that used it before is written.</summary>
+    private bool HasRoom => nextStrip / stripsAcross < bandsWritten + buffers.Length;
+
+    /// <summary>The next strip for a thread that only casts, which waits for room; −1 if the work is over.</summary>
+    private long Next()
+    {
+        lock (gate)
+        {
+            while (failure is null && nextStrip < bandCount * stripsAcross && !HasRoom) Monitor.Wait(gate);
+            return failure is null && !cancellation.IsCancellationRequested && nextStrip < bandCount * stripsAcross ? nextStrip++ : -1;
+        }
+    }
+
+    /// <summary>The next strip for the thread that writes; −1 when the band that it writes next is finished. It waits only where others cast all strips for which there is room.</summary>
+    private long NextFor(long band)
+    {
+        lock (gate)
+        {
+            while (true)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                if (failure is not null) throw failure;
+                if (stripsMissing[band % buffers.Length] == 0) return -1;
+                if (nextStrip < bandCount * stripsAcross && HasRoom) return nextStrip++;
+                Monitor.Wait(gate, TimeSpan.FromMilliseconds(50)); // and then looks whether it is cancelled
+            }
+        }
+    }
+
+    private void Release(long band)
+    {
+        lock (gate)
+        {
+            stripsMissing[band % buffers.Length] = stripsAcross;
+            bandsWritten = band + 1;
+            Monitor.PulseAll(gate);
+        }
+    }
+
+    private void Fail(Exception e)
+    {
+        lock (gate)
+        {
+            failure ??= e;
+            Monitor.PulseAll(gate);
+        }
+    }
+}

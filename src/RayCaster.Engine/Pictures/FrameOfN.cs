@@ -1,0 +1,53 @@
+namespace RayCaster.Engine;
+
+/// <summary>The models of a picture as the camera sees them, each by itself or as one of a crowd.</summary>
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
+{
+    /// <summary>With fewer models a look at each of them is cheaper than a list for each part of the picture.</summary>
+    private const int FewModels = 64;
+
+    /// <inheritdoc cref="Frame.Of"/>
+    public Frame(Scene scene, int threads, bool manyFrames) : base(scene, manyFrames)
+    {
+        var camera = scene.Camera;
+        var (models, alone) = (scene.Models, new List<int>());
+        if (models.Count > FewModels && !camera.IsSkewed) Crowd = new(camera, models.Count);
+        for (var i = 0; i < models.Count; i++)
+            if (Crowd is null || !Crowd.Add(models[i], i))
+                alone.Add(i);
+        if (Crowd is not null) alone.AddRange(Crowd.Arrange(threads));
+
+        Places = [.. alone];
+        Views = Array.ConvertAll(Places, i => ViewMaker<N>.See(models[i], camera, threads));
+        Extents = Array.ConvertAll(Views, view => view.Extent);
+    }
+
+    /// <summary>Views of the models that are looked at one by one.</summary>
+    public ModelView<N>[] Views { get; }
+
+    /// <summary>The places of these models in the scene.</summary>
+    public int[] Places { get; }
+
+    /// <summary>Where in the picture each of them can show at all.</summary>
+    public Tile[] Extents { get; }
+
+    /// <summary>The other models; null where there are few.</summary>
+    public Crowd<N>? Crowd { get; }
+
+    /// <inheritdoc/>
+    public override IStripCaster NewCaster(bool isPlain) => isPlain && !IsLong && Crowd is null ? new PlainCaster<N>(this) : NewTileCaster();
+
+    /// <inheritdoc/>
+    public override ISpanSink HitsInto(HitMap map) => new HitMapSink<N>(map, Scene.Camera);
+
+    /// <inheritdoc/>
+    public override void Dispose()
+    {
+        foreach (var view in Views) view.Free();
+        Crowd?.Free();
+    }
+
+    /// <remarks>By itself, so that a tile caster is not even loaded where none is needed.</remarks>
+    private IStripCaster NewTileCaster() => new TileCaster<N>(this);
+}

@@ -1,0 +1,46 @@
+namespace RayCaster.Engine;
+
+/// <summary>One thread's consumer of hits that writes them into a map.</summary>
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <param name="map">The map.</param>
+/// <param name="camera">Where the rays start.</param>
+internal sealed class HitMapSink<N>(HitMap map, Camera camera) : ISpanSink where N : struct, IPacket<N>
+{
+    private readonly CoveredHits<N> coveredHits = new(camera);
+
+    /// <inheritdoc/>
+    public void Take(RaySpan span)
+    {
+        for (var i = 0; i < span.Rows; i++)
+        {
+            var first = PlaceOf(span.Column, span.Row + i);
+            span.T.Slice(i * span.Pitch, span.Width).CopyTo(map.T.AsSpan(first));
+            span.CopyModels(i * span.Pitch, map.Model.AsSpan(first, span.Width));
+        }
+    }
+
+    /// <inheritdoc/>
+    public void TakeMiss(in Tile part)
+    {
+        for (var row = part.Row; row < part.EndRow; row++) map.T.AsSpan(PlaceOf(part.Column, row), part.Width).Fill(double.PositiveInfinity);
+        FillModels(part, -1);
+    }
+
+    /// <inheritdoc/>
+    public bool TryTake(CoveredPart covered)
+    {
+        if (!coveredHits.Write(covered, map.T, PlaceOf(covered.Part.Column, covered.Part.Row), -map.Width)) return false;
+        FillModels(covered.Part, covered.Shapes[0].Index);
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public bool TryTake(in Tile tile, ITileView view, int index) => false; // what a view can paint without exact hits is no use here
+
+    private void FillModels(in Tile part, int index)
+    {
+        for (var row = part.Row; row < part.EndRow; row++) map.Model.AsSpan(PlaceOf(part.Column, row), part.Width).Fill(index);
+    }
+
+    private int PlaceOf(int column, int row) => (map.Height - 1 - row) * map.Width + column;
+}

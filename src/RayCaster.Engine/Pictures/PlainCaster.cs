@@ -1,0 +1,37 @@
+namespace RayCaster.Engine;
+
+/// <summary>
+/// One thread's tool for scenes of few models: every ray meets every model that may show near its pixel. What a <see cref="TileCaster"/> does to spare work would take longer to compile than
+/// all of that work takes.
+/// </summary>
+/// <param name="frame">All models as the camera sees them, in the scene's order.</param>
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal sealed class PlainCaster<N>(Frame<N> frame) : IStripCaster where N : struct, IPacket<N>
+{
+    private readonly ModelView<N>[] views = Array.ConvertAll(frame.Views, view => view.ForThread());
+    private readonly RaySpan span = new(frame.Scene.Camera);
+    private readonly List<int> near = []; // the models whose extents have pixels of the part
+
+    /// <inheritdoc/>
+    /// <remarks>Here a strip may have any place and size.</remarks>
+    public void Cast(in Tile strip, ISpanSink sink)
+    {
+        for (var column = strip.Column; column < strip.EndColumn; column += RaySpan.MaxLength)
+            CastPart(strip with { Column = column, Width = Math.Min(RaySpan.MaxLength, strip.EndColumn - column) }, sink);
+    }
+
+    private void CastPart(in Tile part, ISpanSink sink)
+    {
+        near.Clear();
+        for (var i = 0; i < views.Length; i++)
+            if (views[i].Extent.Overlaps(part))
+                near.Add(i);
+        span.Enter<N>(part.Column, part.Width);
+        for (var row = part.Row; row < part.EndRow; row++)
+        {
+            span.Aim<N>(row);
+            foreach (var i in near) views[i].Meet(span, i);
+            sink.Take(span);
+        }
+    }
+}

@@ -1,0 +1,215 @@
+namespace RayCaster.Engine;
+
+/// <summary>
+/// One thread's tool: finds for the pixels of a tile the nearest hits. A strip is cut into tiles, and a tile in which several models may show into
+/// small parts; each drops the models that cannot show in it, and what is left meets the rays.
+/// </summary>
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
+{
+    /// <summary>The side of the small parts: a row of one is a few packets, for which a call is still cheap.</summary>
+    private const int PartSide = 16;
+
+    private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = EightParts.Count / PartsAcross;
+
+    /// <summary>With more models than this a look at what is hidden pays.</summary>
+    private const int Few = 4;
+
+    private readonly Frame<N> frame;
+    private readonly ModelView<N>[] views;
+    private readonly Tile[] extents;
+    private readonly int[] places; // of the views' models in the scene
+    private readonly CrowdCaster<N>? crowd;
+    private readonly RaySpan span;
+    private readonly CoveredPart covered = new();
+    private readonly Predicate<Candidate> isPrimitive, isCovering;
+    private ISpanSink sink = null!;
+    private readonly List<Candidate> candidates = []; // of the strip
+    private readonly EightParts tiles, parts;         // the strip's, and some of a tile
+    private readonly List<Candidate>[] ofTiles = [[], [], [], [], [], [], [], []], ofParts = [[], [], [], [], [], [], [], []];
+
+    /// <param name="frame">What all threads share.</param>
+    public TileCaster(Frame<N> frame)
+    {
+        this.frame = frame;
+        views = Array.ConvertAll(frame.Views, view => view.ForThread());
+        (extents, places) = (frame.Extents, frame.Places);
+        if (frame.Crowd is not null) crowd = new(frame.Crowd, frame.Scene.Camera);
+        span = new(frame.Scene.Camera, RaySpan.MaxArea);
+        (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
+        isPrimitive = candidate => views[candidate.Index] is ICoveringView;
+        isCovering = candidate => frame.IsLong && candidate.Range.Cover < double.PositiveInfinity && isPrimitive(candidate);
+    }
+
+    /// <inheritdoc/>
+    public void Cast(in Tile strip, ISpanSink sink)
+    {
+        this.sink = sink;
+        candidates.Clear();
+        for (var i = 0; i < views.Length; i++)
+            if (extents[i].Overlaps(strip))
+                candidates.Add(new(i, new(views[i].Nearest, double.PositiveInfinity)));
+        tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
+        Narrow(tiles, candidates, ofTiles);
+        var areAllKnown = crowd?.IsFor(strip) != true;
+        for (var i = 0; i < EightParts.Count; i++)
+        {
+            if (tiles[i].Area == 0) continue;
+            if (areAllKnown && TakeAlike(tiles, ofTiles, i) is > 0 and var count) i += count - 1;
+            else Cast(tiles[i], ofTiles[i]);
+        }
+    }
+
+    /// <summary>Casts a tile.</summary>
+    private void Cast(in Tile tile, List<Candidate> list)
+    {
+        var cover = double.PositiveInfinity;
+        for (var i = 0; i < list.Count; i++)
+        {
+            var range = views[list[i].Index].Enter(tile, list[i].Range);
+            cover = Math.Min(cover, range.Cover);
+            list[i] = list[i] with { Range = range };
+        }
+        DropHidden(list, cover);
+        if (crowd?.IsFor(tile) == true) CastCrowd(crowd, tile, list);
+        else if (list.Count == 1 && views[list[0].Index] is ITileView alone) CastAlone(tile, list, alone);
+        else Cut(tile, list);
+    }
+
+    private void CastCrowd(CrowdCaster<N> crowd, in Tile tile, List<Candidate> list)
+    {
+        crowd.Cast(tile, list.Count > 0 ? Meet : null, sink);
+
+        void Meet(RaySpan span)
+        {
+            foreach (var candidate in list) views[candidate.Index].Meet(span, places[candidate.Index]);
+        }
+    }
+
+    /// <summary>Casts a tile in which one model alone may show, of which cutting the tile would tell no more.</summary>
+    private void CastAlone(in Tile tile, List<Candidate> list, ITileView alone)
+    {
+        if (!(frame.IsLong && sink.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);
+    }
+
+    /// <summary>Casts a tile part by part.</summary>
+    private void Cut(in Tile tile, List<Candidate> list)
+    {
+        if (list.Count == 0 || IsCovered(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
+        else
+            for (var row = 0; row < tile.Height; row += PartsUp * PartSide)
+            {
+                parts.Cut(tile with { Row = tile.Row + row, Height = Math.Min(PartsUp * PartSide, tile.Height - row) }, PartSide, PartsAcross);
+                Narrow(parts, list, ofParts);
+                for (var i = 0; i < EightParts.Count; i++)
+                {
+                    if (parts[i].Area == 0) continue;
+                    if (TakeAlike(parts, ofParts, i) is > 0 and var count) i += count - 1;
+                    else CastPart(parts[i], ofParts[i]);
+                }
+            }
+    }
+
+    /// <summary>Casts a part whose models are known.</summary>
+    private void CastPart(in Tile part, List<Candidate> list)
+    {
+        if (list.Count == 0) sink.TakeMiss(part);
+        else if (!TryLayers(part, list)) CastRows(part, list);
+    }
+
+    /// <summary>Finds out which models may show in which part.</summary>
+    private void Narrow(EightParts parts, List<Candidate> whole, List<Candidate>[] lists)
+    {
+        Span<double> covers = stackalloc double[EightParts.Count];
+        covers.Fill(double.PositiveInfinity);
+        foreach (var list in lists) list.Clear();
+        foreach (var candidate in whole)
+        {
+            ref var extent = ref extents[candidate.Index];
+            var ranges = extent.IsSmall ? new(candidate.Range) : views[candidate.Index].Narrow(parts, candidate.Range);
+            for (var i = 0; i < EightParts.Count; i++)
+            {
+                if (!extent.Overlaps(parts[i])) continue;
+                var range = ranges[i];
+                covers[i] = Math.Min(covers[i], range.Cover);
+                lists[i].Add(candidate with { Range = range });
+            }
+        }
+        for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], covers[i]);
+    }
+
+    /// <summary>Whether one model, which knows the short way, surely covers the part.</summary>
+    private bool IsCovered(List<Candidate> list) => list.Count == 1 && isCovering(list[0]);
+
+    /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than short ones.</summary>
+    /// <param name="parts">The parts.</param>
+    /// <param name="lists">The models that may show in them.</param>
+    /// <param name="first">The first part.</param>
+    /// <returns>How many are done, from the first on.</returns>
+    private int TakeAlike(EightParts parts, List<Candidate>[] lists, int first)
+    {
+        var isMiss = lists[first].Count == 0;
+        if (!isMiss && !IsCovered(lists[first])) return 0;
+        var (only, whole) = (isMiss ? default : lists[first][0], parts[first]);
+        var end = first + 1;
+        for (; end % parts.Across != 0; end++)
+        {
+            var list = lists[end];
+            if (isMiss ? list.Count > 0 : !IsCovered(list) || list[0].Index != only.Index) break;
+            whole = whole with { Width = whole.Width + parts[end].Width };
+            if (!isMiss && !list[0].Range.IsNear) only = list[0];
+        }
+        if (isMiss) sink.TakeMiss(whole);
+        else if (!TryCover(whole, only)) return 0;
+        return end - first;
+    }
+
+    /// <summary>Offers the sink a part that one model covers.</summary>
+    private bool TryCover(in Tile part, Candidate only)
+    {
+        covered.Enter(part);
+        AddShape(only);
+        return sink.TryTake(covered);
+    }
+
+    /// <summary>Offers the sink a small part that several models cover.</summary>
+    private bool TryLayers(in Tile part, List<Candidate> list)
+    {
+        if (list.Count is < 2 or > Few || part.Area > RaySpan.MaxArea || !list.TrueForAll(isCovering)) return false;
+        covered.Enter(part);
+        foreach (var candidate in list) AddShape(candidate);
+        return sink.TryTake(covered);
+    }
+
+    private void AddShape(Candidate candidate) =>
+        covered.Shapes.Add(new((ICoveringView)views[candidate.Index], places[candidate.Index], candidate.Range.IsNear));
+
+    /// <summary>Drops what does not show, or lies behind what covers all.</summary>
+    private static void DropHidden(List<Candidate> list, double cover)
+    {
+        var kept = 0;
+        for (var i = 0; i < list.Count; i++)
+            if (list[i].Range.Least <= cover && list[i].Range.Least < double.PositiveInfinity)
+                list[kept++] = list[i];
+        list.RemoveRange(kept, list.Count - kept);
+    }
+
+    /// <summary>Casts the rays of a part: row by row, or all rows at once where few models, all of them single shapes, may show in a small part.</summary>
+    private void CastRows(in Tile part, List<Candidate> list)
+    {
+        var isSmall = list.Count <= Few && part.Area <= RaySpan.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
+        var rows = isSmall ? part.Height : 1;
+        span.Enter<N>(part.Column, part.Width);
+        for (var row = part.Row; row < part.EndRow; row += rows)
+        {
+            span.Aim<N>(row, rows);
+            foreach (var candidate in list) views[candidate.Index].Meet(span, places[candidate.Index]);
+            sink.Take(span);
+        }
+    }
+}
+
+/// <summary>A model that may show in a tile.</summary>
+/// <param name="Index">The place of its view.</param>
+/// <param name="Range">Where its hits lie.</param>
+internal readonly record struct Candidate(int Index, HitRange Range);

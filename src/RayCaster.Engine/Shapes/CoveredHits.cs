@@ -1,0 +1,53 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>
+/// One thread's tool: finds where the rays of a part hit the one shape that covers it. Each ray meets the shape as soon as it is aimed, and nothing but t is kept.
+/// </summary>
+/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <param name="camera">Where the rays start.</param>
+internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : struct, IPacket<N>
+{
+    private readonly Columns columns = new(camera, Tile.MaxStrip);
+    private Tile part;
+    private bool isNear;
+    private double[] t = [];
+    private int first, step;
+
+    /// <summary>Writes where the rays hit; returns false for a part that is narrower than a packet, or that several shapes cover.</summary>
+    /// <param name="covered">The part.</param>
+    /// <param name="t">Room for the ray parameters.</param>
+    /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
+    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    public bool Write(CoveredPart covered, double[] t, int first, int step)
+    {
+        if (covered.Shapes is not [var only] || covered.Part.Width < N.Count) return false;
+        (part, isNear) = (covered.Part, only.IsNear);
+        (this.t, this.first, this.step) = (t, first, step);
+        return only.View.Accept(this);
+    }
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
+    public bool Visit<P>(P shape) where P : struct, IPrimitive
+    {
+        columns.Enter<N>(part.Column, part.Width);
+        Vector3<N> origin = camera.Position;
+        var (t, to, isNear) = (this.t, first, this.isNear); // locals stay in registers
+        var (width, end) = (part.Width, part.EndRow);
+        for (var row = part.Row; row < end; row++, to += step)
+        {
+            var upwards = camera.Upwards(Lanes.Broadcast<N>(row));
+            for (var next = 0; next < width; next += N.Count)
+            {
+                var i = Math.Min(next, width - N.Count); // the last packet may overlap the one before: a call for what is left would cost the loop its registers
+                var direction = camera.Direction(columns.At<N>(i), upwards);
+                var crossings = shape.Cross(new Ray<N>(origin, direction));
+                var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
+                hit.Store(t, to + i);
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,24 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>A primitive: its own formula over intervals tells what a tile may hit, and over packets what each pixel hits.</summary>
+/// <typeparam name="P">The kind of shape.</typeparam>
+/// <typeparam name="N">The kind of packet.</typeparam>
+internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeView<N>((primitive as IBounded)?.Bounds, camera), ICoveringView
+    where P : struct, IPrimitive where N : struct, IPacket<N>
+{
+    /// <inheritdoc/>
+    public bool Accept(IShapeVisitor visitor) => visitor.Visit(primitive);
+
+    /// <inheritdoc/>
+    protected override void Cross(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Cross(parts.Rays);
+
+    /// <inheritdoc/>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
+    protected override void Cross(RaySpan span, int first, int end)
+    {
+        var shape = primitive; // a local, so that its constants stay in registers
+        for (var i = first; i < end; i += N.Count) span.Note(i, shape.Cross(span.RaysAt<N>(i)));
+    }
+}

@@ -1,0 +1,60 @@
+namespace RayCaster.Engine;
+
+/// <summary>What the views of all kinds of shape have in common, so that only a shape's formula is compiled for each kind.</summary>
+/// <typeparam name="N">The kind of packet.</typeparam>
+internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
+{
+    private readonly ClipRange clip;
+
+    /// <param name="bounds">The shape's, if it has any.</param>
+    /// <param name="camera">Where it is seen from.</param>
+    protected ShapeView(Bounds? bounds, Camera camera)
+    {
+        (clip, Extent) = (camera.ClipRange, Tile.Everywhere);
+        if (bounds is not { } tight) return;
+        var padded = tight.PaddedFrom(camera.Position);
+        (Extent, Nearest) = (Tile.Of(padded, camera), padded.LeastT);
+    }
+
+    /// <inheritdoc/>
+    public sealed override Tile Extent { get; }
+
+    /// <inheritdoc/>
+    public sealed override double Nearest { get; }
+
+    /// <inheritdoc/>
+    public sealed override HitRanges Narrow(EightParts parts, HitRange whole)
+    {
+        Cross(parts, out var crossings);
+        var nearCounts = clip.Counts(crossings.Near, parts.ZPerT);
+        var hit = clip.First(crossings, parts.ZPerT, nearCounts);
+        return new(
+            WidePacket.Select(hit.IsNothing, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)), // a hit that counts is not behind the eye
+            WidePacket.Select(hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
+            nearCounts.Lo);
+    }
+
+    /// <inheritdoc/>
+    public sealed override void Meet(RaySpan span, int index)
+    {
+        var (first, end) = (0, span.Length);
+        if (Extent.IsSmall && span.Rows == 1) // its extent spares most of the span, at a cost that a large model would not win back
+        {
+            first = Math.Max(0, Extent.Column - span.Column);
+            end = Math.Min(end, Extent.EndColumn - span.Column);
+        }
+        first = first / N.Count * N.Count;
+        if (Nearest > 0 && span.Hides<N>(first, end, Nearest)) return;
+        Cross(span, first, end);
+        span.KeepNoted<N>(first, end, index);
+    }
+
+    /// <summary>Finds out where all the rays of some parts may cross the shape.</summary>
+    protected abstract void Cross(EightParts parts, out Crossings<Interval> crossings);
+
+    /// <summary>Notes where the rays of some pixels cross the shape.</summary>
+    /// <param name="span">Their span.</param>
+    /// <param name="first">The first pixel, where a packet begins.</param>
+    /// <param name="end">The pixel after the last.</param>
+    protected abstract void Cross(RaySpan span, int first, int end);
+}

@@ -1,0 +1,38 @@
+using System.Formats.Tar;
+
+namespace RayCaster.Files;
+
+/// <summary>Tells what lies at a path.</summary>
+internal static class FileKind
+{
+    private const int TypeInHeader = 156; // the place of an archive's byte that says what an entry is
+
+    /// <summary>Whether a file may take the place of what lies there: nothing, a regular file, or a link to one.</summary>
+    public static bool MayBeReplaced(string path)
+    {
+        if (OperatingSystem.IsWindows() || !File.Exists(path)) return true; // devices have names of their own on Windows
+        var link = new FileInfo(path);
+        return IsRegular(link.LinkTarget is null ? link : (FileInfo)link.ResolveLinkTarget(returnFinalTarget: true)!);
+    }
+
+    /// <summary>Whether it is a file and no device, pipe or socket. Of the runtime's classes only that which makes archives tells, and it opens none of them.</summary>
+    private static bool IsRegular(FileInfo file)
+    {
+        if (!file.Exists) return false; // what a descriptor's link names, such as pipe:[123]
+        if (file.Length > 0) return true; // all others hold no bytes
+        try
+        {
+            using var archive = new MemoryStream();
+            using (var writer = new TarWriter(archive, TarEntryFormat.Ustar, leaveOpen: true)) writer.WriteEntry(file.FullName, "x");
+            return archive.GetBuffer()[TypeInHeader] == (byte)TarEntryType.RegularFile;
+        }
+        catch (UnauthorizedAccessException)
+        {
+            return true; // a file that may not be read: only of a file the content is asked for
+        }
+        catch (IOException)
+        {
+            return false; // a socket, of which no archive can be made
+        }
+    }
+}

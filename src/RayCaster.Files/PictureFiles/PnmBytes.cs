@@ -1,0 +1,68 @@
+namespace RayCaster.Files;
+
+/// <summary>The bytes of a file from the first to the last, some of them in memory.</summary>
+internal sealed class PnmBytes
+{
+    private readonly byte[] buffer = new byte[1 << 16];
+    private readonly Stream file;
+    private int at, end;
+    private long passed; // bytes that were in the buffer before
+
+    /// <param name="begun">The first bytes, which have been read.</param>
+    /// <param name="rest">What follows them.</param>
+    public PnmBytes(ReadOnlySpan<byte> begun, Stream rest)
+    {
+        begun.CopyTo(buffer);
+        (file, end) = (rest, begun.Length);
+        Length = rest.CanSeek ? begun.Length + rest.Length - rest.Position : null;
+    }
+
+    /// <summary>How many bytes there are; null for a pipe or device.</summary>
+    public long? Length { get; }
+
+    /// <summary>The place of the next byte.</summary>
+    public long Place => passed + at;
+
+    /// <summary>The next byte, which stays; −1 at the end.</summary>
+    public int Peek() => at < end || Fill() ? buffer[at] : -1;
+
+    /// <summary>The next byte; −1 at the end.</summary>
+    public int Next() => at < end || Fill() ? buffer[at++] : -1;
+
+    /// <summary>The next bytes, fewer at the end.</summary>
+    public byte[] Take(int count)
+    {
+        var bytes = new byte[count];
+        for (var i = 0; i < count; i++)
+        {
+            if (Next() is not (>= 0 and var value)) return bytes[..i];
+            bytes[i] = (byte)value;
+        }
+        return bytes;
+    }
+
+    /// <summary>Reads some of the next bytes, past the buffer where that is empty.</summary>
+    /// <returns>How many; 0 at the end.</returns>
+    public int Read(Span<byte> bytes)
+    {
+        if (at == end)
+        {
+            var read = file.Read(bytes);
+            passed += read;
+            return read;
+        }
+        var count = Math.Min(bytes.Length, end - at);
+        buffer.AsSpan(at, count).CopyTo(bytes);
+        at += count;
+        return count;
+    }
+
+    /// <summary>Reads on; false at the end.</summary>
+    private bool Fill()
+    {
+        passed += end;
+        at = end = 0;
+        end = file.Read(buffer);
+        return end > 0;
+    }
+}

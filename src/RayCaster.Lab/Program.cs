@@ -1,0 +1,24 @@
+using Lab;
+using RayCaster.Files;
+
+if (args is not [var sceneFile, var pictureFile])
+{
+    Console.Error.WriteLine("Draws a scene. Tell it the scene's file and the picture's, as in: scenes/room.json room.png");
+    return 2;
+}
+var reading = SceneReader.Read(sceneFile);
+Console.Error.Write(reading.Report()); // what is wrong with the file, with line and column
+if (reading.Scene == null) return 2;
+
+var notWritten = Todo.Report();
+if (notWritten != "") Console.Error.WriteLine(notWritten);
+try
+{
+    PictureFile.Write(pictureFile, SceneFile.Of(reading.Scene).Draw());
+    return 0;
+}
+catch (PictureFileException problem) // a name that is none, a folder that does not exist, a full disk
+{
+    Console.Error.WriteLine(problem.Message);
+    return 2;
+}

@@ -1,0 +1,51 @@
+namespace Lab;
+
+/// <summary>X(t) = P + t d, and the nearest hit so far.</summary>
+public class Ray(Vector3 origin, Vector3 direction)
+{
+    public Vector3 Origin = origin; // P
+
+    public Vector3 Direction = direction; // d, of length 1, so that t is a distance
+
+    public double HitParameter = double.PositiveInfinity; // t of the nearest hit; infinite before the first
+
+    public Model HitModel; // the model hit there; null for none
+
+    // What zNear and zFar measure is z = t ZPerT. A ray that no camera has made sees all that is before it.
+    public double Bias, ZNear, ZFar = double.MaxValue, ZPerT = 1;
+
+    public Vector3 At(double t) =>
+        // BEGIN SOLUTION "Ray"
+        // STUB Todo.Note("Ray", Vector3.Zero);
+        Origin + t * Direction;
+        // END SOLUTION
+
+    /// <summary>A model is crossed at t: keeps the hit if t counts and is nearer than the nearest so far. Of two at the same t the first stays.</summary>
+    public void Hit(double t, Model model)
+    {
+        // BEGIN SOLUTION "Ray"
+        if (!Counts(t) || t >= HitParameter) return;
+        HitParameter = t;
+        HitModel = model;
+        // END SOLUTION
+    }
+
+    /// <summary>Whether a crossing at t is to be seen. No comparison with NaN holds, so NaN never counts.</summary>
+    public bool Counts(double t)
+    {
+        // BEGIN SOLUTION "Bias"
+        // STUB Todo.Note("Bias");
+        // STUB var isAhead = t > 0;
+        var isAhead = Bias == 0 ? t >= 0 : t > Bias;
+        // END SOLUTION
+
+        // BEGIN SOLUTION "zNear & zFar"
+        // STUB Todo.Note("zNear & zFar");
+        // STUB var isBetween = true;
+        var z = t * ZPerT;
+        var isBetween = ZNear <= z && z <= ZFar;
+        // END SOLUTION
+
+        return isAhead && isBetween;
+    }
+}

@@ -1,0 +1,43 @@
+namespace Lab;
+
+/// <summary>A sphere, seen from outside or from inside.</summary>
+public class Sphere(Vector3 center, double radius) : Model
+{
+    public Vector3 C = center;
+
+    public double R = radius;
+
+    /// <summary>The slides have two ways to the same crossings; this one draws.</summary>
+    public override void Intersect(Ray ray) => GeometricSolution(ray);
+
+    public void GeometricSolution(Ray ray)
+    {
+        // BEGIN SOLUTION "Sphere – Geometric Solution"
+        var L = C - ray.Origin;
+        var t_ca = L * ray.Direction;
+        // "t_ca should be greater than zero" holds for a camera outside. Around the camera the centre may lie behind and the sphere still shows.
+
+        // The slide's Pythagoras, D² = L² − t_ca², subtracts two large, nearly equal numbers for a far sphere, and its outline moves.
+        // The vector from the ray's nearest point to C has the same length, and all its digits.
+        var D = L - t_ca * ray.Direction;
+        if (D * D > R * R) return; // passes by
+        var t_hc = Math.Sqrt(R * R - D * D);
+        ray.Hit(t_ca - t_hc, this);
+        ray.Hit(t_ca + t_hc, this); // shows where the near one does not count: the camera is inside, or zNear cuts the sphere open
+        // END SOLUTION
+    }
+
+    public void AnalyticalSolution(Ray ray)
+    {
+        // BEGIN SOLUTION "Sphere – Analytical Solution"
+        var CP = ray.Origin - C;
+        var a = ray.Direction * ray.Direction;
+        var b = 2 * (ray.Direction * CP);
+        var c = CP * CP - R * R;
+        var discriminant = b * b - 4 * a * c;
+        if (discriminant < 0) return; // passes by; the root would be NaN
+        ray.Hit((-b - Math.Sqrt(discriminant)) / (2 * a), this);
+        ray.Hit((-b + Math.Sqrt(discriminant)) / (2 * a), this);
+        // END SOLUTION
+    }
+}

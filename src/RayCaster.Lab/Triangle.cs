@@ -1,0 +1,25 @@
+namespace Lab;
+
+/// <summary>A triangle, seen from both sides whatever the order of its corners; its edges belong to it.</summary>
+public class Triangle(Vector3 a, Vector3 b, Vector3 c) : Model
+{
+    public Vector3 A = a, B = b, C = c;
+
+    public override void Intersect(Ray ray)
+    {
+        // BEGIN SOLUTION "Triangle"
+        var d = ray.Direction;
+        var n = (B - A) % (C - A);
+        if (d * n == 0) return; // edge-on
+        var t = (A - ray.Origin) * n / (d * n);
+
+        // X = w A + u B + v C with w + u + v = 1. The three are to each other as the volumes that d spans with the corners seen from P.
+        // So computed, two triangles that share an edge get the same number for it but for the sign, and no ray slips between them.
+        // The slide's strict u > 0 would lose the rays through the edge itself: pinholes in every mesh.
+        var (a, b, c) = (A - ray.Origin, B - ray.Origin, C - ray.Origin);
+        var (w, u, v) = (d * (b % c), d * (c % a), d * (a % b));
+        var sum = w + u + v;
+        if (u / sum >= 0 && v / sum >= 0 && w / sum >= 0) ray.Hit(t, this); // w ≥ 0 is u + v ≤ 1
+        // END SOLUTION
+    }
+}

@@ -1,0 +1,57 @@
+namespace Lab;
+
+/// <summary>A point or a direction. A class, as on the slides: after <c>Q = P</c> both name one object, and <c>P.X = 3</c> changes Q too.</summary>
+#if STRUCT_VECTORS // for measuring what the class costs: a struct is copied
+public struct Vector3(double x, double y, double z)
+#else
+public class Vector3(double x, double y, double z)
+#endif
+{
+    public double X = x, Y = y, Z = z;
+
+    public static Vector3 Zero => new(0, 0, 0); // a new one each time: nobody can change everybody's zero
+
+    public static Vector3 operator +(Vector3 a, Vector3 b) =>
+        // BEGIN SOLUTION "IDE & Vectors"
+        // STUB Todo.Note("IDE & Vectors", Zero);
+        new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
+        // END SOLUTION
+
+    public static Vector3 operator -(Vector3 a, Vector3 b) =>
+        // BEGIN SOLUTION "IDE & Vectors"
+        // STUB Todo.Note("IDE & Vectors", Zero);
+        new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
+        // END SOLUTION
+
+    public static Vector3 operator *(double b, Vector3 a) =>
+        // BEGIN SOLUTION "IDE & Vectors"
+        // STUB Todo.Note("IDE & Vectors", Zero);
+        new(b * a.X, b * a.Y, b * a.Z); // the slide's fourth coordinate ", 0" is a slip
+        // END SOLUTION
+
+    public static double operator *(Vector3 a, Vector3 b) => // dot product
+        // BEGIN SOLUTION "IDE & Vectors"
+        // STUB Todo.Note("IDE & Vectors", 0);
+        a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+        // END SOLUTION
+
+    public static Vector3 operator %(Vector3 a, Vector3 b) => // cross product
+        // BEGIN SOLUTION "IDE & Vectors"
+        // STUB Todo.Note("IDE & Vectors", Zero);
+        new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
+        // END SOLUTION
+
+    public double Length =>
+        // BEGIN SOLUTION "IDE & Vectors"
+        // STUB Todo.Note("IDE & Vectors", 0);
+        Math.Sqrt(this * this);
+        // END SOLUTION
+
+    public Vector3 Normalized => this / Length; // NaN for the zero vector, which has no direction
+
+    public static Vector3 operator *(Vector3 a, double b) => b * a;
+
+    public static Vector3 operator /(Vector3 a, double b) => new(a.X / b, a.Y / b, a.Z / b);
+
+    public static Vector3 operator -(Vector3 a) => -1 * a;
+}

@@ -1,0 +1,83 @@
+namespace RayCaster.Teaching;
+
+/// <summary>The ten steps in which students write the lab, and what it draws after each: the references of the hand-out.</summary>
+public static class LabSteps
+{
+    /// <summary>How many steps there are.</summary>
+    public const int Count = 10;
+
+    /// <summary>Before this step there is no ray, and a gradient is drawn.</summary>
+    public const int FirstPicture = 4;
+
+    private const int Shading = 5, Clipping = 6;
+
+    /// <summary>The step in which the bodies of a slide are written, from 1; 0 for a title that no body has.</summary>
+    public static int StepOf(string slide) => slide switch
+    {
+        "IDE & Vectors" => 1,
+        "Ray" => 2,
+        "Ray – Plane Intersection" => 3,
+        "Camera" or "Camera Pixel Translation" or "Ray Casting" => 4,
+        "Primitive Shading" => Shading,
+        "zNear & zFar" or "Bias" => Clipping,
+        "AABB – intersection parameters" or "AABB checking for intersection" => 7,
+        "Sphere – Geometric Solution" or "Sphere – Analytical Solution" => 8,
+        "Circle" => 9,
+        "Triangle" => 10,
+        _ => 0,
+    };
+
+    /// <summary>
+    /// The part of a scene that the lab can show after a step: the models whose formula is written, and before the step of zNear, zFar and
+    /// bias all that is in front of the camera.
+    /// </summary>
+    public static Scene SceneAt(Scene scene, int step)
+    {
+        var c = scene.Camera;
+        return scene with
+        {
+            Models = [.. scene.Models.Where(model => StepOf(model) <= step)],
+            // The least bias there is: t > 0.
+            Camera = step >= Clipping ? c : new(c.Position, c.Target, c.Up, c.FovY, c.Width, c.Height, 0, double.MaxValue, double.Epsilon, c.Clip, c.Sample),
+        };
+    }
+
+    /// <summary>The picture after a step.</summary>
+    /// <param name="scene">The whole scene.</param>
+    /// <param name="step">The step, from 1.</param>
+    public static Picture Draw(Scene scene, int step)
+    {
+        if (step < FirstPicture) return Gradient(scene.Camera.Width, scene.Camera.Height);
+        scene = SceneAt(scene, step);
+        return step < Shading ? Unshaded(scene) : Renderer.Render(scene);
+    }
+
+    private static int StepOf(Model model) => model.Kind switch
+    {
+        "plane" => 3,
+        "aabb" => 7,
+        "sphere" => 8,
+        "circle" => 9,
+        _ => 10, // triangles and meshes
+    };
+
+    /// <summary>Each model in its full colour, however far it is.</summary>
+    private static Picture Unshaded(Scene scene)
+    {
+        var hits = new Renderer(scene).CastHits();
+        var picture = new Picture(hits.Width, hits.Height);
+        for (var y = 0; y < hits.Height; y++)
+            for (var x = 0; x < hits.Width; x++)
+                picture[x, y] = (hits.Model[y * hits.Width + x] is >= 0 and var model ? scene.Models[model].Color : scene.Background).ToBytes();
+        return picture;
+    }
+
+    private static Picture Gradient(int width, int height)
+    {
+        var picture = new Picture(width, height);
+        for (var y = 0; y < height; y++)
+            for (var x = 0; x < width; x++)
+                picture[x, y] = new Color((double)x / width, (double)(height - 1 - y) / height, 0.5).ToBytes();
+        return picture;
+    }
+}

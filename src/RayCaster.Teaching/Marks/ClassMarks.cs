@@ -1,0 +1,101 @@
+using System.Collections.Concurrent;
+using System.Text.Json;
+
+namespace RayCaster.Teaching;
+
+/// <summary>Marks the submissions of a class, and writes what comes of it: a table, a page for each student, and a page for the teacher.</summary>
+public sealed class ClassMarks
+{
+    /// <summary>In a student's folder: the marks, so that a run that was interrupted can go on.</summary>
+    private const string Kept = "marks.json";
+
+    private readonly Rubric rubric;
+    private readonly string output;
+    private readonly SubmissionRunner runner;
+    private readonly Marker marker;
+    private readonly OtherFiles others;
+
+    private ClassMarks(Rubric rubric, string submissions, string output)
+    {
+        (this.rubric, this.output) = (rubric, output);
+        runner = new(rubric, new(rubric.Source.Run.Count > 0 ? Containment.Here : Containment.None));
+        marker = new(rubric);
+        others = new([.. rubric.Scenes.Select(scene => scene.Path)], submissions);
+    }
+
+    /// <summary>What a class's run may be told, and tells.</summary>
+    /// <param name="Threads">How many submissions are in work at a time.</param>
+    /// <param name="Resume">Whether marks that are there already are kept where neither rubric nor submission has changed.</param>
+    /// <param name="JUnit">A file for the marks in the form that continuous integration reads; null for none.</param>
+    /// <param name="Progress">Hears how many submissions are done, and of how many.</param>
+    public sealed record Options(int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null);
+
+    /// <summary>Marks all submissions in a folder.</summary>
+    /// <param name="rubric">What costs points.</param>
+    /// <param name="submissions">The folder with a folder for each student.</param>
+    /// <param name="output">The folder for the results; it is made if it is not there.</param>
+    /// <param name="options">How.</param>
+    /// <param name="cancellation">Ends it; what is marked by then is kept for <see cref="Options.Resume"/>.</param>
+    /// <returns>The marks in the order of the students' names.</returns>
+    /// <exception cref="PictureFileException">A folder cannot be read, or a file not be written.</exception>
+    public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
+    {
+        var all = Submission.In(submissions);
+        WorkFolder.Make(output);
+        var marks = new ClassMarks(rubric, submissions, output);
+        var done = new ConcurrentDictionary<string, StudentMarks>();
+        Parallel.ForEach(Partitioner.Create(all, EnumerablePartitionerOptions.NoBuffering),
+            new() { MaxDegreeOfParallelism = options.Threads, CancellationToken = cancellation }, submission =>
+            {
+                done[submission.Student] = marks.MarkOne(submission, options.Resume, cancellation);
+                options.Progress?.Invoke(done.Count, all.Count);
+            });
+        StudentMarks[] inOrder = [.. all.Select(submission => done[submission.Student])];
+        Write(Path.Combine(output, "marks.csv"), MarksTable.Of(rubric, inOrder));
+        Write(Path.Combine(output, "class.html"), ClassPage.Of(rubric, inOrder));
+        if (options.JUnit is { } file) Write(file, JUnitReport.Of(rubric, inOrder));
+        return inOrder;
+    }
+
+    private StudentMarks MarkOne(Submission submission, bool resume, CancellationToken cancellation)
+    {
+        var folder = Path.Combine(output, submission.Student);
+        var digest = rubric.Digest + submission.Digest();
+        if (resume && ReadKept(Path.Combine(folder, Kept)) is { } kept && kept.Digest == digest && kept.Student == submission.Student) return kept;
+
+        IReadOnlyList<SubmittedPicture> pictures;
+        string[] changed = [];
+        if (rubric.Source.Run.Count == 0) pictures = runner.Pictures(submission, cancellation);
+        else
+        {
+            using var watch = others.WatchWhile(submission);
+            pictures = runner.Pictures(submission, cancellation);
+            changed = [.. watch.Changed()];
+        }
+        cancellation.ThrowIfCancellationRequested();
+        var marks = marker.Mark(submission.Student, digest, pictures, changed);
+        WorkFolder.Make(folder);
+        Write(Path.Combine(folder, "feedback.html"), FeedbackPage.Of(rubric, marks, pictures));
+        Write(Path.Combine(folder, Kept), JsonSerializer.Serialize(marks, JsonSerializerOptions.Web));
+        return marks;
+    }
+
+    private static StudentMarks? ReadKept(string path)
+    {
+        try
+        {
+            return File.Exists(path) ? JsonSerializer.Deserialize<StudentMarks>(File.ReadAllBytes(path), JsonSerializerOptions.Web) : null;
+        }
+        catch (Exception e) when (e is JsonException or IOException or UnauthorizedAccessException or NotSupportedException)
+        {
+            return null; // as if it were not there
+        }
+    }
+
+    private static void Write(string path, string text)
+    {
+        using var file = new ReplacedFile(path);
+        file.Write(System.Text.Encoding.UTF8.GetBytes(text));
+        file.Commit();
+    }
+}

@@ -1,0 +1,108 @@
+namespace RayCaster.Teaching;
+
+/// <summary>The page for the teacher: all students, the mistakes by how many make them, and pictures that are wrong in the same way.</summary>
+internal static class ClassPage
+{
+    private const int MostGroups = 40, MostNames = 12, MostToDiscuss = 3;
+
+    /// <summary>Pictures whose tiny copies differ by fewer levels, in the mean of all channels, look alike.</summary>
+    private const double AlikeLevels = 4;
+
+    /// <summary>The page's text. It names mistakes and links to the students' pages: it is not for students.</summary>
+    public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
+    {
+        var page = new Page($"{rubric.Title}: {marks.Count} submissions");
+        if (marks.Count == 0) return page.Element("p", "No submissions.").ToString();
+        page.Element("p", $"{MarksTable.Number(Math.Round(marks.Average(student => student.Points), 2))} of {MarksTable.Number(rubric.Points)} points in the mean; "
+            + $"{marks.Count(student => student.LookYourself.Count > 0)} to look at yourself.");
+        AddMistakes(page, marks);
+        AddLookYourself(page, marks);
+        AddGroups(page, marks);
+        AddTable(page, rubric, marks);
+        return page.ToString();
+    }
+
+    private static void AddMistakes(Page page, IReadOnlyList<StudentMarks> marks)
+    {
+        (string Id, int Count)[] counts =
+        [
+            .. marks.SelectMany(student => student.Mistakes.Concat(student.NotDrawn)).CountBy(id => id)
+                .Select(count => (count.Key, count.Value)).OrderByDescending(count => count.Value),
+        ];
+        var mistakes = counts.Select(count => MistakeCatalog.Named(count.Id)).OfType<Mistake>().ToArray();
+        page.Element("h2", "Mistakes, by how many make them");
+        if (counts.Length == 0) page.Element("p", "None was found.");
+        if (mistakes.Length > 0)
+            page.Element("p", $"To discuss next: {string.Join("; ", mistakes.Take(MostToDiscuss).Select(mistake => $"{mistake.Cause} (slide \"{mistake.Slide}\")"))}.");
+        page.Html("<table><tr><th class=\"n\">Students</th><th>Mistake</th><th>What is wrong</th><th>Slide</th></tr>");
+        foreach (var (id, count) in counts)
+        {
+            var mistake = MistakeCatalog.Named(id);
+            page.Html($"<tr><td class=\"n\">{count}</td><td>{Page.Escaped(id)}</td><td>{Page.Escaped(mistake?.Cause ?? MarkWords.NotDrawn(id))}</td>"
+                + $"<td>{Page.Escaped(mistake?.Slide ?? "")}</td></tr>");
+        }
+        page.Html("</table>");
+    }
+
+    private static void AddLookYourself(Page page, IReadOnlyList<StudentMarks> marks)
+    {
+        var flagged = marks.Where(student => student.LookYourself.Count > 0).ToArray();
+        if (flagged.Length == 0) return;
+        page.Element("h2", "Look yourself");
+        page.Html("<table>");
+        foreach (var student in flagged)
+        {
+            var pictures = student.Scenes.Where(scene => scene.Verdict == SceneVerdict.Unexplained && scene.Small.Length > 0).Select(scene => Page.Image(scene.Small, scene.Name));
+            page.Html($"<tr><td>{Link(student)}</td><td>{string.Join("<br>", student.LookYourself.Select(Page.Escaped))}<br>{string.Join(' ', pictures)}</td></tr>");
+        }
+        page.Html("</table>");
+    }
+
+    private static void AddGroups(Page page, IReadOnlyList<StudentMarks> marks)
+    {
+        var groups = new List<(SceneMarks First, List<StudentMarks> Students)>();
+        foreach (var student in marks)
+        {
+            foreach (var scene in student.Scenes.Where(scene => scene.Likeness.Length > 0))
+            {
+                var group = groups.Find(other => other.First.Name == scene.Name && AreAlike(other.First.Likeness, scene.Likeness));
+                if (group.Students is null) groups.Add((scene, [student]));
+                else group.Students.Add(student);
+            }
+        }
+        var large = groups.Where(group => group.Students.Count > 1).OrderByDescending(group => group.Students.Count).ToArray();
+        if (large.Length == 0) return;
+        page.Element("h2", "Pictures that are wrong in the same way");
+        foreach (var (first, students) in large.Take(MostGroups))
+        {
+            var names = string.Join(", ", students.Take(MostNames).Select(Link)) + (students.Count > MostNames ? $" and {students.Count - MostNames} more" : "");
+            page.Html($"<div class=\"tile\">{Page.Image(first.Small, first.Name)}<br>{Page.Escaped(first.Name)}, {students.Count} students<br><span class=\"small\">{names}</span></div>");
+        }
+        if (large.Length > MostGroups) page.Element("p", $"And {large.Length - MostGroups} smaller groups.");
+    }
+
+    private static bool AreAlike(byte[] a, byte[] b)
+    {
+        if (a.Length != b.Length) return false;
+        var sum = 0L;
+        for (var i = 0; i < a.Length; i++) sum += Math.Abs(a[i] - b[i]);
+        return sum < AlikeLevels * a.Length;
+    }
+
+    private static void AddTable(Page page, Rubric rubric, IReadOnlyList<StudentMarks> marks)
+    {
+        page.Element("h2", "All");
+        page.Html($"<table><tr><th>Student</th><th class=\"n\">Points</th>{string.Concat(rubric.Items.Select(item => $"<th class=\"n\">{Page.Escaped(item.Name)}</th>"))}<th>Found</th></tr>");
+        foreach (var student in marks)
+        {
+            var style = student.Open > 0 ? "open" : student.Points < rubric.Points ? "lost" : "";
+            var items = string.Concat(student.Items.Select(item => $"<td class=\"n\">{MarksTable.Item(item)}</td>"));
+            var found = string.Join(", ", student.NotDrawn.Select(part => "no " + part).Concat(student.Mistakes));
+            page.Html($"<tr class=\"{style}\"><td>{Link(student)}</td><td class=\"n\">{MarksTable.Number(student.Points)}{(student.Open > 0 ? $" + {MarksTable.Number(student.Open)}?" : "")}</td>{items}<td>{Page.Escaped(found)}</td></tr>");
+        }
+        page.Html("</table>");
+    }
+
+    private static string Link(StudentMarks student) =>
+        $"<a href=\"{Page.Escaped(Uri.EscapeDataString(student.Student))}/feedback.html\">{Page.Escaped(student.Student)}</a>";
+}

@@ -1,0 +1,66 @@
+namespace RayCaster.Teaching;
+
+/// <summary>The page for a student: points, pictures beside the right ones, and hints. It holds no answers.</summary>
+internal static class FeedbackPage
+{
+    /// <summary>The page's text.</summary>
+    public static string Of(Rubric rubric, StudentMarks marks, IReadOnlyList<SubmittedPicture> pictures)
+    {
+        var page = new Page($"{rubric.Title}: {marks.Student}");
+        page.Element("p", $"{MarksTable.Number(marks.Points)} of {MarksTable.Number(rubric.Points)} points"
+            + (marks.Open > 0 ? $"; {MarksTable.Number(marks.Open)} more are open: somebody will look." : "."));
+        page.Html("<table><tr><th>Part</th><th class=\"n\">Points</th><th>Why</th></tr>");
+        foreach (var item in marks.Items) AddItem(page, rubric, item);
+        page.Html("</table>");
+        AddOthers(page, rubric, marks);
+        for (var i = 0; i < pictures.Count; i++) AddScene(page, marks.Scenes[i], pictures[i]);
+        return page.ToString();
+    }
+
+    private static void AddItem(Page page, Rubric rubric, ItemMarks item)
+    {
+        var style = item.Open > 0 ? "open" : item.Points < item.Of ? "lost" : "";
+        var why = item.Open > 0 ? "Not decided: somebody will look."
+            : string.Join("<br>", item.Because.Select(because => Hint(rubric, because)));
+        page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">{MarksTable.Item(item)} of {MarksTable.Number(item.Of)}</td><td>{why}</td></tr>");
+    }
+
+    /// <summary>What is wrong but costs nothing.</summary>
+    private static void AddOthers(Page page, Rubric rubric, StudentMarks marks)
+    {
+        string[] free = [.. marks.Mistakes.Concat(marks.NotDrawn).Except(marks.Items.SelectMany(item => item.Because))];
+        if (free.Length == 0) return;
+        page.Element("h2", "Besides, without cost");
+        foreach (var because in free) page.Html($"<p>{Hint(rubric, because)}</p>");
+    }
+
+    private static string Hint(Rubric rubric, string because) => rubric.Hint switch
+    {
+        null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.NotDrawn(because)) : "Something is wrong here.",
+        HintLevel.Symptom => Page.Escaped(MarkWords.Symptom(because)),
+        _ => Page.Escaped($"{MarkWords.Symptom(because)} {MarkWords.Question(because)}".TrimEnd()),
+    };
+
+    private static void AddScene(Page page, SceneMarks scene, SubmittedPicture submitted)
+    {
+        page.Element("h2", $"{scene.Name}: {scene.Verdict.InWords()}");
+        if (submitted.Problem is { } problem) page.Element("p", char.ToUpperInvariant(problem[0]) + problem[1..] + ".");
+        var right = submitted.Scene.Right;
+        if (submitted.Picture is not { } picture)
+        {
+            page.Html($"<p class=\"small\">What should be there:</p><p>{Page.Image(right.ToPng(), "the right picture")}</p>");
+        }
+        else if (scene.Verdict == SceneVerdict.Right || !submitted.CanBeJudged)
+        {
+            page.Html($"<p>{Page.Image(picture.ToPng(), "your picture")}</p>");
+        }
+        else
+        {
+            page.Element("p", FormattableString.Invariant($"{100 * scene.WrongShare:0.##} % of the pixels differ. Left of the line is yours, right of it what it should be; move the line:"), "small");
+            page.Html($"""
+                <div class="pair">{Page.Image(picture.ToPng(), "your picture")}{Page.Image(right.ToPng(), "the right picture")}</div>
+                <input type="range" min="0" max="100" value="50" aria-label="how much is yours" oninput="this.previousElementSibling.style.setProperty('--at', this.value + '%')">
+                """);
+        }
+    }
+}

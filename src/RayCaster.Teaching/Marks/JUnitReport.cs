@@ -1,0 +1,56 @@
+using System.Globalization;
+using System.Text;
+using System.Xml;
+
+namespace RayCaster.Teaching;
+
+/// <summary>The marks in the form that continuous integration reads: a suite for each student, a case for each item. Answers are not in it.</summary>
+internal static class JUnitReport
+{
+    /// <summary>The text of the file.</summary>
+    public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
+    {
+        using var text = new MemoryStream();
+        using (var xml = XmlWriter.Create(text, new() { Encoding = new UTF8Encoding(false), Indent = true, CheckCharacters = true }))
+        {
+            xml.WriteStartElement("testsuites");
+            xml.WriteAttributeString("name", Clean(rubric.Title));
+            foreach (var student in marks) WriteSuite(xml, student);
+            xml.WriteEndElement();
+        }
+        return Encoding.UTF8.GetString(text.ToArray()) + "\n";
+    }
+
+    private static void WriteSuite(XmlWriter xml, StudentMarks student)
+    {
+        xml.WriteStartElement("testsuite");
+        xml.WriteAttributeString("name", Clean(student.Student));
+        Count("tests", student.Items.Count);
+        Count("failures", student.Items.Count(IsLost));
+        Count("skipped", student.Items.Count(item => item.Open > 0));
+        foreach (var item in student.Items)
+        {
+            xml.WriteStartElement("testcase");
+            xml.WriteAttributeString("classname", Clean(student.Student));
+            xml.WriteAttributeString("name", Clean(item.Name));
+            if (item.Open > 0) WriteMessage(xml, "skipped", "Somebody must look: " + string.Join("; ", student.LookYourself));
+            else if (IsLost(item)) WriteMessage(xml, "failure", $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)} points. {MarkWords.Symptoms(item)}");
+            xml.WriteEndElement();
+        }
+        xml.WriteEndElement();
+
+        void Count(string name, int count) => xml.WriteAttributeString(name, count.ToString(CultureInfo.InvariantCulture));
+    }
+
+    private static bool IsLost(ItemMarks item) => item.Open == 0 && item.Points < item.Of;
+
+    private static void WriteMessage(XmlWriter xml, string element, string message)
+    {
+        xml.WriteStartElement(element);
+        xml.WriteAttributeString("message", Clean(message));
+        xml.WriteEndElement();
+    }
+
+    /// <summary>Without what XML cannot hold: a program may print anything.</summary>
+    private static string Clean(string text) => string.Concat(text.Select(letter => XmlConvert.IsXmlChar(letter) ? letter : '\uFFFD'));
+}

@@ -1,0 +1,85 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Gives points for pictures.</summary>
+/// <param name="rubric">What costs points.</param>
+internal sealed class Marker(Rubric rubric)
+{
+    /// <summary>Judges the pictures of a submission together.</summary>
+    /// <param name="student">The student.</param>
+    /// <param name="digest">Of what is judged.</param>
+    /// <param name="submitted">The pictures, one for each scene.</param>
+    /// <param name="notes">What else somebody must look at.</param>
+    public StudentMarks Mark(string student, string digest, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
+    {
+        List<ScenePicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged).Select(picture => new ScenePicture(picture.Scene, picture.Picture!))];
+        var diagnosis = JointDiagnosis.Of(pictures, rubric.Known);
+        SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
+        var verdict = diagnosis.Verdict;
+        return new(student, digest, Items(diagnosis, Told(pictures, diagnosis), pictures.Count), scenes, [.. verdict.Undone.InWords()],
+            [.. verdict.Wordings.Select(wording => wording.Id)], [.. notes, .. LookYourself(submitted, diagnosis)]);
+    }
+
+    /// <summary>The scenes whose pictures are explained: what shows in them and was not named is not wrong.</summary>
+    private static List<MarkedScene> Told(List<ScenePicture> pictures, JointDiagnosis diagnosis) =>
+        [.. pictures.Except(diagnosis.Unexplained).Select(picture => picture.Of)];
+
+    private List<ItemMarks> Items(JointDiagnosis diagnosis, List<MarkedScene> told, int judged)
+    {
+        var items = new List<ItemMarks>();
+        var isAllTold = judged == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
+        foreach (var item in rubric.Items)
+        {
+            var (lost, because) = Cost(item, diagnosis.Verdict);
+            var (least, most) = (lost, lost);
+            foreach (var alternative in diagnosis.Alternatives)
+            {
+                var (other, otherwise) = Cost(item, alternative);
+                (least, most) = (Math.Min(least, other), Math.Max(most, other));
+                if (other != lost) because = [.. because.Union(otherwise)];
+            }
+            if (!isAllTold && !Tells(told, item)) most = item.Points;
+            items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
+        }
+        return items;
+    }
+
+    /// <summary>Whether some scenes tell as much of an item as all together: each of its mistakes that shows in any of the scenes shows in one of these.</summary>
+    private bool Tells(List<MarkedScene> told, RubricItem item) =>
+        told.Count > 0 && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
+
+    /// <summary>What an item loses by a hypothesis, and by which of its mistakes.</summary>
+    private static (double Lost, string[] Because) Cost(RubricItem item, Hypothesis hypothesis)
+    {
+        var undone = hypothesis.Undone & item.Undone;
+        if (undone != 0) return (item.Points, [.. undone.InWords()]);
+        string[] mistakes = [.. hypothesis.Wordings.Select(wording => wording.Id).Intersect(item.Mistakes)];
+        return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
+    }
+
+    private static SceneMarks Judge(SubmittedPicture submitted, ScenePicture? picture, JointDiagnosis diagnosis)
+    {
+        var verdict = picture is null ? SceneVerdict.NoPicture
+            : picture.IsRight ? SceneVerdict.Right
+            : diagnosis.Unexplained.Contains(picture) ? SceneVerdict.Unexplained
+            : SceneVerdict.Explained;
+        var isShown = submitted.Picture is not null && verdict != SceneVerdict.Right;
+        return new(submitted.Scene.Name, verdict, submitted.Problem, picture?.WrongShare ?? 1,
+            isShown ? Thumbnail.Of(submitted.Picture!, Thumbnail.Seen).ToPng() : [],
+            isShown ? Thumbnail.Of(submitted.Picture!, Thumbnail.Tiny).Rgb : []);
+    }
+
+    private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
+    {
+        foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
+            yield return $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
+        if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many things make them so";
+        foreach (var picture in diagnosis.TellsNothing ? [] : diagnosis.Unexplained)
+            yield return $"{picture.Of.Name}: nothing explains this picture" + (diagnosis.Nearest is { } near && Names(near) != "" ? $" (nearest: {Names(near)})" : "");
+        foreach (var other in diagnosis.Alternatives)
+            if (rubric.Items.Any(item => Cost(item, other).Lost != Cost(item, diagnosis.Verdict).Lost))
+                yield return $"these scenes cannot tell {Names(diagnosis.Verdict)} from {Names(other)}";
+    }
+
+    private static string Names(Hypothesis hypothesis) => string.Join(" + ",
+        hypothesis.Undone.InWords().Select(part => $"no {part}").Concat(hypothesis.Wordings.Select(wording => wording.Id)));
+}

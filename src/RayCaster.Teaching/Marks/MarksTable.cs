@@ -1,0 +1,38 @@
+using System.Globalization;
+using System.Text;
+
+namespace RayCaster.Teaching;
+
+/// <summary>The marks as a table for a spreadsheet: CSV as RFC 4180 has it, with a decimal point.</summary>
+internal static class MarksTable
+{
+    /// <summary>A head and a line for each student. An item in doubt has a question mark.</summary>
+    public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
+    {
+        var text = new StringBuilder();
+        Append(text, ["student", "points", "open", "of", .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes", "right pictures"]);
+        foreach (var student in marks)
+            Append(text,
+            [
+                student.Student, Number(student.Points), Number(student.Open), Number(rubric.Points), .. student.Items.Select(Item),
+                string.Join("; ", student.LookYourself), string.Join(" ", student.NotDrawn), string.Join(" ", student.Mistakes),
+                $"{student.Scenes.Count(scene => scene.Verdict == SceneVerdict.Right)} of {student.Scenes.Count}",
+            ]);
+        return text.ToString();
+    }
+
+    /// <summary>A number of points as people write it.</summary>
+    public static string Number(double points) => points.ToString("0.##", CultureInfo.InvariantCulture);
+
+    /// <summary>An item's points; with a question mark and what it may come to where it is in doubt.</summary>
+    public static string Item(ItemMarks item) => item.Open > 0 ? $"{Number(item.Points)}?" : Number(item.Points);
+
+    private static void Append(StringBuilder text, IEnumerable<string> cells) => text.AppendJoin(',', cells.Select(Cell)).Append("\r\n");
+
+    /// <summary>A cell in quotes where it needs them. A spreadsheet would take what begins with = + - @ for a formula: a student's folder may be named so.</summary>
+    private static string Cell(string text)
+    {
+        if (text is ['=' or '+' or '-' or '@' or '\t' or '\r', ..]) text = "'" + text;
+        return text.AsSpan().ContainsAny(",\"\r\n") ? $"\"{text.Replace("\"", "\"\"")}\"" : text;
+    }
+}

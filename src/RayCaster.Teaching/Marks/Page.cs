@@ -1,0 +1,62 @@
+using System.Net;
+using System.Text;
+
+namespace RayCaster.Teaching;
+
+/// <summary>A page in one file, which needs no network: its pictures and its style are in it.</summary>
+/// <param name="title">What it is called.</param>
+internal sealed class Page(string title)
+{
+    private const string Style = """
+        body { font: 16px/1.5 system-ui, sans-serif; max-width: 64rem; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff; }
+        h1 { font-size: 1.5rem; } h2 { font-size: 1.2rem; margin-top: 2rem; }
+        table { border-collapse: collapse; width: 100%; } td, th { border-bottom: 1px solid #ddd; padding: .3rem .6rem; text-align: left; vertical-align: top; }
+        td.n, th.n { text-align: right; white-space: nowrap; } tr.lost td { background: #fff1ee; } tr.open td { background: #fff8dd; }
+        .small { color: #555; font-size: .9rem; } img { image-rendering: pixelated; }
+        .pair { position: relative; display: inline-block; line-height: 0; max-width: 100%; border: 1px solid #999; }
+        .pair img { max-width: 100%; } .pair img + img { position: absolute; left: 0; top: 0; clip-path: inset(0 0 0 var(--at, 50%)); }
+        .pair::after { content: ""; position: absolute; top: 0; bottom: 0; left: var(--at, 50%); border-left: 2px solid #fff; mix-blend-mode: difference; }
+        input[type=range] { display: block; width: 100%; max-width: 40rem; }
+        .tile { display: inline-block; margin: 0 1rem 1rem 0; vertical-align: top; max-width: 20rem; }
+        """;
+
+    private readonly StringBuilder body = new();
+
+    /// <summary>Adds what is HTML already.</summary>
+    public Page Html(string html)
+    {
+        body.Append(html).Append('\n');
+        return this;
+    }
+
+    /// <summary>Adds an element that holds text.</summary>
+    public Page Element(string name, string text, string? style = null) =>
+        Html($"<{name}{(style is null ? "" : $" class=\"{style}\"")}>{Escaped(text)}</{name}>");
+
+    /// <summary>Text that means itself, in an element and in an attribute.</summary>
+    public static string Escaped(string text) => WebUtility.HtmlEncode(text);
+
+    /// <summary>A picture that is in the page itself.</summary>
+    /// <param name="png">Its bytes.</param>
+    /// <param name="words">What it shows, for those who do not see it.</param>
+    public static string Image(byte[] png, string words) => $"<img alt=\"{Escaped(words)}\" src=\"data:image/png;base64,{Convert.ToBase64String(png)}\">";
+
+    /// <summary>The page.</summary>
+    public override string ToString() => $"""
+        <!DOCTYPE html>
+        <html lang="en">
+        <head>
+        <meta charset="utf-8">
+        <meta name="viewport" content="width=device-width">
+        <title>{Escaped(title)}</title>
+        <style>
+        {Style}
+        </style>
+        </head>
+        <body>
+        <h1>{Escaped(title)}</h1>
+        {body}</body>
+        </html>
+
+        """;
+}

@@ -1,0 +1,172 @@
+using System.ComponentModel;
+using System.Diagnostics;
+using System.Text;
+
+namespace RayCaster.Teaching;
+
+/// <summary>Runs a program that nobody vouches for, and ends it with all its processes when it goes too far.</summary>
+/// <param name="containment">What keeps it within bounds.</param>
+internal sealed class ProgramRunner(Containment containment)
+{
+    private const int Glance = 10; // milliseconds
+    private const int Rest = 100; // between two looks at the whole tree, unless processes become many
+    private const string Mark = "RAYCASTER_SUBMISSION"; // in the environment of all its processes
+    private const int TryAgain = 11; // EAGAIN: too many processes at the moment, perhaps another submission's
+    private static readonly TimeSpan patience = TimeSpan.FromSeconds(10);
+
+    /// <summary>Runs a command to its end, which comes soon after the time limit at the latest.</summary>
+    /// <param name="command">The program and its arguments.</param>
+    /// <param name="folder">Where it runs, and keeps its temporary files.</param>
+    /// <param name="limits">What it may use.</param>
+    /// <param name="time">How long it may take.</param>
+    /// <param name="cancellation">Ends it, too.</param>
+    public ProgramRun Run(IReadOnlyList<string> command, string folder, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
+    {
+        var wrapped = containment.Wrap(command, limits, time);
+        var start = new ProcessStartInfo(wrapped[0], wrapped.Skip(1))
+        {
+            WorkingDirectory = folder,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
+        var mark = Guid.NewGuid().ToString("N");
+        start.Environment[Mark] = mark;
+        foreach (var temporary in (ReadOnlySpan<string>)["TMPDIR", "TMP", "TEMP"]) start.Environment[temporary] = folder;
+        try
+        {
+            using var process = Start(start);
+            process.StandardInput.Close();
+            var printed = new PrintedText(process, limits.OutputBytes);
+            var end = Watch(process, printed, limits, time, cancellation);
+            End(process, mark);
+            printed.WaitForEnd(patience);
+            cancellation.ThrowIfCancellationRequested();
+            return new(end, end == ProgramEnd.Exited ? process.ExitCode : 0, printed.Text);
+        }
+        catch (Exception e) when (e is Win32Exception or IOException)
+        {
+            return new(ProgramEnd.NotStarted, 0, e.Message);
+        }
+    }
+
+    /// <summary>Starts a process, which waits while another submission's program is too many: that one ends soon.</summary>
+    private static Process Start(ProcessStartInfo start)
+    {
+        var since = Stopwatch.GetTimestamp();
+        while (true)
+        {
+            try
+            {
+                return Process.Start(start)!;
+            }
+            catch (Win32Exception e) when (e.NativeErrorCode == TryAgain && Stopwatch.GetElapsedTime(since) < patience)
+            {
+                Thread.Sleep(Glance);
+            }
+        }
+    }
+
+    /// <remarks>A program that multiplies doubles in milliseconds, so the number of all tasks is read often and the tree, which takes longer, seldom.</remarks>
+    private static ProgramEnd Watch(Process process, PrintedText printed, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
+    {
+        var start = Stopwatch.GetTimestamp();
+        var (tasks, looked) = (ProcessTree.TaskCount(), start);
+        while (!process.WaitForExit(Glance))
+        {
+            if (cancellation.IsCancellationRequested || Stopwatch.GetElapsedTime(start) > time) return ProgramEnd.OutOfTime;
+            if (printed.IsTooLong) return ProgramEnd.TooMuchOutput;
+            var now = ProcessTree.TaskCount();
+            if (now - tasks < limits.Processes && Stopwatch.GetElapsedTime(looked).TotalMilliseconds < Rest) continue;
+            var (processes, memory) = ProcessTree.Measure(process.Id);
+            if (processes > limits.Processes) return ProgramEnd.TooManyProcesses;
+            if (memory > limits.MemoryBytes) return ProgramEnd.TooMuchMemory;
+            (tasks, looked) = (now, Stopwatch.GetTimestamp());
+        }
+        return printed.IsTooLong ? ProgramEnd.TooMuchOutput : ProgramEnd.Exited;
+    }
+
+    /// <summary>Ends the process and what descends from it; also what has left its parent, as far as its environment still tells where it comes from.</summary>
+    private void End(Process process, string mark)
+    {
+        if (!process.HasExited)
+        {
+            process.Kill(entireProcessTree: !containment.HasOwnTree);
+            process.WaitForExit(patience);
+        }
+        if (containment.HasOwnTree) return;
+        var since = Stopwatch.GetTimestamp();
+        for (var found = true; found && Stopwatch.GetElapsedTime(since) < patience;)
+        {
+            found = false;
+            foreach (var id in ProcessTree.WithVariable(Mark, mark)) found |= KillOne(id);
+        }
+    }
+
+    private static bool KillOne(int id)
+    {
+        try
+        {
+            using var process = Process.GetProcessById(id);
+            process.Kill();
+            return true;
+        }
+        catch (Exception e) when (e is ArgumentException or InvalidOperationException or Win32Exception)
+        {
+            return false; // it has ended by itself
+        }
+    }
+
+    /// <summary>What a program prints: all of it is counted, its end is kept.</summary>
+    private sealed class PrintedText
+    {
+        private const int Kept = 2000; // characters
+
+        private readonly StringBuilder text = new();
+        private readonly long most;
+        private readonly Task reading;
+        private long length;
+
+        public PrintedText(Process process, long most)
+        {
+            this.most = most;
+            reading = Task.WhenAll(Read(process.StandardOutput.BaseStream), Read(process.StandardError.BaseStream));
+        }
+
+        public bool IsTooLong => Interlocked.Read(ref length) > most;
+
+        public string Text
+        {
+            get
+            {
+                lock (text) return PrintableText.Of(text.ToString().ReplaceLineEndings("\t")).Replace('\t', '\n').Trim();
+            }
+        }
+
+        /// <summary>Waits until nothing more comes; a process that has hidden may hold the pipe for ever.</summary>
+        public void WaitForEnd(TimeSpan time) => reading.Wait(time);
+
+        private async Task Read(Stream stream)
+        {
+            var bytes = new byte[1 << 16];
+            try
+            {
+                for (int count; (count = await stream.ReadAsync(bytes).ConfigureAwait(false)) > 0 && !IsTooLong;) Add(bytes.AsSpan(0, count));
+            }
+            catch (Exception e) when (e is IOException or ObjectDisposedException)
+            {
+                // The other end is gone.
+            }
+        }
+
+        private void Add(ReadOnlySpan<byte> bytes)
+        {
+            Interlocked.Add(ref length, bytes.Length);
+            lock (text)
+            {
+                text.Append(Encoding.UTF8.GetString(bytes));
+                if (text.Length > 2 * Kept) text.Remove(0, text.Length - Kept);
+            }
+        }
+    }
+}

@@ -1,0 +1,161 @@
+using System.Security.Cryptography;
+using System.Text;
+
+namespace RayCaster.Teaching;
+
+/// <summary>Makes a <see cref="Rubric"/> of a file, JSON as in a scene file, or says all that is wrong with it.</summary>
+public static class RubricReader
+{
+    /// <summary>The longest file, in bytes.</summary>
+    public const int MostBytes = 1 << 20;
+
+    /// <summary>The most pixels that a scene may have: mistakes show in small pictures, and there are many of them.</summary>
+    public const int MostPixels = 2_000_000;
+
+    private static readonly string[] places = ["{dir}", "{scene}", "{out}", "{name}"];
+
+    /// <summary>Reads a file and the scenes that it names.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="report">All that is wrong with it and its scenes, as text for people; empty if nothing is.</param>
+    /// <returns>The rubric, or null if there is an error.</returns>
+    public static Rubric? Read(string path, out string report)
+    {
+        try
+        {
+            if (!File.Exists(path))
+            {
+                report = $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
+                return null;
+            }
+            if (new FileInfo(path).Length <= MostBytes) return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(path) ?? "", out report);
+            report = FormattableString.Invariant($"{path}: error: the file is longer than {MostBytes:N0} bytes, which is the limit\n");
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            report = $"{path}: error: the file cannot be read: {e.Message}\n";
+        }
+        return null;
+    }
+
+    /// <summary>Reads a text.</summary>
+    /// <param name="utf8">The text.</param>
+    /// <param name="displayName">What messages call it.</param>
+    /// <param name="folder">Where the paths of scenes start.</param>
+    /// <param name="report">All that is wrong with it and its scenes.</param>
+    public static Rubric? Parse(byte[] utf8, string displayName, string folder, out string report)
+    {
+        var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        digest.AppendData(utf8);
+        var sceneReports = new StringBuilder();
+        var rubric = SceneReader.Parse(utf8, displayName, folder, "the rubric", o => ReadRubric(o, folder, digest, sceneReports), out var problems);
+        report = new SceneReading(null, problems).Report() + sceneReports;
+        return rubric;
+    }
+
+    /// <summary>Reads the outermost object; without text it describes the keys.</summary>
+    internal static Rubric? ReadRubric(SceneObject o, string folder, IncrementalHash digest, StringBuilder sceneReports)
+    {
+        o.OptionalText("$schema", "Where editors find the schema of rubrics; the program does not use it.");
+        var title = o.OptionalText("title", "What is marked, for the heads of pages.") ?? "Marks";
+        var files = o.Texts("scenes", "The scene files, an array of paths that start at the rubric's folder.", true);
+        var source = ReadSource(o);
+        var hint = o.OptionalChoice("hint", "How much of a hint the students' pages tell: what is to be seen, what to ask oneself, or nothing.",
+            "question", "symptom", "none");
+        var items = new List<RubricItem>();
+        foreach (var element in o.Objects("items", "What has points of its own, an array of items.")) items.Add(ReadItem(element, items));
+        o.Close();
+        if (o.Has("items") && items.Count == 0 && o.IsSound) o.Refuse("items", $" must hold at least one item");
+
+        var scenes = ReadScenes(o, files, folder, digest, sceneReports);
+        return !o.IsSound ? null : new(scenes, Convert.ToHexStringLower(digest.GetHashAndReset()))
+        {
+            Title = title,
+            Hint = hint switch { "question" => HintLevel.Question, "symptom" => HintLevel.Symptom, _ => null },
+            Items = items,
+            Source = source,
+        };
+    }
+
+    /// <summary>Reads an item; the mistakes of those before it are taken.</summary>
+    internal static RubricItem ReadItem(SceneObject o, IReadOnlyList<RubricItem> before)
+    {
+        var name = o.Text("name", "What the item is called.") ?? "";
+        var points = o.Positive("points", "What it is worth.");
+        var mistakes = o.Texts("mistakes", "The ids of the mistakes that cost points of it (docs/mistakes.md).", false);
+        var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", UndoneParts.Words)}.", false);
+        var each = o.Number("each", "What one of its mistakes costs; all of its points where it is left out.", Limits.Positive, points);
+        o.Close();
+        var ids = MistakeCatalog.All.Select(mistake => mistake.Id).ToArray();
+        for (var i = 0; i < mistakes.Count; i++)
+        {
+            if (!ids.Contains(mistakes[i]))
+                o.Refuse("mistakes", $" must be the id of a known mistake, but is \"{mistakes[i]}\"{Spelling.DidYouMean(mistakes[i], ids)}", i);
+            else if (before.FirstOrDefault(item => item.Mistakes.Contains(mistakes[i])) is { } other)
+                o.Refuse("mistakes", $" is {mistakes[i]}, which costs points of \"{other.Name}\" already: a mistake belongs to one item", i);
+        }
+        var parts = Undone.Nothing;
+        for (var i = 0; i < undone.Count; i++)
+        {
+            if (UndoneParts.Words.Contains(undone[i])) parts |= UndoneParts.Named(undone[i]);
+            else
+                o.Refuse("undone", $" must be one of {string.Join(", ", UndoneParts.Words)}, but is \"{undone[i]}\"{Spelling.DidYouMean(undone[i], UndoneParts.Words)}", i);
+        }
+        return new(name, points, each, mistakes, parts);
+    }
+
+    private static PictureSource ReadSource(SceneObject o)
+    {
+        var pictures = o.OptionalText("pictures", "The file of a picture in the submission's folder; {name} stands for the scene's name. Default: {name}.png, or {name}.ppm.");
+        var run = o.Texts("run", "The command that draws a picture, word by word; {dir} stands for the submission's folder, {scene} for the scene file, {out} for the picture to write.", false);
+        var build = o.Texts("build", "A command that is run once for each submission before; {dir} stands for its folder.", false);
+        var time = o.Number("timeLimit", "How long a picture may take, in seconds.", Limits.From(0.1, 3600), 20);
+        var buildTime = o.Number("buildTimeLimit", "How long building may take, in seconds.", Limits.From(0.1, 3600), 120);
+        var output = o.Number("outputLimit", "How much a program may print, and how large a file it writes may be, in megabytes.", Limits.From(0.1, 1024), 64);
+        var memory = o.Number("memoryLimit", "How much memory the processes of a program may hold together, in megabytes.", Limits.From(16, 1 << 20), 2048);
+        var processes = o.Whole("processLimit", "How many processes a program may be.", 1, 10_000, 100);
+        var network = o.OptionalChoice("network", "Whether programs may use the network, where that can be forbidden.", "none", "allowed") == "allowed";
+
+        if (pictures is not null && o.Has("run")) o.Refuse("pictures", $" and run exclude each other: the pictures are there, or a command draws them");
+        if (o.Has("build") && !o.Has("run")) o.Refuse("build", $" needs run: the command that draws a picture");
+        if (o.Has("run") && run.Count == 0 && o.IsSound) o.Refuse("run", $" must begin with a program");
+        if (run.Count > 0)
+            foreach (var needed in (ReadOnlySpan<string>)["{scene}", "{out}"])
+                if (!run.Any(word => word.Contains(needed))) o.Refuse("run", $" must say where {needed} goes");
+        RefuseUnknownPlaces(o, "run", run);
+        RefuseUnknownPlaces(o, "build", build);
+        const double megabyte = 1e6;
+        var limits = o.IsSound
+            ? new ProgramLimits(TimeSpan.FromSeconds(time), TimeSpan.FromSeconds(buildTime), (long)(output * megabyte), (long)(memory * megabyte), processes, network)
+            : new(default, default, 0, 0, 0, false);
+        return new(pictures ?? "{name}.png", build, run, limits);
+    }
+
+    private static void RefuseUnknownPlaces(SceneObject o, string key, IReadOnlyList<string> words)
+    {
+        for (var i = 0; i < words.Count; i++)
+            if (words[i] is ['{', .., '}'] && !places.Contains(words[i]))
+                o.Refuse(key, $" must be one of {string.Join(", ", places)} or a word, but is \"{words[i]}\"{Spelling.DidYouMean(words[i], places)}", i);
+    }
+
+    private static List<MarkedScene> ReadScenes(SceneObject o, IReadOnlyList<string> files, string folder, IncrementalHash digest, StringBuilder reports)
+    {
+        var scenes = new List<MarkedScene>();
+        if (o.Has("scenes") && files.Count == 0 && o.IsSound) o.Refuse("scenes", $" must name at least one scene file");
+        for (var i = 0; i < files.Count; i++)
+        {
+            var path = Path.Combine(folder, files[i].Replace('\\', '/'));
+            var name = Path.GetFileNameWithoutExtension(path);
+            var reading = SceneReader.Read(path, look: text => digest.AppendData(text));
+            reports.Append(reading.Report());
+            if (scenes.Exists(other => other.Name == name))
+                o.Refuse("scenes", $" has a second scene that is called {name}: pictures are named after their scenes", i);
+            if (reading.Scene is not { } scene)
+                o.Refuse("scenes", $" cannot be used: {files[i]} has errors", i);
+            else if ((long)scene.Camera.Width * scene.Camera.Height > MostPixels)
+                o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MostPixels} in all", i);
+            else
+                scenes.Add(new(name, Path.GetFullPath(path), scene));
+        }
+        return scenes;
+    }
+}

@@ -1,0 +1,30 @@
+using System.Text;
+
+namespace RayCaster.Teaching;
+
+/// <summary>What a rubric is good for, in words for a teacher.</summary>
+public static class RubricReport
+{
+    /// <summary>What holds students' programs on this machine.</summary>
+    public static string HeldBy => Containment.Here.InWords;
+
+    /// <summary>Lines of text: items and points, and which of their mistakes none of the scenes can show.</summary>
+    public static string Text(Rubric rubric)
+    {
+        var text = new StringBuilder();
+        text.AppendLine($"{rubric.Title}: {rubric.Items.Count} items, {MarksTable.Number(rubric.Points)} points, {rubric.Scenes.Count} scenes.");
+        var hidden = false;
+        foreach (var item in rubric.Items)
+        {
+            string[] unseen = [.. item.Mistakes.Where(mistake => !rubric.Scenes.Any(scene => scene.Shows(mistake)))];
+            hidden |= unseen.Length > 0;
+            text.AppendLine($"  {MarksTable.Number(item.Points),4}  {item.Name}{(unseen.Length > 0 ? $"; no scene shows {string.Join(", ", unseen)}" : "")}");
+        }
+        string[] free = [.. MistakeCatalog.All.Where(mistake => rubric.ItemOf(mistake.Id) is null).Select(mistake => mistake.Id)];
+        if (free.Length > 0) text.AppendLine($"These mistakes cost nothing: {string.Join(", ", free)}.");
+        text.AppendLine(hidden
+            ? "What no scene shows costs nobody anything: \"raycaster check\" says what to change in a scene."
+            : "Each mistake of an item shows in one of the scenes at least.");
+        return text.ToString();
+    }
+}

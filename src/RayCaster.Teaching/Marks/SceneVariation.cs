@@ -1,0 +1,110 @@
+using System.Globalization;
+using System.Security.Cryptography;
+using System.Text;
+using System.Text.Json;
+
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// A scene with other numbers and the same look: space is warped a little, axis by axis, and radii grow or shrink a little. Order is kept along each
+/// axis, and what was equal stays equal: a box still stands on its floor, and a camera that was level with a face still is.
+/// </summary>
+/// <remarks>Only the numbers of the text are replaced, so that comments and layout stay as they are.</remarks>
+public sealed class SceneVariation
+{
+    private const int MostTries = 16;
+
+    /// <summary>How far things move, as a share of the distance from camera to target; half as far after some tries.</summary>
+    private const double Amplitude = 0.035;
+
+    /// <summary>By how much a radius changes, at most.</summary>
+    private const double Growth = 0.08;
+
+    private const int TriesOfOneAmplitude = 4;
+
+    private static readonly string[] cameraPoints = ["position", "target"];
+    private static readonly string[] modelPoints = ["point", "center", "min", "max", "a", "b", "c", "translate"];
+
+    private readonly JsonTree tree;
+    private readonly Axis[] axes;
+    private readonly double growth;
+    private readonly byte[] seed;
+    private readonly int decimals;
+    private readonly List<(int Start, int End, string Text)> edits = [];
+
+    private SceneVariation(JsonTree tree, double distance, string seed, double amplitude)
+    {
+        this.tree = tree;
+        this.seed = SHA256.HashData(Encoding.UTF8.GetBytes(seed));
+        axes = [Axis.Of(distance, amplitude, this.seed, 0), Axis.Of(distance, amplitude, this.seed, 8), Axis.Of(distance, amplitude, this.seed, 16)];
+        growth = Growth * amplitude / Amplitude;
+        decimals = Math.Clamp(4 - (int)Math.Floor(Math.Log10(distance / 10)), 0, 15);
+    }
+
+    /// <summary>Varies a scene; tries until the variation shows every mistake that the scene shows.</summary>
+    /// <param name="utf8">The scene's text, without errors.</param>
+    /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <param name="seed">Whose scene it is to be: the same seed gives the same scene.</param>
+    /// <returns>The text; null if no try does.</returns>
+    public static byte[]? Of(byte[] utf8, string folder, string seed)
+    {
+        if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
+        var mark = utf8.AsSpan().StartsWith(Encodings.Utf8Mark) ? Encodings.Utf8Mark.Length : 0;
+        if (JsonTree.Parse(new SourceText("", utf8.AsMemory(mark)), out _) is not { } tree) return null;
+        var hidden = HiddenIn(scene);
+        var distance = (scene.Camera.Target - scene.Camera.Position).Length;
+        for (var attempt = 0; attempt < MostTries; attempt++)
+        {
+            var amplitude = Amplitude / (1 << attempt / TriesOfOneAmplitude);
+            var text = new SceneVariation(tree, distance, $"{seed}\n{attempt}", amplitude).Text();
+            if (SceneReader.Parse(text, "", folder) is { Scene: { } varied, Problems.Count: 0 } && HiddenIn(varied).IsSubsetOf(hidden)) return text;
+        }
+        return null;
+    }
+
+    private static HashSet<string> HiddenIn(Scene scene) =>
+        SceneFitness.CanJudge(scene) ? [.. SceneFitness.Of([scene]).Hidden.Select(mistake => mistake.Id)] : [];
+
+    private byte[] Text()
+    {
+        if (tree.Root.Find("camera") is { } camera) Warp(camera, cameraPoints);
+        foreach (var model in tree.Root.Find("models") is { } models ? models.Content : []) Warp(model, modelPoints);
+        edits.Sort();
+        var text = new List<byte>();
+        var from = 0;
+        foreach (var (start, end, number) in edits)
+        {
+            text.AddRange(tree.Text.Utf8[from..start]);
+            text.AddRange(Encoding.ASCII.GetBytes(number));
+            from = end;
+        }
+        text.AddRange(tree.Text.Utf8[from..]);
+        return [.. text];
+    }
+
+    private void Warp(JsonValue o, string[] points)
+    {
+        foreach (var point in points)
+        {
+            if (o.Find(point) is not { Kind: JsonTokenType.StartArray } vector || !vector.IsOfThree(out var x, out var y, out var z)) continue;
+            Replace(x, axes[0].Warp(x.Number));
+            Replace(y, axes[1].Warp(y.Number));
+            Replace(z, axes[2].Warp(z.Number));
+        }
+        if (o.Find("radius") is { Kind: JsonTokenType.Number } radius) Replace(radius, radius.Number * (1 + growth * Math.Sin(1e3 * radius.Number + seed[24])));
+    }
+
+    private void Replace(JsonValue number, double by) =>
+        edits.Add((number.Start, number.End, Math.Round(by, decimals).ToString("0.###############", CultureInfo.InvariantCulture)));
+
+    /// <summary>How an axis is warped: x + A sin(k x + φ) with A k less than 1, so that it grows everywhere.</summary>
+    private readonly record struct Axis(double A, double K, double Phase)
+    {
+        public static Axis Of(double distance, double amplitude, byte[] seed, int at) => new(
+            amplitude * distance,
+            2 * Math.PI / (distance * (1 + seed[at] / 255.0)),
+            2 * Math.PI * BitConverter.ToUInt16(seed, at + 2) / 65536);
+
+        public double Warp(double x) => x + A * Math.Sin(K * x + Phase);
+    }
+}

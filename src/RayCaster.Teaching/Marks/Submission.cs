@@ -1,0 +1,70 @@
+using System.Security.Cryptography;
+using System.Text;
+
+namespace RayCaster.Teaching;
+
+/// <summary>What a student has handed in: a folder that is named after the student.</summary>
+/// <param name="Folder">The folder, as a full path.</param>
+internal sealed record Submission(string Folder)
+{
+    /// <summary>What building leaves behind, and what is not the student's work.</summary>
+    private static readonly string[] leftOut = ["bin", "obj", "node_modules"];
+
+    private static readonly EnumerationOptions files = new() { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.ReparsePoint, MaxRecursionDepth = 32 };
+
+    /// <summary>The student's name: that of the folder.</summary>
+    public string Student => Path.GetFileName(Folder);
+
+    /// <summary>The submissions in a folder, one in each folder in it, in the order of their names.</summary>
+    /// <exception cref="PictureFileException">The folder cannot be listed.</exception>
+    public static IReadOnlyList<Submission> In(string folder)
+    {
+        try
+        {
+            return
+            [
+                .. Directory.EnumerateDirectories(Path.GetFullPath(folder)).Where(path => !Path.GetFileName(path).StartsWith('.'))
+                    .Order(StringComparer.Ordinal).Select(path => new Submission(path)),
+            ];
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            throw new PictureFileException($"cannot read the folder of submissions {folder}: {PictureFileException.Reason(e)}", e);
+        }
+    }
+
+    /// <summary>A number that changes when a file of the submission does, by its name, its length or its time; what building leaves is not counted.</summary>
+    public string Digest()
+    {
+        var text = new StringBuilder();
+        foreach (var (path, state) in State(Folder).Where(file => !IsLeftOut(file.Path)).OrderBy(file => file.Path, StringComparer.Ordinal))
+            text.Append(Path.GetRelativePath(Folder, path)).Append('|').Append(state).Append('\n');
+        return Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text.ToString())));
+    }
+
+    /// <summary>The files below a folder, each with what shows that it was changed.</summary>
+    public static IEnumerable<(string Path, string State)> State(string folder)
+    {
+        using var found = Directory.EnumerateFiles(folder, "*", files).GetEnumerator();
+        while (HasNext(found))
+        {
+            var file = new FileInfo(found.Current);
+            yield return (found.Current, file.Exists ? $"{file.Length} {file.LastWriteTimeUtc.Ticks}" : "");
+        }
+    }
+
+    private static bool HasNext(IEnumerator<string> found)
+    {
+        try
+        {
+            return found.MoveNext();
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            return false; // a folder went while it was listed
+        }
+    }
+
+    private bool IsLeftOut(string path) =>
+        Path.GetRelativePath(Folder, path).Split(Path.DirectorySeparatorChar).Any(part => leftOut.Contains(part) || (part.StartsWith('.') && part.Length > 1));
+}

@@ -1,0 +1,75 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Comes by the pictures of a submission: finds them in its folder, or has its program draw them.</summary>
+/// <param name="rubric">What says how.</param>
+/// <param name="runner">Runs programs.</param>
+internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
+{
+    private const int Quoted = 200; // characters of what a program printed
+
+    /// <summary>A program that had to be ended for so many scenes one after another is not run for the others, or it would take hours.</summary>
+    private const int Patience = 2;
+
+    /// <summary>The pictures, one for each scene of the rubric. Whatever the program does, it comes to a picture or to words.</summary>
+    public IReadOnlyList<SubmittedPicture> Pictures(Submission submission, CancellationToken cancellation)
+    {
+        var source = rubric.Source;
+        if (source.Run.Count == 0) return [.. rubric.Scenes.Select(scene => Find(submission, scene))];
+        if (source.Build.Count > 0 && Build(submission, cancellation) is { } problem)
+            return [.. rubric.Scenes.Select(scene => new SubmittedPicture(scene, null, problem))];
+        var pictures = new List<SubmittedPicture>();
+        var ended = 0; // runs that had to be ended one after another
+        foreach (var scene in rubric.Scenes)
+        {
+            if (ended == Patience)
+            {
+                pictures.Add(new(scene, null, "not run: the program had to be ended for the scenes before"));
+                continue;
+            }
+            pictures.Add(Draw(submission, scene, cancellation, out var isEnded));
+            ended = isEnded ? ended + 1 : 0;
+        }
+        return pictures;
+    }
+
+    private SubmittedPicture Find(Submission submission, MarkedScene scene)
+    {
+        var path = Path.Combine(submission.Folder, rubric.Source.Pictures.Replace("{name}", scene.Name));
+        if (!File.Exists(path) && Path.ChangeExtension(path, ".ppm") is var other && File.Exists(other)) path = other;
+        return SubmittedPicture.Read(scene, path, File.Exists(path) ? null : $"no picture {Path.GetRelativePath(submission.Folder, path)}");
+    }
+
+    private string? Build(Submission submission, CancellationToken cancellation)
+    {
+        using var folder = new WorkFolder();
+        var (source, limits) = (rubric.Source, rubric.Source.Limits);
+        var run = runner.Run(Words(source.Build, submission, null, ""), submission.Folder, limits, limits.BuildTime, cancellation);
+        return run.IsDone ? null : $"it does not build: {run.InWords(limits, limits.BuildTime)}{Quote(run)}";
+    }
+
+    private SubmittedPicture Draw(Submission submission, MarkedScene scene, CancellationToken cancellation, out bool isEnded)
+    {
+        using var folder = new WorkFolder(); // a fresh one, so that no picture is that of another scene
+        var limits = rubric.Source.Limits;
+        var output = Path.Combine(folder.Path, scene.Name + ".png");
+        var run = runner.Run(Words(rubric.Source.Run, submission, scene, output), folder.Path, limits, limits.Time, cancellation);
+        isEnded = run.End is not (ProgramEnd.Exited or ProgramEnd.NotStarted);
+        if (!File.Exists(output) && Path.ChangeExtension(output, ".ppm") is var other && File.Exists(other)) output = other;
+        var note = run.IsDone ? null : run.InWords(limits, limits.Time) + Quote(run);
+        if (run.End != ProgramEnd.Exited) return new(scene, null, note); // what it has written may be half a picture
+        return SubmittedPicture.Read(scene, output, note ?? (File.Exists(output) ? null : "it wrote no picture" + Quote(run)));
+    }
+
+    private static string[] Words(IReadOnlyList<string> command, Submission submission, MarkedScene? scene, string output) =>
+    [
+        .. command.Select(word => word.Replace("{dir}", submission.Folder).Replace("{scene}", scene?.Path).Replace("{out}", output)
+            .Replace("{name}", scene?.Name)),
+    ];
+
+    private static string Quote(ProgramRun run)
+    {
+        if (run.Printed.Length == 0 || run.End == ProgramEnd.NotStarted) return "";
+        var text = run.Printed.Length > Quoted ? "… " + run.Printed[^Quoted..] : run.Printed;
+        return $"; it printed: {text.ReplaceLineEndings(" / ")}";
+    }
+}

@@ -1,0 +1,46 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Makes pictures small for pages: each pixel is the mean of those that it stands for.</summary>
+internal static class Thumbnail
+{
+    /// <summary>The longer side of a picture that is looked at, and of one that is only compared.</summary>
+    public const int Seen = 120, Tiny = 16;
+
+    /// <summary>A picture with a longer side of so many pixels; itself where it is smaller.</summary>
+    public static Picture Of(Picture picture, int side)
+    {
+        var longer = Math.Max(picture.Width, picture.Height);
+        if (longer <= side) return picture;
+        var small = new Picture(Math.Max(1, picture.Width * side / longer), Math.Max(1, picture.Height * side / longer));
+        for (var y = 0; y < small.Height; y++)
+            for (var x = 0; x < small.Width; x++)
+                small[x, y] = Mean(picture, Range(x, small.Width, picture.Width), Range(y, small.Height, picture.Height));
+        return small;
+    }
+
+    /// <summary>The bytes of a PNG file.</summary>
+    public static byte[] ToPng(this Picture picture)
+    {
+        using var bytes = new MemoryStream();
+        using (var writer = PictureWriter.Create(PictureFormat.Png, bytes, picture.Width, picture.Height))
+        {
+            writer.WriteRows(picture.Rgb);
+            writer.Finish();
+        }
+        return bytes.ToArray();
+    }
+
+    private static (int From, int To) Range(int i, int small, int large) => ((int)((long)i * large / small), (int)((i + 1L) * large / small));
+
+    private static (byte, byte, byte) Mean(Picture picture, (int From, int To) columns, (int From, int To) lines)
+    {
+        var (r, g, b, count) = (0, 0, 0, 0);
+        for (var y = lines.From; y < lines.To; y++)
+            for (var x = columns.From; x < columns.To; x++)
+            {
+                var pixel = picture[x, y];
+                (r, g, b, count) = (r + pixel.R, g + pixel.G, b + pixel.B, count + 1);
+            }
+        return ((byte)(r / count), (byte)(g / count), (byte)(b / count));
+    }
+}

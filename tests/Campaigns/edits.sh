@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# What is read is what draws: edits lines that README shows, one at a time, in a copy of the project, builds, draws scenes/room.json, and wants the picture
+# or a message to change.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+export DOTNET_NOLOGO=1
+unset Strict # an edit may leave a variable unused
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+git ls-files -z src scenes tests/References Directory.Build.props global.json .editorconfig | tar --null -T - -cf - | tar -xf - -C "$copy"
+cd "$copy"
+passed=0 failed=0
+
+draw() { # prints the message, if there is one; the picture is new.png
+    dotnet build src/RayCaster.Cli -v quiet --no-restore >build.txt 2>&1 || { cat build.txt; echo "does not build"; return 1; }
+    rm -f new.png
+    dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll scenes/room.json -o new.png 2>&1 | grep -v 'million rays' || true
+}
+
+edit() { # name, file, sed expression
+    cp "$2" kept.cs
+    sed -i "$3" "$2"
+    if cmp -s "$2" kept.cs; then echo "FAILED $1: the edit changes nothing in $2"; failed=$((failed + 1)); return; fi
+    local message
+    message=$(draw) || true
+    if [ -n "$message" ] || ! cmp -s new.png right.png; then
+        passed=$((passed + 1)); echo "ok     $1 ${message:+($message)}"
+    else
+        failed=$((failed + 1)); echo "FAILED $1: $2 was changed, the picture and the messages were not"
+    fi
+    cp kept.cs "$2"
+}
+
+dotnet restore src/RayCaster.Cli -v quiet
+message=$(draw)
+[ -z "$message" ] || { echo "unchanged, and yet: $message"; exit 1; }
+mv new.png right.png
+
+course=src/RayCaster
+edit "upside down"               $course/Rendering/ScalarRenderer.cs 's/scene.Camera.Height - 1 - (top + y)/top + y/'
+edit "the last hit wins"         $course/Camera/Ray.cs               's/ || IsNearer<Scalar>(t, HitParameter).Value == 0//'
+edit "the farthest hit wins"     $course/Camera/Ray.cs               's/=> t < nearest;/=> t > nearest;/'
+edit "half the light"            $course/Rendering/Scene.cs          's/: Attenuation<Scalar>(t) \* model.Color/: 0.5 * Attenuation<Scalar>(t) * model.Color/'
+edit "attenuation"               $course/Rendering/Scene.cs          's|1 - t / Camera.Reach|1 - t / (2 * Camera.Reach)|'
+edit "red and blue swapped"      $course/Models/Color.cs             's/(ToByte(R), ToByte(G), ToByte(B))/(ToByte(B), ToByte(G), ToByte(R))/'
+edit "colour times number"       $course/Models/Color.cs             's/attenuation \* color.G/color.G/'
+edit "truncated, not rounded"    $course/Models/Color.cs             's/ \* 255 + 0.5/ * 255/'
+edit "the picture's indexer"     $course/Rendering/Picture.cs        's/(Rgb\[i\], Rgb\[i + 1\], Rgb\[i + 2\]) = value/(Rgb[i + 2], Rgb[i + 1], Rgb[i]) = value/'
+edit "h without the 2"           $course/Camera/Camera.cs            's/PlaneHeight = 2 \* Math.Tan/PlaneHeight = Math.Tan/'
+edit "the ray of a pixel"        $course/Camera/Camera.cs            's/Direction<Scalar>(column, row);/Direction<Scalar>(column, row + 1);/'
+edit "the clip range"            $course/Camera/ClipRange.cs         's/(z >= zNear) &/(z <= zNear) \&/'
+edit "dot product"               $course/Mathematics/Vector3OfN.cs   's/a.X \* b.X + a.Y \* b.Y/a.X * b.X - a.Y * b.Y/'
+edit "cross product"             $course/Mathematics/Vector3.cs      's/a.Y \* b.Z - a.Z \* b.Y/a.Y * b.Z + a.Z * b.Y/'
+edit "plane"                     $course/Models/Plane.cs             's/(Point - ray.Origin) \* Normal/(ray.Origin - Point) * Normal/'
+edit "sphere"                    $course/Models/Sphere.cs            's/Radius \* Radius - D \* D/Radius - D * D/'
+edit "box"                       $course/Models/Aabb.cs              's/var hit = tMin <= tMax/var hit = tMin >= tMax/'
+edit "circle"                    $course/Models/Circle.cs            's/Radius \* Radius/Radius/'
+edit "triangle"                  $course/Models/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
+edit "the models' first hit"     $course/Models/Model.cs             's/ray.Clip.First<Scalar>(crossings, ray.ZPerT)/0.5 * ray.Clip.First<Scalar>(crossings, ray.ZPerT)/'
+edit "the scene's reader"        src/RayCaster.Files/SceneFiles/SceneReader.cs 's/"width"/"wide"/'
+edit "the picture's writer"      src/RayCaster.Files/PictureFiles/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

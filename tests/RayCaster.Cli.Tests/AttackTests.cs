@@ -1,0 +1,192 @@
+namespace RayCaster.Cli.Tests;
+
+/// <summary>What somebody may do to the program from outside: odd names, odd folders, odd inputs. It answers in a line, with exit code 2, and destroys nothing.</summary>
+public sealed class AttackTests : IDisposable
+{
+    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
+
+    private readonly RayCasterProcess raycaster = new();
+
+    public void Dispose() => raycaster.Dispose();
+
+    [Theory]
+    [InlineData("stitch", "", "-o", "x.png")]
+    [InlineData("sheet", "", "-o", "x.png")]
+    [InlineData("animate", "", "-o", "x.png")]
+    [InlineData("compare", "a.png", "")]
+    [InlineData("compare", "-o", "", "a.png", "a.png")]
+    [InlineData("orbit", "--frames", "2", "")]
+    [InlineData("")]
+    public void AnEmptyName(params string[] arguments)
+    {
+        raycaster.Run(arguments);
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.Matches("^raycaster: (a name is empty: it names no file|option '--output' needs a value, but an empty one is given)\n", raycaster.Error);
+    }
+
+    [Theory]
+    [InlineData("a\nraycaster: all is well.json", "U+000A")]
+    [InlineData("a\r.json", "U+000D")]
+    [InlineData("a\u202Egnp.json", "U+202E")]
+    [InlineData("a\u2028b.json", "U+2028")]
+    public void ANameThatCouldForgeALine(string name, string shown)
+    {
+        if (!OperatingSystem.IsWindows()) raycaster.Write(name, "{}");
+        foreach (var arguments in (string[][])[[name], ["check", name], ["compare", name, name], [Room, "-s", "9x9", "-o", name]])
+        {
+            raycaster.Run(arguments);
+            Assert.Equal(2, raycaster.ExitCode);
+            Assert.Matches($"^raycaster: '[^\n\r\u202E\u2028]+' holds the invisible character {shown.Replace("+", "\\+")}[^\n\r]+\n$", raycaster.Error);
+        }
+    }
+
+    [Fact]
+    public void SuchANameInAFolderOfFrames()
+    {
+        if (OperatingSystem.IsWindows()) return; // has no such names
+        Directory.CreateDirectory(raycaster.PathOf("frames"));
+        raycaster.Write("frames/a\nb.png", "x").Run("sheet", "frames", "-o", "x.png");
+        Assert.Equal((2, "raycaster: 'a\uFFFDb.png' holds the invisible character U+000A: rename the file, or type the name anew if it was copied\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
+    public void ANameThatIsNotUtf8()
+    {
+        if (!OperatingSystem.IsLinux()) return; // names are text elsewhere
+        raycaster.RunInShell("touch \"$(printf 'a\\377.json')\"; raycaster \"$(printf 'a\\377.json')\"");
+        Assert.Equal((2, "raycaster: the name 'a\uFFFD.json' is not UTF-8: rename the file\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
+    public void AModelsNameForgesNoLine()
+    {
+        raycaster.Write("a.json", """
+            { "camera": { "position": [9, 0, 0], "target": [0, 0, 0], "width": 9, "height": 9 },
+              "models": [ { "type": "sphere", "center": [0, 0, 0], "radius": 2, "name": "ball\r\nNothing odd\u202Edne\u001B[2J" } ] }
+            """);
+        foreach (var arguments in (string[][])[["a.json", "--ledger"], ["explain", "a.json", "4", "4"], ["explain", "a.json", "4", "4", "--json"]])
+        {
+            raycaster.Run(arguments);
+            Assert.Equal(0, raycaster.ExitCode);
+            foreach (var text in (string[])[raycaster.Error, raycaster.OutputText])
+            {
+                Assert.DoesNotMatch("[\r\u202E\u001B]", text);
+                Assert.DoesNotContain("\nNothing odd\uFFFD", text);
+            }
+        }
+    }
+
+    [Fact]
+    public void APipeWhereAFileIsNeeded()
+    {
+        if (OperatingSystem.IsWindows()) return; // no sh there
+        foreach (var command in (string[])["sheet", "animate"])
+        {
+            raycaster.RunInShell($"raycaster -q '{Room}' -s 9x9 -o a.png; cat a.png | raycaster {command} /dev/stdin -o x.png");
+            Assert.Equal((2, "raycaster: cannot read /dev/stdin: it is a pipe or a device; name a file\n"), (raycaster.ExitCode, raycaster.Error));
+        }
+    }
+
+    [Fact]
+    public void AFolderThatMayNotBeListed()
+    {
+        if (OperatingSystem.IsWindows() || Environment.IsPrivilegedProcess) return; // who may do all
+        Directory.CreateDirectory(raycaster.PathOf("locked"), UnixFileMode.UserWrite | UnixFileMode.UserExecute);
+        raycaster.Run("stitch", "locked", "-o", "x.png");
+        Assert.Equal((2, "raycaster: cannot list the folder locked: you may not read it\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
+    public void ACurrentFolderThatIsGone()
+    {
+        if (OperatingSystem.IsWindows()) return; // where it cannot go
+        raycaster.RunInShell("mkdir gone; cd gone; rmdir ../gone; raycaster nosuch.json");
+        Assert.Equal((2, "raycaster: the folder in which it runs is gone\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
+    public void StandardInputThatIsClosed()
+    {
+        if (OperatingSystem.IsWindows()) return; // no sh there
+        raycaster.RunInShell("raycaster check - <&-");
+        Assert.Equal((2, "raycaster: the scene is to be read from standard input, but that is closed\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    /// <summary>Neither by its name nor by another way to its folder, and whichever command it is.</summary>
+    [Theory]
+    [InlineData("t.json -o t.json --format png")]
+    [InlineData("t.json -o link/t.json --format png")]
+    [InlineData("t.json -o cube.obj --format ppm")]
+    [InlineData("t.json --rows 0..3 -o t.json --format png")]
+    [InlineData("compare a.png a.png -o link/a.png")]
+    [InlineData("compare a.png a.png --scene t.json -o a.png")]
+    [InlineData("sheet a.png -o link/a.png")]
+    [InlineData("animate a.png -o ./a.png")]
+    [InlineData("stitch a.png -o a.png")]
+    public void WhatIsReadIsNotReplaced(string arguments)
+    {
+        if (OperatingSystem.IsWindows()) return; // links need rights there
+        raycaster.Write("cube.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+        raycaster.Write("t.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [ { "type": "mesh", "file": "cube.obj" } ] }""");
+        Directory.CreateSymbolicLink(raycaster.PathOf("link"), raycaster.Folder);
+        raycaster.Run("t.json", "-s", "8x8", "--rows", "0..7", "-o", "a.png", "-q");
+        var before = Content();
+        raycaster.Run(arguments.Split(' '));
+        Assert.Equal(2, raycaster.ExitCode);
+        Assert.Contains(" is one of the files that are read\n  Choose another name with -o.\n", raycaster.Error);
+        Assert.Equal(before, Content());
+
+        string[] Content() => [.. Directory.GetFiles(raycaster.Folder).Order().Select(file => file + Convert.ToHexString(File.ReadAllBytes(file)))];
+    }
+
+    [Fact]
+    public void AFullDiskIsNotTheFramesFault()
+    {
+        if (!OperatingSystem.IsLinux()) return;
+        raycaster.Run("orbit", Room, "--frames", "3", "-s", "300x300", "-q");
+        raycaster.RunInShell($"unshare -m true 2>/dev/null || exit 77; unshare -m sh -c 'mkdir -p disk; mount -t tmpfs -o size=8k none disk && \"{RayCasterProcess.App}\" animate room-0000.png room-0001.png room-0002.png -o disk/film.png'");
+        if (raycaster.ExitCode == 77) return; // one may not mount
+        Assert.Equal((2, "raycaster: cannot write disk/film.png: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
+    public void APictureThatDoesNotSayWhatItIsIsDrawnAnewWithAReason()
+    {
+        raycaster.Run(Room, "-s", "9x9", "-q").Run(Room, "-s", "9x9", "--resume");
+        Assert.StartsWith("room.png is drawn anew: it does not say which scene it shows, as pictures do that are drawn with --rows or --resume\n", raycaster.Error);
+        raycaster.Run(Room, "-s", "9x9", "--resume");
+        Assert.Equal("room.png: there already\n", raycaster.Error);
+    }
+
+    /// <summary>A filter a mesh and thread would take gigabytes here.</summary>
+    [Fact]
+    public void AThousandMeshesFitIntoLittleMemory()
+    {
+        if (OperatingSystem.IsWindows()) return; // no sh there
+        raycaster.Write("cube.obj", "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+        var random = new Random(1);
+        var models = string.Join(",\n", Enumerable.Range(0, 1000).Select(_ => FormattableString.Invariant(
+            $$"""{ "type": "mesh", "file": "cube.obj", "translate": [{{random.Next(-8, 8)}}, {{random.Next(-8, 8)}}, {{random.Next(-8, 8)}}] }""")));
+        raycaster.Write("many.json", $$"""{ "camera": { "position": [30, 0, 0], "target": [0, 0, 0], "width": 1000, "height": 1000 }, "models": [ {{models}} ] }""");
+        raycaster.RunInShell($"export DOTNET_GCHeapHardLimit={100 << 20:x}; raycaster many.json -t 8 -q");
+        Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Theory]
+    [InlineData("100000x1")]
+    [InlineData("1x100000")]
+    public void TheLedgerOfAPictureOfOneLine(string size)
+    {
+        raycaster.Run(Room, "-s", size, "--ledger", "-o", "line.png");
+        Assert.DoesNotContain("0 of 0 rays", raycaster.Error);
+        Assert.Matches("What became of", raycaster.Error);
+    }
+
+    [Fact]
+    public void AnAngleInRadiansIsNotExplainedByNearness()
+    {
+        raycaster.Write("room.json", File.ReadAllText(Room).Replace("\"fovY\": 45", "\"fovY\": 0.785"));
+        raycaster.Run("room.json", "-s", "20x20", "--ledger");
+        Assert.DoesNotContain("so near", raycaster.Error);
+    }
+}

@@ -1,0 +1,140 @@
+using System.Diagnostics;
+
+namespace RayCaster.Cli.Tests;
+
+/// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says what there is of its work.</summary>
+public sealed class InterruptionTests : IDisposable
+{
+    private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
+
+    private readonly RayCasterProcess raycaster = new();
+
+    public void Dispose() => raycaster.Dispose();
+
+    [Theory]
+    [InlineData("INT", 130, "compare room.png PIPE")]
+    [InlineData("TERM", 143, "compare PIPE room.png")]
+    [InlineData("HUP", 129, "diagnose ROOM PIPE")]
+    [InlineData("INT", 130, "explain ROOM 1 1 --reference PIPE")]
+    [InlineData("TERM", 143, "sheet PIPE -o sheet.png")]
+    [InlineData("INT", 130, "animate PIPE -o film.png")]
+    [InlineData("HUP", 129, "stitch PIPE -o whole.png")]
+    [InlineData("INT", 130, "orbit ROOM --frames 3 --keys PIPE")]
+    [InlineData("TERM", 143, "ROOM --resume -o PIPE")]
+    [InlineData("INT", 130, "check PIPE")]
+    public void APipeThatNobodyWritesTo(string signal, int exitCode, string arguments)
+    {
+        if (!OperatingSystem.IsLinux()) return; // others may have no mkfifo
+        raycaster.Run(Room, "-s", "8x8", "-q");
+        raycaster.Shell("mkfifo pipe.png");
+        Interrupt(signal, exitCode, arguments.Replace("PIPE", "pipe.png"));
+        Assert.Equal(["pipe.png", "room.png"], raycaster.Files);
+    }
+
+    [Theory]
+    [InlineData("compare large.pbm other.pbm --measures")]
+    [InlineData("ROOM -s 10000x10000 --map t -o room.pfm")]
+    [InlineData("ROOM -s 30000x30000 -o room.ppm")]
+    [InlineData("ROOM -s 30000x30000 --ledger --rows 0..9999 -o a.png")]
+    public void LongWork(string arguments)
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        foreach (var (name, last) in (ReadOnlySpan<(string, byte)>)[("large.pbm", 0), ("other.pbm", 1)])
+        {
+            using var file = File.Create(raycaster.PathOf(name));
+            file.Write("P4 20000 20000\n"u8);
+            file.SetLength(file.Length + 2500 * 20000 - 1);
+            file.Position = file.Length;
+            file.WriteByte(last);
+        }
+        Interrupt("INT", 130, arguments);
+        Assert.Equal(["large.pbm", "other.pbm"], raycaster.Files);
+    }
+
+    /// <summary>The first Ctrl-C has said it all; the second neither hurries nor harms.</summary>
+    [Fact]
+    public void TwoSignals()
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        using var process = raycaster.Start(Room, "-s", "20000x20000");
+        WaitForTemporaryFile(process);
+        using (var kill = Process.Start("kill", ["-INT", $"{process.Id}"])) kill.WaitForExit();
+        Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
+        Assert.Equal("raycaster: interrupted; nothing was written\n", process.StandardError.ReadToEnd());
+        Assert.Empty(raycaster.Files);
+    }
+
+    [Fact]
+    public void WhatWasWrittenBeforeIsNamed()
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        using var process = raycaster.Start("orbit", Room, "--frames", "1000", "-s", "500x500", "-q");
+        while (!File.Exists(raycaster.PathOf("room-0001.png")) && !process.HasExited) Thread.Sleep(10);
+        Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
+        Assert.Matches(@"^raycaster: interrupted; \d+ files were written before, the last is room-\d+\.png\n$", process.StandardError.ReadToEnd());
+        Assert.DoesNotContain(raycaster.Files, file => file.EndsWith(".tmp"));
+        foreach (var file in raycaster.Files) Assert.Equal(500, PictureFile.Read(raycaster.PathOf(file)).Width);
+    }
+
+    [Theory]
+    [InlineData("animate frames -o film.png -q")]
+    [InlineData("sheet frames -o film.png -q")]
+    [InlineData("stitch parts -o film.png -q")]
+    [InlineData("compare frames/room-0000.png frames/room-0001.png -o film.png")]
+    public void AKillOnTheSpotLeavesAWholePictureAndTheNextRunTidiesUp(string arguments)
+    {
+        Directory.CreateDirectory(raycaster.PathOf("frames"));
+        Directory.CreateDirectory(raycaster.PathOf("parts"));
+        raycaster.Run("orbit", Room, "--frames", "6", "-s", "400x400", "-o", "frames", "-q");
+        foreach (var part in (ReadOnlySpan<string>)["1/2", "2/2"])
+            raycaster.Run(Room, "-s", "1500x1500", "--rows", part, "-o", $"parts/{part[0]}.png", "-q");
+        var random = new Random(RayCaster.Testing.Fuzzing.Campaign.Seed);
+        for (var i = 0; i < 3; i++)
+        {
+            using var process = raycaster.Start(Words(arguments));
+            Thread.Sleep(150 + random.Next(500));
+            process.Kill();
+            process.WaitForExit();
+            if (File.Exists(raycaster.PathOf("film.png"))) Assert.NotEqual(0, PictureFile.Read(raycaster.PathOf("film.png")).Width);
+        }
+        raycaster.Run(Words(arguments));
+        Assert.NotEqual(2, raycaster.ExitCode);
+        Assert.Equal(["film.png", "frames", "parts"], raycaster.Files);
+    }
+
+    /// <summary>What is only decoration never ends a run: here the terminal is gone, and the end is that of the signal that tells of it.</summary>
+    [Fact]
+    public void ATerminalThatIsClosedUnderTheProgressLine()
+    {
+        if (!OperatingSystem.IsLinux() || !File.Exists("/usr/bin/script")) return; // which makes a terminal
+        raycaster.Write("run.sh", $"trap : HUP\n'{RayCasterProcess.App}' '{Room}' -s 30000x30000\necho $? >code\n");
+        using var script = Process.Start(new ProcessStartInfo("script", ["-qc", "env -u CI TERM=xterm sh run.sh", "/dev/null"])
+        {
+            WorkingDirectory = raycaster.Folder,
+            RedirectStandardInput = true,
+            RedirectStandardOutput = true,
+        })!;
+        WaitForTemporaryFile(script);
+        Thread.Sleep(1500); // the line is drawn after half a second, and ten times in each
+        script.Kill();
+        for (var i = 0; i < 200 && !File.Exists(raycaster.PathOf("code")); i++) Thread.Sleep(100);
+        Thread.Sleep(100);
+        Assert.Equal("129\n", File.ReadAllText(raycaster.PathOf("code")));
+        Assert.Equal(["code", "run.sh"], raycaster.Files);
+    }
+
+    private void Interrupt(string signal, int exitCode, string arguments)
+    {
+        using var process = raycaster.Start(Words(arguments));
+        Thread.Sleep(700); // it reads or computes by now; where it does not, the runtime's own answer to the signal has the same code
+        Assert.Equal(exitCode, RayCasterProcess.Kill(process, signal));
+        Assert.Contains(process.StandardError.ReadToEnd(), (string[])["raycaster: interrupted; nothing was written\n", ""]);
+    }
+
+    private void WaitForTemporaryFile(Process process)
+    {
+        while (!raycaster.Files.Any(file => file.EndsWith(".tmp")) && !process.HasExited) Thread.Sleep(10);
+    }
+
+    private static string[] Words(string arguments) => Array.ConvertAll(arguments.Split(' '), word => word == "ROOM" ? Room : word);
+}

@@ -1,0 +1,98 @@
+using System.Buffers.Binary;
+using System.IO.Compression;
+
+namespace RayCaster.Files.Tests.PictureFiles;
+
+/// <summary>PNGs whose checksums are right and that are wrong all the same (ISO/IEC 15948, clause 5): they are refused, here as by other programs.</summary>
+public sealed class WronglyMadePngTests : IDisposable
+{
+    private static readonly byte[] lines = new byte[10 * 31];
+
+    private readonly TemporaryFolder folder = new();
+
+    public void Dispose() => folder.Dispose();
+
+    [Fact]
+    public void ARightOneIsRead() => Assert.Equal(10, Read(Data(Zlib)).Width);
+
+    [Fact]
+    public void DataMayBeInManyChunks() => Assert.Equal(10, Read([.. Data(Zlib[..5]), .. Data(Zlib[5..])]).Width);
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(4)]
+    public void DataWithoutTheirChecksum(int missing) => Refused("its compressed data do not end with their checksum", Data(Zlib[..^missing]));
+
+    [Fact]
+    public void DataThatAreCut() => Refused("the file is cut short: its data end in line 0 of 10", Data(Zlib[..5]));
+
+    [Fact]
+    public void DataInTwoRuns() => Refused("its chunks IDAT do not follow one another", [.. Data(Zlib[..5]), .. Chunk("tIME", []), .. Data(Zlib[5..])]);
+
+    [Fact]
+    public void APaletteAfterTheData() => Refused("its palette comes after its data", [.. Data(Zlib), .. Chunk("PLTE", [1, 2, 3])]);
+
+    [Fact]
+    public void TwoPalettes() => Refused("it has two palettes", [.. Chunk("PLTE", [1, 2, 3]), .. Chunk("PLTE", [1, 2, 3]), .. Data(Zlib)]);
+
+    [Fact]
+    public void ATypeThatIsNotOfLetters() => Refused("its chunk at byte 33 is of the type a1b2, which is not four letters", [.. Chunk("a1b2", []), .. Data(Zlib)]);
+
+    /// <summary>Their data would go into the animation as they are, and no program could show it.</summary>
+    [Fact]
+    public void AnAnimationTakesNoneOfThem()
+    {
+        var (good, cut) = (folder.Write("good.png", Png(Data(Zlib))), folder.Write("cut.png", Png(Data(Zlib[..^2]))));
+        using var animation = new MemoryStream();
+        Assert.Equal($"cannot read {cut}: its compressed data do not end with their checksum",
+            Assert.Throws<PictureFileException>(() => AnimationFile.Write(animation, [good, cut], 25)).Message);
+        animation.SetLength(0);
+        AnimationFile.Write(animation, [good, good], 25);
+        var film = folder.Write("film.png", animation.ToArray());
+        Assert.Equal($"cannot read {film}: it is an animation already, of which only the first picture would be taken",
+            Assert.Throws<PictureFileException>(() => AnimationFile.Write(new MemoryStream(), [film], 25)).Message);
+    }
+
+    /// <summary>Else it would not be drawn anew, and not be stitched either.</summary>
+    [Fact]
+    public void APartOfSuchDataIsNotThere()
+    {
+        var facts = new PartFacts(10, 10, LineRange.Whole(10), "digest", "1.0.0");
+        var text = Chunk("tEXt", [.. System.Text.Encoding.ASCII.GetBytes(PartFacts.Keyword), 0, .. System.Text.Encoding.ASCII.GetBytes(facts.ToString())]);
+        Assert.True(PartFile.Holds(folder.Write("good.png", Png([.. text, .. Data(Zlib)])), facts));
+        Assert.False(PartFile.Holds(folder.Write("cut.png", Png([.. text, .. Data(Zlib[..^6])])), facts, out var reason));
+        Assert.Contains("the file is cut short", reason);
+    }
+
+    private static byte[] Zlib
+    {
+        get
+        {
+            var data = new MemoryStream();
+            using (var zlib = new ZLibStream(data, CompressionLevel.NoCompression, leaveOpen: true)) zlib.Write(lines);
+            return data.ToArray();
+        }
+    }
+
+    private static byte[] Data(byte[] data) => Chunk("IDAT", data);
+
+    private static byte[] Chunk(string type, byte[] data)
+    {
+        var chunk = new MemoryStream();
+        PngChunk.Write(chunk, System.Text.Encoding.ASCII.GetBytes(type), data);
+        return chunk.ToArray();
+    }
+
+    private static byte[] Png(byte[] chunks)
+    {
+        var header = new byte[13];
+        BinaryPrimitives.WriteInt32BigEndian(header, 10);
+        BinaryPrimitives.WriteInt32BigEndian(header.AsSpan(4), 10);
+        (header[8], header[9]) = (8, 2);
+        return [.. PngChunk.Signature, .. Chunk("IHDR", header), .. chunks, .. Chunk("IEND", [])];
+    }
+
+    private static Picture Read(byte[] chunks) => PictureFile.Read(new MemoryStream(Png(chunks)));
+
+    private static void Refused(string message, byte[] chunks) => Assert.Equal(message, Assert.Throws<PictureFileException>(() => Read(chunks)).Message);
+}

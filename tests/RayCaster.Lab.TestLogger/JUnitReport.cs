@@ -1,0 +1,43 @@
+using System.Globalization;
+using System.Xml;
+using Microsoft.VisualStudio.TestPlatform.ObjectModel;
+
+namespace Lab.TestLogger;
+
+/// <summary>The results as GitLab and others read them.</summary>
+internal static class JUnitReport
+{
+    public static void Write(string file, IReadOnlyCollection<TestResult> results)
+    {
+        Directory.CreateDirectory(Path.GetDirectoryName(file));
+        using var xml = XmlWriter.Create(file, new XmlWriterSettings { Indent = true, CheckCharacters = false });
+        xml.WriteStartElement("testsuites");
+        xml.WriteStartElement("testsuite");
+        xml.WriteAttributeString("name", "Lab");
+        xml.WriteAttributeString("tests", Number(results.Count));
+        xml.WriteAttributeString("failures", Number(results.Count(result => result.Outcome == TestOutcome.Failed)));
+        foreach (var result in results) Write(xml, result);
+        xml.WriteEndElement();
+        xml.WriteEndElement();
+    }
+
+    private static void Write(XmlWriter xml, TestResult result)
+    {
+        var name = result.TestCase.FullyQualifiedName;
+        xml.WriteStartElement("testcase");
+        xml.WriteAttributeString("classname", name[..name.LastIndexOf('.')]);
+        xml.WriteAttributeString("name", result.DisplayName[(result.DisplayName.IndexOf('(') is >= 0 and var end
+            ? result.DisplayName.LastIndexOf('.', end) + 1 : result.DisplayName.LastIndexOf('.') + 1)..]);
+        xml.WriteAttributeString("time", Number(result.Duration.TotalSeconds));
+        if (result.Outcome == TestOutcome.Failed)
+        {
+            xml.WriteStartElement("failure");
+            xml.WriteAttributeString("message", (result.ErrorMessage ?? "").Split('\n')[0]);
+            xml.WriteString(result.ErrorMessage);
+            xml.WriteEndElement();
+        }
+        xml.WriteEndElement();
+    }
+
+    private static string Number(double number) => number.ToString(CultureInfo.InvariantCulture);
+}

@@ -1,0 +1,52 @@
+using Microsoft.VisualStudio.TestPlatform.ObjectModel;
+using Microsoft.VisualStudio.TestPlatform.ObjectModel.Client;
+
+namespace Lab.TestLogger;
+
+/// <summary>Ends a test run with a table of the steps; with a parameter "junit" it writes a JUnit report, too.</summary>
+[FriendlyName("steps")]
+[ExtensionUri("logger://lab/steps")]
+public sealed class StepTable : ITestLoggerWithParameters
+{
+    private readonly List<TestResult> results = [];
+
+    private string report;
+
+    public void Initialize(TestLoggerEvents events, string testRunDirectory)
+    {
+        events.TestResult += (_, args) => results.Add(args.Result);
+        events.TestRunComplete += (_, _) => Finish();
+    }
+
+    public void Initialize(TestLoggerEvents events, Dictionary<string, string> parameters)
+    {
+        var folder = parameters[DefaultLoggerParameterNames.TestRunDirectory];
+        if (parameters.TryGetValue("junit", out var file)) report = Path.Combine(folder, file);
+        Initialize(events, folder);
+    }
+
+    private void Finish()
+    {
+        Console.WriteLine();
+        Console.WriteLine("Step  Tests that pass");
+        foreach (var step in results.GroupBy(StepOf).Where(step => step.Key > 0).OrderBy(step => step.Key))
+        {
+            var (passed, all) = (step.Count(result => result.Outcome == TestOutcome.Passed), step.Count());
+            Console.WriteLine($"{step.Key,4}  {passed,2} of {all,2}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
+        }
+        var seed = results.SelectMany(result => result.Messages).Select(message => message.Text.Trim()).FirstOrDefault(text => text.StartsWith("LAB_SEED="));
+        if (seed != null) Console.WriteLine($"The same random rays again: {seed} in the environment.");
+        if (report != null) JUnitReport.Write(report, results);
+    }
+
+    private static int StepOf(TestResult result) =>
+        int.TryParse(result.TestCase.Traits.FirstOrDefault(trait => trait.Name == "step")?.Value, out var step) ? step : 0;
+
+    /// <summary>What a step is about, from the name of its class: Step07Box.</summary>
+    private static string NameOf(IEnumerable<TestResult> step)
+    {
+        const string prefix = ".Step";
+        var name = step.Select(result => result.TestCase.FullyQualifiedName).First(name => name.Contains(prefix));
+        return name[(name.IndexOf(prefix) + prefix.Length + 2)..].Split('.')[0].ToLowerInvariant();
+    }
+}

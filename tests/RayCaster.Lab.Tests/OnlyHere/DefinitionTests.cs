@@ -1,0 +1,37 @@
+using RayCaster;
+using RayCaster.Files;
+using RayCaster.Teaching;
+
+namespace Lab.Tests;
+
+/// <summary>The lab, which shares no formula with the library, and the library's definition of a picture agree.</summary>
+public class DefinitionTests
+{
+    private static readonly string Folder = ProjectFolder.PathOf("scenes");
+
+    public static TheoryData<string> Scenes =>
+    [
+        .. Directory.EnumerateFiles(Folder, "*.json", SearchOption.AllDirectories)
+            .Where(file => !file.EndsWith(".schema.json") && !ProjectFolder.IsOwnScene(file))
+            .Select(file => Path.GetRelativePath(Folder, file)).Order(StringComparer.Ordinal),
+    ];
+
+    [Theory]
+    [MemberData(nameof(Scenes))]
+    public void ThePictureIsTheDefinitions(string name)
+    {
+        var scene = SceneReader.Read(Path.Combine(Folder, name)).Scene;
+        if (scene.Models.Any(model => model is Mesh)) // each pixel asks each of thousands of triangles, twice
+            scene = scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 8, scene.Camera.Height / 8) };
+        var difference = new PictureDifference(SceneFile.Of(scene).Draw(), ScalarRenderer.Render(scene));
+        // Other formulas for the same t: their last bits may turn a pixel on an outline, or round a channel the other way.
+        Assert.True(difference.CountBeyond(0) <= 3, $"{name}: {difference.CountBeyond(0)} pixels differ, {difference.Wrong} by more than a level");
+    }
+
+    [Fact]
+    public void TheBodiesOfAStepAreThoseThatTheHandOutOpensWithIt() =>
+        Assert.All(Todo.Bodies, body => Assert.Equal(body.Step, LabSteps.StepOf(body.Slide)));
+
+    [Fact]
+    public void NothingIsLeftToDo() => Assert.Equal("", Todo.Report());
+}

@@ -1,0 +1,68 @@
+using Xunit.Abstractions;
+
+namespace Lab.Tests;
+
+/// <summary>Slides "C# Objects", "IDE &amp; Vectors".</summary>
+[Trait("step", "1")]
+public class Step01Vectors(ITestOutputHelper output)
+{
+    private const string Slide = "IDE & Vectors";
+
+    private readonly Chance chance = new(output);
+
+    [Fact]
+    public void ClassesAreReferencesSoTwoNamesMayNameOneVector()
+    {
+        var P = new Vector3(1, 2, 3);
+        var Q = P;
+        P.X = 3;
+        Assert.Equal(3, Q.X);
+    }
+
+    [Fact]
+    public void NobodyCanChangeEverybodysZero()
+    {
+        var zero = Vector3.Zero;
+        zero.X = 1;
+        Assert.Equal(0, Vector3.Zero.X);
+    }
+
+    [Fact]
+    public void TheSlidesNumbers()
+    {
+        var P = new Vector3(20, 0, 0);
+        RayAssert.Equal("P - Zero", Slide, new(20, 0, 0), P - Vector3.Zero);
+        RayAssert.Equal("(1, 2, 3) + (4, -5, 6)", Slide, new(5, -3, 9), new Vector3(1, 2, 3) + new Vector3(4, -5, 6));
+        RayAssert.Equal("2.0 * (1, -2, 3)", Slide, new(2, -4, 6), 2.0 * new Vector3(1, -2, 3));
+        RayAssert.Equal("(1, 2, 3) * (4, -5, 6), the dot product", Slide, 12, new Vector3(1, 2, 3) * new Vector3(4, -5, 6));
+        RayAssert.Equal("(1, 0, 0) % (0, 1, 0), the cross product", Slide, new(0, 0, 1), new Vector3(1, 0, 0) % new Vector3(0, 1, 0));
+        RayAssert.Equal("the length of (3, 4, 0)", Slide, 5, new Vector3(3, 4, 0).Length);
+        RayAssert.Equal("(0, 0, -2) normalised", Slide, new(0, 0, -1), new Vector3(0, 0, -2).Normalized);
+    }
+
+    [Fact]
+    public void RandomVectors()
+    {
+        for (var i = 0; i < Teacher.Rays; i++)
+        {
+            var (a, b, k) = (chance.Point(), chance.Point(), chance.Number());
+            var (x, y) = (RayAssert.Mine(a), RayAssert.Mine(b));
+            var (A, B) = (RayAssert.Text(a), RayAssert.Text(b));
+            RayAssert.Equal($"{A} + {B}", Slide, a + b, x + y);
+            RayAssert.Equal($"{A} - {B}", Slide, a - b, x - y);
+            RayAssert.Equal($"{k} * {A}", Slide, k * a, k * x);
+            RayAssert.Equal($"{A} * {B}", Slide, a * b, x * y);
+            RayAssert.Equal($"{A} % {B}", Slide, a % b, x % y);
+            RayAssert.Equal($"the length of {A}", Slide, a.Length, x.Length);
+        }
+    }
+
+    [Fact]
+    public void OperatorsMakeNewVectorsAndLeaveTheirOperandsAlone()
+    {
+        Vector3 a = new(1, 2, 3), b = new(4, 5, 6);
+        foreach (var result in (Vector3[])[a + b, a - b, 2 * a, a % b, a.Normalized]) result.X = 100;
+        RayAssert.Equal("a after a + b, a - b, 2 * a, a % b and a.Normalized", Slide, new(1, 2, 3), a);
+        RayAssert.Equal("b after them", Slide, new(4, 5, 6), b);
+    }
+}

@@ -1,0 +1,65 @@
+using Xunit.Abstractions;
+
+namespace Lab.Tests;
+
+/// <summary>Slide "Ray".</summary>
+[Trait("step", "2")]
+public class Step02Ray(ITestOutputHelper output)
+{
+    private const string Slide = "Ray";
+
+    private readonly Chance chance = new(output);
+
+    private readonly Ray ray = new(new(20, 0, 0), new(-1, 0, 0));
+
+    private readonly Model near = new Plane(Vector3.Zero, new(1, 0, 0)), far = new Plane(new(-5, 0, 0), new(1, 0, 0));
+
+    [Fact]
+    public void TheSlidesNumbers() => RayAssert.Equal("X(25) for P = (20, 0, 0), d = (-1, 0, 0)", Slide, new(-5, 0, 0), ray.At(25));
+
+    [Fact]
+    public void RandomPoints()
+    {
+        for (var i = 0; i < Teacher.Rays; i++)
+        {
+            var (P, d, t) = (chance.Point(), chance.Direction().Normalized, chance.Number());
+            var actual = new Ray(RayAssert.Mine(P), RayAssert.Mine(d)).At(t);
+            RayAssert.Equal($"X({t}) for P = {RayAssert.Text(P)}, d = {RayAssert.Text(d)}", Slide, P + t * d, actual);
+        }
+    }
+
+    [Fact]
+    public void TheNearestHitStaysWhicheverComesFirst()
+    {
+        ray.Hit(25, far);
+        AssertHit(25, far, "after a hit at 25");
+        ray.Hit(20, near);
+        AssertHit(20, near, "after hits at 25 and 20");
+        ray.Hit(22, far);
+        AssertHit(20, near, "after hits at 25, 20 and 22");
+    }
+
+    [Fact]
+    public void OfTwoHitsAtTheSameTTheFirstStays()
+    {
+        ray.Hit(20, near);
+        ray.Hit(20, far);
+        AssertHit(20, near, "after two hits at 20");
+    }
+
+    [Fact]
+    public void WhatIsBehindOrNoNumberIsNoHit()
+    {
+        ray.Hit(-3, near);
+        ray.Hit(double.NaN, near);
+        Assert.True(ray.HitModel == null, $"after t = -3 and t = NaN there is no hit, but got t = {ray.HitParameter}: ask Counts(t).\n  Slide \"{Slide}\"");
+        ray.Hit(20, near);
+        AssertHit(20, near, "after t = -3, t = NaN and a hit at 20");
+    }
+
+    private void AssertHit(double t, Model model, string when)
+    {
+        RayAssert.Equal($"HitParameter {when}", Slide, t, ray.HitParameter);
+        Assert.True(ray.HitModel == model, $"HitModel {when} is not the model of the hit at {t}.\n  Slide \"{Slide}\"");
+    }
+}

@@ -1,0 +1,44 @@
+using Xunit.Abstractions;
+
+namespace Lab.Tests;
+
+/// <summary>Slide "Primitive Shading".</summary>
+[Trait("step", "5")]
+public class Step05Shading(ITestOutputHelper output)
+{
+    private const string Slide = "Primitive Shading";
+
+    private readonly Chance chance = new(output);
+
+    private static double Red(RayCaster.Vector3 P, RayCaster.Vector3 T, double t, double red)
+    {
+        var camera = new Camera(RayAssert.Mine(P), RayAssert.Mine(T), new(0, 0, 1), 45, 1, 1);
+        var model = new Plane(Vector3.Zero, new(1, 0, 0)) { Color = new(red, 0, 0) };
+        return camera.Shade(new Ray(camera.Position, new(-1, 0, 0)) { HitParameter = t, HitModel = model }).R;
+    }
+
+    [Fact]
+    public void TheTargetHasHalfItsColour() => RayAssert.Equal("red at t = 20 of the target at 20", Slide, 0.5, Red(new(20, 0, 0), default, 20, 1));
+
+    [Fact]
+    public void FromTwiceTheTargetsDistanceOnAllIsBlack()
+    {
+        RayAssert.Equal("red at t = 40 of the target at 20", Slide, 0, Red(new(20, 0, 0), default, 40, 1));
+        RayAssert.Equal("red at t = 50 of the target at 20, which is not less than 0", Slide, 0, Red(new(20, 0, 0), default, 50, 1));
+    }
+
+    [Fact]
+    public void RandomHits()
+    {
+        for (var i = 0; i < Teacher.Rays; i++)
+        {
+            var (P, T, t, red) = (chance.Point(), chance.Point(), chance.Length(40), chance.Length(1));
+            var expected = Math.Max(0, 1 - t / (2 * (T - P).Length)) * red;
+            RayAssert.Equal(FormattableString.Invariant($"red of {red:0.####} at t = {t:0.####} for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}"),
+                Slide, expected, Red(P, T, t, red));
+        }
+    }
+
+    [Fact]
+    public void ThePictures() => PictureAssert.EqualAt(5, "plane", "room", "mistakes/generic");
+}

@@ -1,0 +1,66 @@
+using RayCaster;
+using Xunit.Abstractions;
+
+namespace Lab.Tests;
+
+/// <summary>Slides "zNear &amp; zFar", "Bias".</summary>
+[Trait("step", "6")]
+public class Step06Clipping(ITestOutputHelper output)
+{
+    private readonly Chance chance = new(output);
+
+    private static void AssertCounts(bool expected, double t, double bias = 1e-6, double zNear = 0.01, double zFar = 100, double zPerT = 1, string slide = "zNear & zFar")
+    {
+        var ray = new Ray(Vector3.Zero, new(1, 0, 0)) { Bias = bias, ZNear = zNear, ZFar = zFar, ZPerT = zPerT };
+        Assert.True(ray.Counts(t) == expected, FormattableString.Invariant(
+            $"Counts({t}): expected {expected}, but got {!expected}, for Bias = {bias}, ZNear = {zNear}, ZFar = {zFar}, ZPerT = {zPerT}.\n  Slide \"{slide}\"\n  {Chance.Again}"));
+    }
+
+    [Fact]
+    public void BothEndsCount()
+    {
+        AssertCounts(true, 3, zNear: 3, zFar: 7);
+        AssertCounts(true, 7, zNear: 3, zFar: 7);
+        AssertCounts(false, 2.9, zNear: 3, zFar: 7);
+        AssertCounts(false, 7.1, zNear: 3, zFar: 7);
+    }
+
+    [Fact]
+    public void TheyMeasureZNotT()
+    {
+        AssertCounts(true, 10, zFar: 6, zPerT: 0.5); // z = 5
+        AssertCounts(false, 4, zNear: 3, zPerT: 0.5); // z = 2
+    }
+
+    [Fact]
+    public void AHitIsBeyondTheBias()
+    {
+        AssertCounts(false, 1e-6, zNear: 0, slide: "Bias");
+        AssertCounts(true, 2e-6, zNear: 0, slide: "Bias");
+        AssertCounts(false, -1, zNear: -5, slide: "Bias");
+    }
+
+    [Fact]
+    public void WithABiasOfZeroTheCameraMayTouch()
+    {
+        AssertCounts(true, 0, bias: 0, zNear: 0, slide: "Bias");
+        AssertCounts(false, -1e-9, bias: 0, zNear: -1, slide: "Bias");
+    }
+
+    [Fact]
+    public void NoNumberCounts() => AssertCounts(false, double.NaN);
+
+    [Fact]
+    public void RandomCrossings()
+    {
+        for (var i = 0; i < Teacher.Rays; i++)
+        {
+            var (t, bias, zNear, zPerT) = (chance.Number(), chance.Length(1), chance.Length(), chance.Length(1));
+            var zFar = zNear + chance.Length();
+            AssertCounts(new ClipRange(bias, zNear, zFar).Counts<Scalar>(t, zPerT) != 0, t, bias, zNear, zFar, zPerT);
+        }
+    }
+
+    [Fact]
+    public void ThePictures() => PictureAssert.EqualAt(6, "clip-depth", "clip-distance", "far-plane", "near-plane");
+}

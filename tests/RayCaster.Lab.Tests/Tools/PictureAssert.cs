@@ -1,0 +1,85 @@
+using System.Diagnostics;
+using RayCaster;
+using RayCaster.Files;
+using RayCaster.Teaching;
+
+namespace Lab.Tests;
+
+/// <summary>Compares the lab's pictures with references, whichever program has drawn these.</summary>
+[StackTraceHidden] // the trace of a failure begins in the test
+public static class PictureAssert
+{
+    /// <summary>The lab's picture of a scene is the reference, but for pixels on outlines, where the last bits decide.</summary>
+    /// <param name="sceneFile">The scene.</param>
+    /// <param name="reference">A PNG or PPM; the scene is drawn in its size.</param>
+    /// <param name="levels">By how many of 255 levels a pixel may differ: rounding.</param>
+    /// <param name="share">What share of the pixels may differ at all.</param>
+    public static void Equal(string sceneFile, string reference, int levels = 1, double share = 0.01)
+    {
+        var (scene, picture) = (Read(sceneFile), PictureFile.Read(reference));
+        scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
+        Equal(Path.GetFileNameWithoutExtension(sceneFile), scene, [picture], levels, share);
+    }
+
+    /// <summary>The lab's picture of what a scene shows after a step is the reference of that step.</summary>
+    public static void EqualAt(int step, params string[] names)
+    {
+        if (Todo.Missing() is [var next, ..] && next.Step <= step) Assert.Fail(Todo.Report());
+        foreach (var name in names)
+        {
+            var scene = Read(Path.Combine(LabFolder.Scenes, name + ".json"));
+            var references = new List<Picture> { Reference(scene, name, step) };
+            if (step == LabSteps.FirstPicture) references.Add(Reference(scene, name, step + 1)); // whoever has written the shading too
+            Equal($"{name.Replace('/', '-')}-step{step}", LabSteps.SceneAt(scene, step), references, 1, 0.01);
+        }
+    }
+
+    private static void Equal(string name, RayCaster.Scene scene, List<Picture> references, int levels, double share)
+    {
+        var mine = SceneFile.Of(scene).Draw();
+        if (references.Exists(reference => IsEqual(mine, reference, scene, levels, share))) return;
+
+        var folder = Directory.CreateDirectory(Path.Combine(LabFolder.Root, "received"));
+        var received = Path.Combine(folder.FullName, name + ".png");
+        PictureFile.Write(received, mine);
+        PictureFile.Write(Path.Combine(folder.FullName, name + ".expected.png"), references[0]);
+        Assert.Fail($"{Difference(mine, references[0])}\n  yours:    {received}\n  expected: {Path.ChangeExtension(received, ".expected.png")}\n{Hint(mine, scene, received)}");
+    }
+
+    private static bool IsEqual(Picture mine, Picture reference, RayCaster.Scene scene, int levels, double share)
+    {
+        if ((mine.Width, mine.Height) != (reference.Width, reference.Height)) return false;
+        var difference = new PictureDifference(mine, reference);
+        return difference.CountBeyond(0) <= share * difference.Pixels
+            && (difference.CountBeyond(levels) == 0 || new PictureComparison(mine, reference, scene).Likeness.IsSame());
+    }
+
+    private static string Difference(Picture mine, Picture reference)
+    {
+        var difference = new PictureDifference(mine, reference);
+        var first = difference.FirstWrong is var (x, y)
+            ? $"the first at column {x}, line {y} from the top: expected {reference[x, y]}, but got {mine[x, y]}" : "by one level: round, do not cut";
+        return $"{difference.CountBeyond(0):N0} of {difference.Pixels:N0} pixels differ, {first}";
+    }
+
+    /// <summary>What "raycaster diagnose" says of the picture.</summary>
+    private static string Hint(Picture mine, RayCaster.Scene scene, string file)
+    {
+        var diagnosis = Diagnosis.Of(scene, mine);
+        return diagnosis.Finding == Finding.Mistake
+            ? DiagnosisReport.Text(diagnosis, Path.GetFileName(file), "the scene", Teacher.Hints)
+            : "None of the known mistakes makes this picture.";
+    }
+
+    private static Picture Reference(RayCaster.Scene scene, string name, int step)
+    {
+        var file = LabFolder.Reference(name, step);
+        return File.Exists(file) ? PictureFile.Read(file) : LabSteps.Draw(scene, step); // this project's own repository keeps none
+    }
+
+    private static RayCaster.Scene Read(string file)
+    {
+        var reading = SceneReader.Read(file);
+        return reading.Scene ?? throw new InvalidDataException(reading.Report());
+    }
+}

@@ -1,0 +1,95 @@
+using System.Diagnostics;
+using System.Globalization;
+using RayCaster;
+
+namespace Lab.Tests;
+
+/// <summary>Compares what the lab finds along a ray with what the library finds.</summary>
+[StackTraceHidden] // the trace of a failure begins in the test
+public static class RayAssert
+{
+    /// <summary>Casts a ray at a model of the lab and of the library. Rays on an outline, where the last bits decide, are left out.</summary>
+    /// <param name="slide">The slide that has the formula.</param>
+    /// <param name="model">The library's model; the lab's is made of it.</param>
+    /// <param name="P">Where the ray starts.</param>
+    /// <param name="aim">A point on the ray.</param>
+    /// <param name="intersect">What to call in place of Intersect.</param>
+    public static void Agrees(string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 aim, Action<Model, Ray> intersect = null)
+    {
+        var d = (aim - P).Normalized;
+        var expected = model.Intersect(new RayCaster.Ray(P, d));
+        if (IsOnOutline(model, P, d, expected)) return;
+        Check(slide, model, P, d, expected, Chance.Again, intersect);
+    }
+
+    /// <summary>Casts one ray whose hit is known: t, or null for none.</summary>
+    public static void Hits(string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? t, Action<Model, Ray> intersect = null) =>
+        Check(slide, model, P, d, t, "", intersect);
+
+    /// <summary>Numbers that are equal but for their last bits.</summary>
+    public static void Equal(string what, string slide, double expected, double actual)
+    {
+        if (!AreEqual(expected, actual)) Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(actual)}.\n  Slide \"{slide}\"\n  {Chance.Again}");
+    }
+
+    /// <summary>The same coordinate by coordinate.</summary>
+    public static void Equal(string what, string slide, RayCaster.Vector3 expected, Vector3 actual)
+    {
+        if (!AreEqual(expected.X, actual.X) || !AreEqual(expected.Y, actual.Y) || !AreEqual(expected.Z, actual.Z))
+            Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(new RayCaster.Vector3(actual.X, actual.Y, actual.Z))}.\n  Slide \"{slide}\"\n  {Chance.Again}");
+    }
+
+    /// <summary>The lab's vector of a vector of the library.</summary>
+    public static Vector3 Mine(RayCaster.Vector3 v) => new(v.X, v.Y, v.Z);
+
+    /// <summary>A vector as messages have it.</summary>
+    public static string Text(RayCaster.Vector3 v) => $"({Text(v.X)}, {Text(v.Y)}, {Text(v.Z)})";
+
+    private static void Check(
+        string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? expected, string again, Action<Model, Ray> intersect)
+    {
+        var mine = SceneFile.PartsOf(model).Single();
+        var ray = new Ray(Mine(P), Mine(d));
+        if (intersect == null) mine.Intersect(ray);
+        else intersect(mine, ray);
+        double? actual = ray.HitModel == null ? null : ray.HitParameter;
+        if (expected is { } a && actual is { } b ? AreEqual(a, b) : expected == actual) return;
+        Assert.Fail($"""
+            expected {Hit(expected)}, but got {Hit(actual)}.
+              Ray    P = {Text(P)}, d = {Text(d)}
+              {Letters(model)}
+              Slide  "{slide}"
+              {again}
+            """.TrimEnd());
+    }
+
+    private static string Hit(double? t) => t is { } number ? $"t = {Text(number)}" : "no hit";
+
+    private static string Letters(RayCaster.Model model) => model switch
+    {
+        Model<RayCaster.Plane> { Primitive: var p } => $"Plane  Q = {Text(p.Point)}, n = {Text(p.Normal)}",
+        Model<RayCaster.Sphere> { Primitive: var s } => $"Sphere C = {Text(s.Center)}, R = {Text(s.Radius)}",
+        Model<RayCaster.Aabb> { Primitive: var b } => $"Aabb   B0 = {Text(b.Min)}, B1 = {Text(b.Max)}",
+        Model<RayCaster.Circle> { Primitive: var c } => $"Circle C = {Text(c.Center)}, n = {Text(c.Normal)}, R = {Text(c.Radius)}",
+        Model<RayCaster.Triangle> { Primitive: var t } => $"Triangle A = {Text(t.A)}, B = {Text(t.B)}, C = {Text(t.C)}",
+        _ => model.Kind,
+    };
+
+    private static string Text(double number) => number.ToString("0.######", CultureInfo.InvariantCulture);
+
+    private static bool AreEqual(double a, double b) => Math.Abs(a - b) <= 1e-7 * (1 + Math.Abs(a)) || (double.IsNaN(a) && double.IsNaN(b));
+
+    /// <summary>Whether a ray a little beside this one hits where this one does not, or elsewhere.</summary>
+    private static bool IsOnOutline(RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? t)
+    {
+        foreach (var nudge in (double[])[-1e-6, 1e-6])
+            foreach (var axis in (RayCaster.Vector3[])[new(1, 0, 0), new(0, 1, 0), new(0, 0, 1)])
+            {
+                var beside = model.Intersect(new RayCaster.Ray(P, (d + nudge * axis).Normalized));
+                var moved = model.Intersect(new RayCaster.Ray(P + nudge * axis, d));
+                if (beside == null != (t == null) || moved == null != (t == null)) return true;
+                if (t is { } here && (Math.Abs(beside.Value - here) > 1e-2 || Math.Abs(moved.Value - here) > 1e-2)) return true;
+            }
+        return false;
+    }
+}
