@@ -151,6 +151,16 @@ public class FollowingTests
     }
 
     [Fact]
+    public async Task AChangedFormulaIsDrawnAtOnce()
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        var before = await page.FrameAsync();
+        CodeWatch.UpdateApplication([]); // as the runtime calls it
+        Assert.Equal(before.Version + 1, (await page.FrameAsync()).Version);
+    }
+
+    [Fact]
     public async Task AWatchedPictureIsComparedEachTimeItIsWritten()
     {
         await using var page = await LivePage.OpenAsync(mine: "mine.png", prepare: folder => PictureFile.Write(folder["mine.png"], new Picture(40, 30)));
