@@ -38,7 +38,7 @@ internal sealed class LiveServer : IAsyncDisposable
         app.Run(AnswerAsync);
         Scene.Changed += WakeAll;
         Mine.Changed += LookAtMine;
-        CodeWatch.Changed += CodeChanged;
+        CodeWatch.Changed += Scene.Redraw;
     }
 
     /// <summary>The scene that is shown.</summary>
@@ -55,9 +55,6 @@ internal sealed class LiveServer : IAsyncDisposable
 
     /// <summary>The page's address, with its secret.</summary>
     public string Address => gate.Address;
-
-    /// <summary>What there is to be said of the code under "dotnet watch".</summary>
-    public byte[] CodeMessage => CodeWatch.Message;
 
     /// <summary>Starts to serve.</summary>
     /// <param name="options">What the command line says.</param>
@@ -87,7 +84,7 @@ internal sealed class LiveServer : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        CodeWatch.Changed -= CodeChanged;
+        CodeWatch.Changed -= Scene.Redraw;
         await end.CancelAsync();
         Scene.Dispose();
         Mine.Dispose();
@@ -205,11 +202,5 @@ internal sealed class LiveServer : IAsyncDisposable
     private void LookAtMine()
     {
         foreach (var tab in tabs.Keys) tab.LookAtMine();
-    }
-
-    private void CodeChanged(bool isNew)
-    {
-        if (isNew) Scene.Redraw();
-        foreach (var tab in tabs.Keys) tab.Post(CodeMessage);
     }
 }

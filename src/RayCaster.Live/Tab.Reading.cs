@@ -153,10 +153,9 @@ internal sealed partial class Tab
         {
             try
             {
-                if (camera is not null) server.Scene.WriteCamera(camera, version);
-                Post(Messages.Of(new { Kind = "written", Problem = "" }));
+                Post(Messages.Of(new { Kind = "written", Problem = camera is null ? "" : server.Scene.WriteCamera(camera, version) ?? "" }));
             }
-            catch (Exception e) when (e is PictureFileException or ProblemException or IOException or UnauthorizedAccessException)
+            catch (Exception e) when (e is PictureFileException or IOException or UnauthorizedAccessException)
             {
                 Post(Messages.Of(new { Kind = "written", Problem = e.Message }));
             }

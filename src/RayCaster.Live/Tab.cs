@@ -109,7 +109,6 @@ internal sealed partial class Tab
             wantsMap = map is not null;
             wantsComparison = true;
         }
-        await SendAsync(server.CodeMessage);
     }
 
     private async Task TellFrameAsync(SceneState state)

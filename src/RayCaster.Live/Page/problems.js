@@ -1,4 +1,4 @@
-// What is wrong with the scene file, or with the code under "dotnet watch".
+// What is wrong with the scene file.
 import { $, make, show } from "./dom.js";
 import { on } from "./server.js";
 
@@ -11,11 +11,6 @@ on("scene", scene => {
   $("problems-about").textContent = scene.good ? "" : scene.width > 0 ? "The picture is the last good one." : "There is no picture yet.";
   show($("problems"), scene.problems.length > 0);
   document.body.classList.toggle("stale", !scene.good);
-});
-
-on("code", code => {
-  $("code-problem").textContent = code.problem;
-  show($("code"), code.problem !== "");
 });
 
 /** A mistake with its line and caret, and two ways to get to its place. */

@@ -57,9 +57,9 @@ public static class PictureAssert
     private static string Difference(Picture mine, Picture reference)
     {
         var difference = new PictureDifference(mine, reference);
-        var first = difference.FirstWrong is var (x, y)
-            ? $"the first at column {x}, line {y} from the top: expected {reference[x, y]}, but got {mine[x, y]}" : "by one level: round, do not cut";
-        return $"{difference.CountBeyond(0):N0} of {difference.Pixels:N0} pixels differ, {first}";
+        var where = difference.WrongMiddle is var (x, y)
+            ? $"in the widest wrong area at column {x}, line {y} from the top: expected {reference[x, y]}, but got {mine[x, y]}" : "by one level: round, do not cut";
+        return $"{difference.CountBeyond(0):N0} of {difference.Pixels:N0} pixels differ, {where}";
     }
 
     /// <summary>Which mistake makes the picture, as "raycaster diagnose" finds out; told as far as the teacher wants.</summary>

@@ -1,10 +1,10 @@
-namespace RayCaster.Live;
+namespace RayCaster.Files;
 
 /// <summary>
 /// Tells when one of some files may have changed. The system's notices come within a millisecond; where there are none, as on many network drives,
 /// the files' times and lengths are compared a few times a second.
 /// </summary>
-internal sealed class FileWatch : IDisposable
+public sealed class FileWatch : IDisposable
 {
     private const int PollMilliseconds = 250;
 
@@ -13,6 +13,7 @@ internal sealed class FileWatch : IDisposable
     private readonly Timer poll;
     private Dictionary<string, (DateTime, long)> stamps = [];
 
+    /// <summary>Watches nothing yet.</summary>
     public FileWatch() => poll = new(_ => Poll(), null, PollMilliseconds, PollMilliseconds);
 
     /// <summary>Says which files are watched from now on.</summary>
@@ -40,6 +41,7 @@ internal sealed class FileWatch : IDisposable
     /// <summary>Waits for so long at most; tells whether a file may have changed.</summary>
     public Task<bool> WaitAsync(int milliseconds, CancellationToken cancellation) => changes.WaitAsync(milliseconds, cancellation);
 
+    /// <inheritdoc/>
     public void Dispose()
     {
         poll.Dispose();

@@ -1,4 +1,4 @@
-namespace RayCaster.Live;
+namespace RayCaster.Files;
 
 /// <summary>What a scene file says now, and the last scene that it said without a mistake.</summary>
 /// <param name="Version">Counts the changes, from 1.</param>
@@ -6,10 +6,10 @@ namespace RayCaster.Live;
 /// <param name="Problems">What is wrong with the file now.</param>
 /// <param name="Scene">The last good scene; null if there was none.</param>
 /// <param name="IsGood">Whether that is what the file says now.</param>
-internal sealed record SceneState(int Version, byte[] Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood);
+public sealed record SceneState(int Version, byte[] Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood);
 
 /// <summary>A scene file and the meshes that it names, read again whenever one of them is saved.</summary>
-internal sealed class LiveScene : IDisposable
+public sealed class LiveScene : IDisposable
 {
     /// <summary>
     /// How long a file must be broken before that is said: an editor may be in the middle of saving it. One that is empty or gone
@@ -68,19 +68,21 @@ internal sealed class LiveScene : IDisposable
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="version">Which state of the file the user has seen.</param>
-    /// <exception cref="ProblemException">The file says something else by now, or is broken.</exception>
+    /// <returns>Null if it is done; otherwise why not: the file says something else by now, or is broken.</returns>
     /// <exception cref="PictureFileException">It cannot be written.</exception>
-    public void WriteCamera(Camera camera, int version)
+    public string? WriteCamera(Camera camera, int version)
     {
         var state = State;
-        if (!state.IsGood) throw new ProblemException("the scene file has a mistake: mend it first");
+        if (!state.IsGood) return "the scene file has a mistake: mend it first";
         if (state.Version != version || !File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text))
-            throw new ProblemException("the scene file was changed at the same time: look at it, then write again");
+            return "the scene file was changed at the same time: look at it, then write again";
         using var file = new ReplacedFile(File.ResolveLinkTarget(FullPath, returnFinalTarget: true)?.FullName ?? FullPath);
         file.Write(CameraEdit.Write(state.Text, camera));
         file.Commit();
+        return null;
     }
 
+    /// <inheritdoc/>
     public void Dispose()
     {
         end.Cancel();

@@ -1,0 +1,27 @@
+namespace RayCaster.Live.Tests;
+
+/// <summary>What is measured of the whole process, while no other test runs in it.</summary>
+[CollectionDefinition("alone", DisableParallelization = true)]
+public class AloneCollection;
+
+/// <summary>Memory does not grow with time.</summary>
+[Collection("alone")]
+public class MemoryTests
+{
+    [Fact]
+    public async Task AThousandSavesTakeNoMoreMemoryThanAHundred()
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        var before = 0L;
+        for (var i = 1; i <= 1000; i++)
+        {
+            File.WriteAllText(page.Scene, LivePage.Ball.Replace("[6, 0, 2.5]", FormattableString.Invariant($"[{6 + 0.001 * i}, 0, 2.5]")));
+            await page.FrameAsync();
+            if (i == 100) before = GC.GetTotalMemory(forceFullCollection: true);
+        }
+        var after = GC.GetTotalMemory(forceFullCollection: true);
+        Assert.True(after < 1.1 * before + 500_000, $"{before} bytes after 100 saves, {after} after 1,000");
+    }
+}
