@@ -8,7 +8,8 @@ internal static class Abandonable
     private const int Glance = 50, Moment = 200; // milliseconds
 
     /// <summary>Does the work on a thread of its own; the first use of the thread pool would take three milliseconds of each run.</summary>
-    /// <exception cref="OperationCanceledException">It is cancelled. Work that does not end within a moment goes on, and nobody hears what comes of it.</exception>
+    /// <exception cref="OperationCanceledException">It is cancelled. Work that does not end within a moment goes on, and nobody hears what comes
+    /// of it.</exception>
     public static T Run<T>(Func<T> work, CancellationToken cancellation)
     {
         var (result, failure) = (default(T), default(Exception));

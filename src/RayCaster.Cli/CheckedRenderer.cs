@@ -1,7 +1,8 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Draws the fast way; where the course's library was changed, as long as that agrees with the definition. Once it does not, or from the start if so asked,
+/// Draws the fast way; where the course's library was changed, as long as that agrees with the definition. Once it does not, or from the start if
+/// so asked,
 /// the definition draws.
 /// </summary>
 /// <param name="scene">What to draw.</param>
@@ -9,7 +10,8 @@ namespace RayCaster.Cli;
 /// <param name="plain">Whether the definition draws from the start.</param>
 internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
 {
-    /// <summary>The definition draws a picture of up to so many pixels in one call, as it is written; a larger one in strips, which need less memory.</summary>
+    /// <summary>The definition draws a picture of up to so many pixels in one call, as it is written; a larger one in strips, which need less
+    /// memory.</summary>
     private const long PixelsAtOnce = 1 << 22;
 
     private bool isByDefinition = plain;
@@ -25,7 +27,8 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
     /// <param name="write">Takes whole lines in order.</param>
     /// <param name="linesDone">Told how many more lines have been cast, from any thread.</param>
     /// <param name="cancellation">Stops the work.</param>
-    /// <exception cref="FastWayDisagreesException">All lines were taken, but some are not as the definition says. A message was shown; called again, this draws by the definition.</exception>
+    /// <exception cref="FastWayDisagreesException">All lines were taken, but some are not as the definition says. A message was shown; called
+    /// again, this draws by the definition.</exception>
     public void Draw(LineRange lines, WriteLines write, Action<int>? linesDone, CancellationToken cancellation)
     {
         if (isByDefinition) DrawByDefinition(lines, write, linesDone, cancellation);

@@ -1,7 +1,8 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// What a word may hold that names a file or is said in a message. One with a line end could forge a line of ours, one with a mark of direction could
+/// What a word may hold that names a file or is said in a message. One with a line end could forge a line of ours, one with a mark of direction
+/// could
 /// turn a name around; and a name that is not UTF-8 arrives here as another one, of a file that is not there.
 /// </summary>
 internal static class FileWord

@@ -5,7 +5,8 @@ internal static class Interruption
 {
     private const int Patience = 500; // milliseconds
 
-    /// <summary>Gives up what is not finished, and says in a line what is. Standard error may be a pipe that nobody reads: it does not wait for that.</summary>
+    /// <summary>Gives up what is not finished, and says in a line what is. Standard error may be a pipe that nobody reads: it does not wait for
+    /// that.</summary>
     public static void Tell()
     {
         WrittenFiles.GiveUp();

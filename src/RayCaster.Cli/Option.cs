@@ -2,7 +2,8 @@ namespace RayCaster.Cli;
 
 /// <summary>An option of the command line. It means the same wherever a command takes it.</summary>
 /// <param name="name">With two dashes.</param>
-/// <param name="shortName">With one dash; empty if there is none. Some letters never reach us: "dotnet run" takes -c, -f, -r, -a, -p, -v and -e for itself.</param>
+/// <param name="shortName">With one dash; empty if there is none. Some letters never reach us: "dotnet run" takes -c, -f, -r, -a, -p, -v and -e
+/// for itself.</param>
 /// <param name="takesValue">Whether a value follows; otherwise it is a switch.</param>
 internal sealed class Option(string name, string shortName = "", bool takesValue = true)
 {

@@ -23,7 +23,8 @@ internal static class SceneInput
         return scene with { Camera = scene.Camera.WithSize(width, height) };
     }
 
-    /// <summary>Says so where this build draws the scene otherwise than its stored reference shows it: then its judgement is worth nothing.</summary>
+    /// <summary>Says so where this build draws the scene otherwise than its stored reference shows it: then its judgement is worth
+    /// nothing.</summary>
     public static void WarnOfEditedJudge(string path, Scene scene)
     {
         if (path != Standard && StoredReference.Contradiction(path, scene) is { } message) StandardFile.WriteError(message + Environment.NewLine);

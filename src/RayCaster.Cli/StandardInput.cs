@@ -6,7 +6,8 @@ internal static class StandardInput
     private const string Descriptors = "/proc/self/fd", Facts = "/proc/self/fdinfo";
 
     /// <summary>
-    /// Whether the process was started without it. On Linux the first file that the runtime opens then takes its number: a pipe for its own use, from which
+    /// Whether the process was started without it. On Linux the first file that the runtime opens then takes its number: a pipe for its own use,
+    /// from which
     /// a read would never return. It is told by its other end, which is open for writing in this process and in no other.
     /// </summary>
     public static bool IsClosed

@@ -109,7 +109,8 @@ internal sealed class TerminalPreview
         text.Append('m');
     }
 
-    /// <summary>The nearest of xterm's 256 colours: a cube of 6 × 6 × 6 from 16 on, and 24 greys from 232 on. The first 16 are each user's own.</summary>
+    /// <summary>The nearest of xterm's 256 colours: a cube of 6 × 6 × 6 from 16 on, and 24 greys from 232 on. The first 16 are each user's
+    /// own.</summary>
     private static int PlaceInPalette((byte R, byte G, byte B) color)
     {
         var (r, g, b) = (Step(color.R), Step(color.G), Step(color.B));

@@ -1,17 +1,20 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Draws a small picture to nowhere while a scene file is still being read, so that the runtime has compiled most of what draws before the scene is there.
+/// Draws a small picture to nowhere while a scene file is still being read, so that the runtime has compiled most of what draws before the scene
+/// is there.
 /// The beginning of a long file is read many times in advance, too, so that the runtime optimises what reads models.
 /// </summary>
 /// <remarks>
-/// What the scene will hold is guessed from its text; a wrong guess costs time of a core that would have been idle. Without a warm-up a mesh of a million
+/// What the scene will hold is guessed from its text; a wrong guess costs time of a core that would have been idle. Without a warm-up a mesh of a
+/// million
 /// triangles at 1920 x 1080 takes a quarter longer from file to picture on two cores.
 /// </remarks>
 internal static class WarmUp
 {
     /// <summary>
-    /// Fewer pixels of few models are drawn by so little code that two threads which compile at once would take more of the processor's time than they
+    /// Fewer pixels of few models are drawn by so little code that two threads which compile at once would take more of the processor's time than
+    /// they
     /// spare on the clock.
     /// </summary>
     private const int ManyPixels = 1 << 20;
@@ -72,7 +75,8 @@ internal static class WarmUp
         return models;
     }
 
-    /// <summary>A text that ends after its last whole model as a scene does; empty where it names a mesh, whose file is not to be read in advance.</summary>
+    /// <summary>A text that ends after its last whole model as a scene does; empty where it names a mesh, whose file is not to be read in
+    /// advance.</summary>
     internal static byte[] Beginning(ReadOnlySpan<byte> text) =>
         text.IndexOf("\"mesh\""u8) < 0 && text.LastIndexOf("},"u8) is >= 0 and var end ? [.. text[..(end + 1)], .. "]}"u8] : [];
 

@@ -17,7 +17,8 @@ public sealed class Renderer(Scene scene, int? threads = null)
     public bool MayBeSmall { get; init; } = true;
 
     /// <summary>
-    /// Whether this process draws many pictures, so that the float path pays, whose kernels take as long to compile as casting some ten million rays.
+    /// Whether this process draws many pictures, so that the float path pays, whose kernels take as long to compile as casting some ten million
+    /// rays.
     /// Without it only a
     /// picture of so many pixels uses them. Only the time depends on it.
     /// </summary>

@@ -4,7 +4,8 @@ using System.Net.WebSockets;
 namespace RayCaster.Live;
 
 /// <summary>
-/// One page in a browser. What it asks for is kept, the newest instead of the older; frames go out one after another, and the next only when the page
+/// One page in a browser. What it asks for is kept, the newest instead of the older; frames go out one after another, and the next only when the
+/// page
 /// has shown the one before the last: a slow or stopped browser costs nothing.
 /// </summary>
 internal sealed partial class Tab

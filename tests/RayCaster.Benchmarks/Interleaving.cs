@@ -81,7 +81,8 @@ internal static class Interleaving
     /// <summary>Runs all ways once in each round; every round begins with another.</summary>
     public static void Run(IReadOnlyList<Way> ways, int rounds) => Run([ways], rounds);
 
-    /// <summary>The same for groups whose ways follow each other directly: each group's turn, too, begins with another of its ways every time.</summary>
+    /// <summary>The same for groups whose ways follow each other directly: each group's turn, too, begins with another of its ways every
+    /// time.</summary>
     public static void Run(IReadOnlyList<IReadOnlyList<Way>> groups, int rounds)
     {
         for (var round = 0; round < rounds; round++)

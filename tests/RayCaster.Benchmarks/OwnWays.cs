@@ -10,7 +10,8 @@ internal static class OwnWays
     /// <summary>How many crossings a way without a hierarchy may compute in one run; of a larger picture it casts evenly spread pixels.</summary>
     private const double Crossings = 2e7;
 
-    /// <summary>The engine, exact, as one of many frames: all that it prepares for a scene is counted. Its map is kept from run to run, as Embree's is.</summary>
+    /// <summary>The engine, exact, as one of many frames: all that it prepares for a scene is counted. Its map is kept from run to run, as
+    /// Embree's is.</summary>
     public static Way Exact(BenchmarkScene scene, int width, int height)
     {
         var hits = new Lazy<HitMap>(() => new(width, height));

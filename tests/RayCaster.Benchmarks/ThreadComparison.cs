@@ -33,7 +33,8 @@ internal sealed class ThreadComparison(RayComparison rays)
         return this;
     }
 
-    /// <summary>The second of two frames counts, as in an animation: before the first, a processor that had nothing to do sleeps, and its caches hold other things.</summary>
+    /// <summary>The second of two frames counts, as in an animation: before the first, a processor that had nothing to do sleeps, and its caches
+    /// hold other things.</summary>
     private static Way Twice(Way way) => way with
     {
         Draw = threads =>

@@ -1,6 +1,7 @@
 namespace RayCaster.Cli.Tests;
 
-/// <summary>What somebody may do to the program from outside: odd names, odd folders, odd inputs. It answers in a line, with exit code 2, and destroys nothing.</summary>
+/// <summary>What somebody may do to the program from outside: odd names, odd folders, odd inputs. It answers in a line, with exit code 2, and
+/// destroys nothing.</summary>
 public sealed class AttackTests : IDisposable
 {
     private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");

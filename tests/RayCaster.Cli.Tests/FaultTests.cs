@@ -140,7 +140,8 @@ public sealed class FaultTests : IDisposable
         return picture.ReadByte() << 8 | picture.ReadByte();
     }
 
-    /// <summary>From before its first instruction to after its last: whenever a signal comes, there is the old picture or the new one, and nothing else.</summary>
+    /// <summary>From before its first instruction to after its last: whenever a signal comes, there is the old picture or the new one, and
+    /// nothing else.</summary>
     [Theory]
     [Trait("kind", "campaign")]
     [InlineData("INT", 130)]
@@ -192,7 +193,8 @@ public sealed class FaultTests : IDisposable
         }
     }
 
-    /// <summary>Runs the app beside a folder "disk" that is a file system of its own, which nobody else sees and which goes with the shell.</summary>
+    /// <summary>Runs the app beside a folder "disk" that is a file system of its own, which nobody else sees and which goes with the
+    /// shell.</summary>
     /// <returns>False where one may not mount anything.</returns>
     private bool InOwnFileSystem(string mount, string run)
     {

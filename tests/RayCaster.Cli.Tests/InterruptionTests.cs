@@ -2,7 +2,8 @@ using System.Diagnostics;
 
 namespace RayCaster.Cli.Tests;
 
-/// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says what there is of its work.</summary>
+/// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says what there is of its
+/// work.</summary>
 public sealed class InterruptionTests : IDisposable
 {
     private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");

@@ -6,7 +6,7 @@ internal static class Cast
     /// <summary>Both crossings of a shape with the line through the origin, NaN where there is none.</summary>
     public static (double Near, double Far) Line<P>(P shape, Vector3 origin, Vector3 direction) where P : IPrimitive
     {
-        var crossings = shape.Cross(new Ray<Scalar>(origin, direction.Normalized));
+        var crossings = shape.Intersect(new Ray<Scalar>(origin, direction.Normalized));
         return (crossings.Near, crossings.Far);
     }
 

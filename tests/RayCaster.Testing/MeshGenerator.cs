@@ -15,7 +15,8 @@ internal static class MeshGenerator
         return new(vertices, [.. indices]);
     }
 
-    /// <summary>A ball of radius 1: an icosahedron whose triangles are cut into four, 20 · 4ⁿ in all. Square roots only, so the same on every machine.</summary>
+    /// <summary>A ball of radius 1: an icosahedron whose triangles are cut into four, 20 · 4ⁿ in all. Square roots only, so the same on every
+    /// machine.</summary>
     /// <param name="subdivisions">n.</param>
     public static MeshData Icosphere(int subdivisions)
     {
@@ -54,7 +55,8 @@ internal static class MeshGenerator
         return mesh;
     }
 
-    /// <summary>A tube along a knot that winds around a torus: <paramref name="p"/> times around the z axis, <paramref name="q"/> times through the hole.</summary>
+    /// <summary>A tube along a knot that winds around a torus: <paramref name="p"/> times around the z axis, <paramref name="q"/> times through
+    /// the hole.</summary>
     /// <param name="p">2 for the trefoil.</param>
     /// <param name="q">3 for the trefoil.</param>
     /// <param name="major">The radius of the torus.</param>

@@ -3,7 +3,8 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// A source file of the lab with marked bodies. Between <c>// BEGIN SOLUTION "slide"</c> and <c>// END SOLUTION</c> stands what students write; lines
+/// A source file of the lab with marked bodies. Between <c>// BEGIN SOLUTION "slide"</c> and <c>// END SOLUTION</c> stands what students write;
+/// lines
 /// <c>// STUB code</c> in it are what stands there until then. Without such a line a note stands there: no hit.
 /// </summary>
 internal sealed partial class Bodies

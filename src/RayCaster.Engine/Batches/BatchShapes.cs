@@ -126,7 +126,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<
         {
             ref readonly var it = ref shapes[places[i]];
             var at = packets[i];
-            var crossings = it.Shape.Cross(rays.RaysAt<N>(at));
+            var crossings = it.Shape.Intersect(rays.RaysAt<N>(at));
             // The question which crossings count costs about as much as the formula of a sphere.
             var hit = isClear ? N.Or(crossings.Near, crossings.Far) : range.First(crossings, rays.ZPerTAt<N>(at));
             rays.Keep(at, hit, Lanes.Broadcast<N>(it.Model));

@@ -10,7 +10,8 @@ namespace RayCaster.Engine;
 /// the finest one whose cells are not smaller than its rectangle, in the cell of the rectangle's lower left corner. So what shows in a part has its
 /// corner in the part's cell, or in the one to the left, below, or both; and each member has one place, however large it is.
 /// </summary>
-/// <remarks>Members that show near each other lie near each other in memory; in the order of the scene, a part would wait for each of them.</remarks>
+/// <remarks>Members that show near each other lie near each other in memory; in the order of the scene, a part would wait for each of
+/// them.</remarks>
 internal sealed class ScreenBins
 {
     /// <summary>The most columns and rows of a part in which members are looked for. Its rays and hits, 48 bytes a pixel, should stay in the

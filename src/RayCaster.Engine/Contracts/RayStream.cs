@@ -14,7 +14,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>The most pixels in a stream: few enough to stay in the first-level cache, many enough to make a virtual call cheap.</summary>
     public const int MaxLength = Tile.MaxSide;
 
-    /// <summary>The most pixels of a small part of a tile, the rows of which are cast at once; they stay in the first-level cache, too. (The parts of
+    /// <summary>The most pixels of a small part of a tile, the rows of which are cast at once; they stay in the first-level cache, too. (The
+    /// parts of
     /// a batch are larger.)</summary>
     public const int MaxArea = 256;
 

@@ -14,7 +14,7 @@ internal sealed class ExactHits<N>(ScreenSpace screen, Vector3[] vertices, int[]
     /// <param name="triangles">The triangles.</param>
     /// <param name="first">The place there of the first lane's triangle, which those of the others follow.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a caller grown too large operators, silently, become calls
-    public Crossings<N> Cross(in Ray<N> rays, RawSpan<int> triangles, int first) => Triangle.Cross(
+    public Crossings<N> Intersect(in Ray<N> rays, RawSpan<int> triangles, int first) => Triangle.Intersect(
         new AlongRay<N>(rays),
         N.Gather(vertices, indices, triangles, first, 0), N.Gather(vertices, indices, triangles, first, 1), N.Gather(vertices, indices, triangles, first, 2));
 
@@ -51,7 +51,7 @@ internal sealed class ExactHits<N>(ScreenSpace screen, Vector3[] vertices, int[]
     private void Ask()
     {
         var direction = screen.Camera.Direction(N.Load(columns, 0), N.Load(rows, 0));
-        var crossings = Cross(new Ray<N>(screen.Camera.Position, direction), new(triangles), 0);
+        var crossings = Intersect(new Ray<N>(screen.Camera.Position, direction), new(triangles), 0);
         var hit = screen.Camera.ClipRange.First(crossings, screen.Camera.ZPerT(direction));
         hit.Store(hits, 0);
         (Lanes.Broadcast<N>(screen.Unit * (1 - 1e-5)) / (hit * -(direction * (Vector3<N>)screen.Camera.W))).Store(nearness, 0);

@@ -3,7 +3,8 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// The corners of a mesh's triangles, projected each time that they are asked for: to write all vertices' places on the screen to an array first, and
+/// The corners of a mesh's triangles, projected each time that they are asked for: to write all vertices' places on the screen to an array first,
+/// and
 /// to
 /// read them from there, takes longer, for memory is slower than arithmetic.
 /// </summary>

@@ -35,7 +35,7 @@ internal sealed class TileHits<N>(ScreenSpace screen, Vector3[] vertices, int[] 
         {
             var at = first + i;
             var hit = Lanes.Broadcast<N>(double.NaN);
-            if (HasAny(at)) hit = rays.First(i, exact.Cross(rays.RaysAt<N>(i), new(proposed), at));
+            if (HasAny(at)) hit = rays.First(i, exact.Intersect(rays.RaysAt<N>(i), new(proposed), at));
             if (hasDecided)
             {
                 var other = N.Load(decided, at);

@@ -15,7 +15,8 @@ internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
     /// </summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
-    /// <summary>The least and the greatest coordinates of some triangles, and a fourth number that means nothing. A corner that is no number does not
+    /// <summary>The least and the greatest coordinates of some triangles, and a fourth number that means nothing. A corner that is no number does
+    /// not
     /// count, for it is part of no hit.</summary>
     /// <param name="first">The first triangle.</param>
     /// <param name="end">The one after the last.</param>

@@ -108,7 +108,8 @@ internal static class TriangleSetUp
     /// <param name="margin">How far off the corners may be.</param>
     /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>
     /// <remarks>
-    /// What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0, and
+    /// What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0,
+    /// and
     /// one above.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

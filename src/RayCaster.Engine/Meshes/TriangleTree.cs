@@ -85,7 +85,7 @@ public sealed class TriangleTree
             {
                 var corner = 3 * order[i];
                 var triangle = new Triangle(vertices[indices[corner]], vertices[indices[corner + 1]], vertices[indices[corner + 2]]);
-                var t = rays.First(pixel, triangle.Cross(along));
+                var t = rays.First(pixel, triangle.Intersect(along));
                 var nearer = t < best;
                 best = N.Select(nearer, t, best);
                 hit = N.Select(nearer, t, hit);

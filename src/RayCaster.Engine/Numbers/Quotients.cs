@@ -11,14 +11,17 @@ namespace RayCaster.Engine;
 /// 1990).
 /// </summary>
 /// <remarks>
-/// <para>Let u = 2⁻⁵³, and 1 ≤ b &lt; 2 and 1 ≤ a / b &lt; 2, for powers of two change nothing while no number is too large or too small. Every fused
+/// <para>Let u = 2⁻⁵³, and 1 ≤ b &lt; 2 and 1 ≤ a / b &lt; 2, for powers of two change nothing while no number is too large or too small. Every
+/// fused
 /// step rounds once.</para>
-/// <para>The reciprocal y is known to 2⁻¹⁴. A step to y + y e, where e = 1 − b y, leaves e² of the error e and ends below 1 / b: by 2⁻²⁸, then by u /
+/// <para>The reciprocal y is known to 2⁻¹⁴. A step to y + y e, where e = 1 − b y, leaves e² of the error e and ends below 1 / b: by 2⁻²⁸, then by
+/// u /
 /// 8, where rounding upwards makes of it no more than 2 u. So the third
 /// e is exact, 4 u² are left of it, and y is a double next to 1 / b: |b y − 1| ≤ b u / 2 + 4 u². Where b is within 100 u of 2 the 4 u² do not count.
 /// If its digits are all 1, b = 2 − 2 u, then 1 / b is only u² / 2 above the middle of
 /// two doubles, and a y that was rounded downwards before would end on that middle; rounded upwards it is the right one already.</para>
-/// <para>Now q = a y, mended by y times the rest a − b q. If that rounded to another double than a / b does, the middle m of the two would be as near
+/// <para>Now q = a y, mended by y times the rest a − b q. If that rounded to another double than a / b does, the middle m of the two would be as
+/// near
 /// to a / b as the unrounded sum is, and that is very near, less than 8 u²: then q, which
 /// is the double nearest to something less than 2 u away, is one of the two, its rest is exact (a multiple of 4 u², and less than 2⁵³ of them) and
 /// over b no more than u + 8 u², and the sum is off by less than b u² / 2 (1 + 17 u), or no more

@@ -5,7 +5,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool: paints a part of the picture that one shape covers, or several, in floats. Each channel's level is known up to an error that is
+/// One thread's tool: paints a part of the picture that one shape covers, or several, in floats. Each channel's level is known up to an error
+/// that is
 /// the same for the
 /// whole part (<see cref="ErrorBound"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in
 /// doubles.
@@ -106,7 +107,7 @@ internal sealed class FloatPainter : IShapeVisitor
     private double Error<P>(in Tile part, in P shape) where P : struct, IPrimitive
     {
         var direction = rays.Directions(part);
-        var hit = camera.ClipRange.First(shape.Cross(new Ray<ErrorBound>(camera.Position, direction)), camera.ZPerT(direction));
+        var hit = camera.ClipRange.First(shape.Intersect(new Ray<ErrorBound>(camera.Position, direction)), camera.ZPerT(direction));
         return hit.Hi <= camera.Reach ? hit.Error : double.PositiveInfinity;
     }
 
@@ -122,7 +123,7 @@ internal sealed class FloatPainter : IShapeVisitor
             for (var packet = 0; packet < packets; packet++)
             {
                 var direction = camera.Direction(columns.From(firstColumn + packet * FloatPacket.Count), upwards);
-                var crossings = shape.Cross(new Ray<FloatPacket>(origin, direction));
+                var crossings = shape.Intersect(new Ray<FloatPacket>(origin, direction));
                 var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
                 target.Take(row, packet, hit.Lower, Least(hit.Lower, red, green, blue), Most(hit.Lower, red, green, blue));
                 if (row + 1 < part.Height)

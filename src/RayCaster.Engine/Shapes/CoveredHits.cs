@@ -44,7 +44,7 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
             {
                 var i = Math.Min(next, width - N.Count); // the last packet may overlap the one before: a call for what is left would cost the loop its registers
                 var direction = camera.Direction(columns.At<N>(i), upwards);
-                var crossings = shape.Cross(new Ray<N>(origin, direction));
+                var crossings = shape.Intersect(new Ray<N>(origin, direction));
                 var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
                 hit.Store(t, to + i);
             }

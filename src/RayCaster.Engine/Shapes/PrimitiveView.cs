@@ -12,13 +12,13 @@ internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeVie
     public bool Accept(IShapeVisitor visitor) => visitor.Visit(primitive);
 
     /// <inheritdoc/>
-    protected override void Cross(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Cross(parts.Rays);
+    protected override void Intersect(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Intersect(parts.Rays);
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
-    protected override void Cross(RayStream rays, int first, int end)
+    protected override void Intersect(RayStream rays, int first, int end)
     {
         var shape = primitive; // a local, so that its constants stay in registers
-        for (var i = first; i < end; i += N.Count) rays.Note(i, shape.Cross(rays.RaysAt<N>(i)));
+        for (var i = first; i < end; i += N.Count) rays.Note(i, shape.Intersect(rays.RaysAt<N>(i)));
     }
 }

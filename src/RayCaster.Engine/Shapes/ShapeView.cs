@@ -25,7 +25,7 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
     /// <inheritdoc/>
     public sealed override HitRanges Narrow(EightParts parts, HitRange whole)
     {
-        Cross(parts, out var crossings);
+        Intersect(parts, out var crossings);
         var nearCounts = clip.Counts(crossings.Near, parts.ZPerT);
         var hit = clip.First(crossings, parts.ZPerT, nearCounts);
         return new(
@@ -45,16 +45,16 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
         }
         first = first / N.Count * N.Count;
         if (Nearest > 0 && rays.Hides<N>(first, end, Nearest)) return;
-        Cross(rays, first, end);
+        Intersect(rays, first, end);
         rays.KeepNoted<N>(first, end, index);
     }
 
     /// <summary>Finds out where all the rays of some parts may cross the shape.</summary>
-    protected abstract void Cross(EightParts parts, out Crossings<Interval> crossings);
+    protected abstract void Intersect(EightParts parts, out Crossings<Interval> crossings);
 
     /// <summary>Notes where the rays of some pixels cross the shape.</summary>
     /// <param name="rays">Their stream.</param>
     /// <param name="first">The first pixel, where a packet begins.</param>
     /// <param name="end">The pixel after the last.</param>
-    protected abstract void Cross(RayStream rays, int first, int end);
+    protected abstract void Intersect(RayStream rays, int first, int end);
 }

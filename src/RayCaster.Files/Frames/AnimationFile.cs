@@ -3,7 +3,8 @@ using System.Buffers.Binary;
 namespace RayCaster.Files;
 
 /// <summary>
-/// Joins pictures into one animated PNG (APNG, part of the third edition of the PNG specification), which browsers play for ever and other programs show as the
+/// Joins pictures into one animated PNG (APNG, part of the third edition of the PNG specification), which browsers play for ever and other
+/// programs show as the
 /// first picture. What is compressed in the pictures goes into it as it is, a piece at a time.
 /// </summary>
 public static class AnimationFile
@@ -12,7 +13,8 @@ public static class AnimationFile
 
     /// <summary>Writes an animation.</summary>
     /// <param name="output">Takes the file's bytes in order.</param>
-    /// <param name="frames">The pictures: PNG of red, green and blue, 8 bits each and not interlaced, as they are drawn here; all of one size.</param>
+    /// <param name="frames">The pictures: PNG of red, green and blue, 8 bits each and not interlaced, as they are drawn here; all of one
+    /// size.</param>
     /// <param name="framesPerSecond">How many are shown in a second, 1 to 1000.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="PictureFileException">A picture cannot be read, is damaged, or of another size or kind.</exception>

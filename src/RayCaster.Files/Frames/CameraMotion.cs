@@ -37,7 +37,8 @@ public static class CameraMotion
         return At(camera, camera.Position + shift, camera.Target + shift);
     }
 
-    /// <summary>The same camera with coordinates of so few digits that a person can read them: a ten-thousandth of the distance from the target.</summary>
+    /// <summary>The same camera with coordinates of so few digits that a person can read them: a ten-thousandth of the distance from the
+    /// target.</summary>
     public static Camera Rounded(Camera camera)
     {
         var distance = (camera.Target - camera.Position).Length;

@@ -6,7 +6,8 @@ namespace RayCaster.Files;
 public sealed class CameraPath(IReadOnlyList<CameraKey> keys, bool isSmooth)
 {
     /// <summary>
-    /// The camera of a frame. The first frame is at the first key's time, the last at the last one's, the others evenly between them. Size, up and all else
+    /// The camera of a frame. The first frame is at the first key's time, the last at the last one's, the others evenly between them. Size, up
+    /// and all else
     /// are those of the scene's camera.
     /// </summary>
     /// <param name="camera">The scene's camera.</param>
@@ -40,7 +41,8 @@ public sealed class CameraPath(IReadOnlyList<CameraKey> keys, bool isSmooth)
         Vector3 Mix(Vector3 p, Vector3 q) => (1 - s) * p + s * q;
     }
 
-    /// <summary>How fast all changes at a key: from the key before it to the one behind it, as in a Catmull–Rom curve; at the ends to the only neighbour.</summary>
+    /// <summary>How fast all changes at a key: from the key before it to the one behind it, as in a Catmull–Rom curve; at the ends to the only
+    /// neighbour.</summary>
     private CameraKey Velocity(int i)
     {
         var (before, behind) = (keys[Math.Max(i - 1, 0)], keys[Math.Min(i + 1, keys.Count - 1)]);

@@ -47,7 +47,8 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
         writer.WriteRows(new byte[Gap * lineBytes]);
     }
 
-    /// <summary>Makes a picture small: each pixel is the mean of those that it stands for, or shows the one that it lies in where there are fewer.</summary>
+    /// <summary>Makes a picture small: each pixel is the mean of those that it stands for, or shows the one that it lies in where there are
+    /// fewer.</summary>
     private void Shrink(string picture, Span<byte> corner, int lineBytes)
     {
         var small = new byte[3 * width * height];

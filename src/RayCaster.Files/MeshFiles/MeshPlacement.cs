@@ -10,7 +10,8 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
 {
     /// <summary>The mesh as a model, without the triangles that have no area where they are placed.</summary>
     /// <param name="data">
-    /// The file's vertices and triangles. The model keeps the array of vertices where all stay in their places, and that of indices where no triangle is dropped.
+    /// The file's vertices and triangles. The model keeps the array of vertices where all stay in their places, and that of indices where no
+    /// triangle is dropped.
     /// </param>
     /// <param name="dropped">How many triangles had no area.</param>
     /// <param name="threads">How many threads place a large mesh; one per core if left out.</param>
@@ -103,7 +104,8 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
 
     /// <summary>Whether the first of some triangles has no area.</summary>
     /// <remarks>
-    /// <see cref="Triangle.IsOnOneLine"/> says |e1 × e2| ≤ 1e-12 · (longest side)². A triangle that has twice that in squares, which need no root, has it
+    /// <see cref="Triangle.IsOnOneLine"/> says |e1 × e2| ≤ 1e-12 · (longest side)². A triangle that has twice that in squares, which need no
+    /// root, has it
     /// surely: the roots round by a few parts in 10¹⁶, and in these limits no square is too large or too small for a double. It spares
     /// most of the time that a large mesh is checked.
     /// </remarks>

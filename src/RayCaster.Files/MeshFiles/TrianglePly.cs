@@ -5,7 +5,8 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Files;
 
 /// <summary>
-/// PLY as most programs write it: little-endian, a vertex of floats, a face of three 32-bit corners and nothing else. All rows of an element are of one
+/// PLY as most programs write it: little-endian, a vertex of floats, a face of three 32-bit corners and nothing else. All rows of an element are
+/// of one
 /// length there, so every place in the file is known beforehand, and the numbers go straight to where they stay. A file that is different, or
 /// wrong anywhere, is left to <see cref="PlyFile"/>, which takes five times as long and knows what to say.
 /// </summary>

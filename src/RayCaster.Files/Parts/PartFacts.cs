@@ -3,7 +3,8 @@ using System.Globalization;
 namespace RayCaster.Files;
 
 /// <summary>
-/// Which lines of which picture a file holds. A PNG carries this as a text (a chunk tEXt) under <see cref="Keyword"/>, which other programs show and leave alone:
+/// Which lines of which picture a file holds. A PNG carries this as a text (a chunk tEXt) under <see cref="Keyword"/>, which other programs show
+/// and leave alone:
 /// <code>
 /// picture 500x500
 /// lines 0..249

@@ -9,7 +9,8 @@ public sealed class PartSet
 
     /// <summary>Looks at files.</summary>
     /// <param name="paths">At least one.</param>
-    /// <param name="isChosen">Whether a file was named, so that it must be a part. Of a whole folder's PNGs those that are none are left out.</param>
+    /// <param name="isChosen">Whether a file was named, so that it must be a part. Of a whole folder's PNGs those that are none are left
+    /// out.</param>
     /// <exception cref="PictureFileException">A file cannot be read.</exception>
     public PartSet(IReadOnlyList<string> paths, Predicate<string>? isChosen = null)
     {

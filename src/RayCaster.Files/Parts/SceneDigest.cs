@@ -6,7 +6,8 @@ using System.Text;
 namespace RayCaster.Files;
 
 /// <summary>
-/// A short name of everything that a picture depends on (SHA-256): scenes with the same digest have the same picture, to the last bit. It is made of the values and
+/// A short name of everything that a picture depends on (SHA-256): scenes with the same digest have the same picture, to the last bit. It is made
+/// of the values and
 /// not of the file: comments, blanks, names, the order of keys, defaults written out or left out and where the mesh files lie do not change it.
 /// </summary>
 /// <remarks>
@@ -15,7 +16,8 @@ namespace RayCaster.Files;
 /// background; how many models there are, and of each its colour, the kind, and what the shape depends on: a primitive its numbers,
 /// a mesh how many vertices and indices there are, and each of them, after it has been scaled, turned and moved; a model in plain doubles
 /// and ifs its <see cref="Model.Numbers"/>.
-/// The only functions on the way from a scene file to these numbers whose last bit may depend on the system are tan, sin and cos. That is why h is in it and
+/// The only functions on the way from a scene file to these numbers whose last bit may depend on the system are tan, sin and cos. That is why h
+/// is in it and
 /// a mesh as it is placed: where two systems differ, their digests do.
 /// </remarks>
 public sealed class SceneDigest : IModelVisitor, IDisposable

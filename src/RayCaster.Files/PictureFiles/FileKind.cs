@@ -15,7 +15,8 @@ internal static class FileKind
         return IsRegular(link.LinkTarget is null ? link : (FileInfo)link.ResolveLinkTarget(returnFinalTarget: true)!);
     }
 
-    /// <summary>Whether it is a file and no device, pipe or socket. Of the runtime's classes only that which makes archives tells, and it opens none of them.</summary>
+    /// <summary>Whether it is a file and no device, pipe or socket. Of the runtime's classes only that which makes archives tells, and it opens
+    /// none of them.</summary>
     private static bool IsRegular(FileInfo file)
     {
         if (!file.Exists) return false; // what a descriptor's link names, such as pipe:[123]

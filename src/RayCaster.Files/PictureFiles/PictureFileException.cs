@@ -11,7 +11,8 @@ public sealed class PictureFileException(string message, Exception? cause = null
     /// <summary>Whether the message says which file it is about.</summary>
     internal bool NamesFile { get; init; }
 
-    /// <summary>Whether an exception is the system's way to say that a file cannot be used; the last is what a file comes to that grows too large.</summary>
+    /// <summary>Whether an exception is the system's way to say that a file cannot be used; the last is what a file comes to that grows too
+    /// large.</summary>
     internal static bool IsCausedByFile(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException;
 
     /// <summary>The system's reason in words; its own message would name the temporary file and end in a full stop.</summary>

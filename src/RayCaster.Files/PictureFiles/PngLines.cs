@@ -30,7 +30,8 @@ internal sealed class PngLines
         samples = new byte[(long)columns * header.Channels];
     }
 
-    /// <summary>The samples of the next line: places in the palette as they are, all others scaled to 8 bits. They hold until the line after it is read.</summary>
+    /// <summary>The samples of the next line: places in the palette as they are, all others scaled to 8 bits. They hold until the line after it
+    /// is read.</summary>
     /// <param name="y">Which line it is, for a message.</param>
     /// <exception cref="PictureFileException">The line is not there, or has no filter that is known.</exception>
     public ReadOnlySpan<byte> Next(int y)

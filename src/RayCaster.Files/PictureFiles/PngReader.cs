@@ -165,7 +165,8 @@ internal sealed class PngReader : IDisposable
     }
 
     /// <summary>
-    /// The end of the data brings their own checksum, and what may follow in the file that of its chunk. The runtime refuses a wrong checksum, but not
+    /// The end of the data brings their own checksum, and what may follow in the file that of its chunk. The runtime refuses a wrong checksum,
+    /// but not
     /// one that is cut off.
     /// </summary>
     private void CheckEnd(uint checkSum)

@@ -6,7 +6,8 @@ namespace RayCaster.Files;
 /// </summary>
 internal sealed class PnmReader
 {
-    /// <summary>What is allocated for a picture from a pipe, of which nobody knows whether it holds what it promises; more when that has come.</summary>
+    /// <summary>What is allocated for a picture from a pipe, of which nobody knows whether it holds what it promises; more when that has
+    /// come.</summary>
     private const int FirstBytes = 1 << 16;
 
     private readonly PnmBytes file;

@@ -3,7 +3,8 @@ namespace RayCaster.Files;
 /// <summary>
 /// A file that is there whole or not at all: what is written goes to a temporary file beside it, and only <see cref="Commit"/> puts that in
 /// the place of the old one. The temporary file is named NAME.XXXXXXXX.tmp with eight random hexadecimal digits and is locked while it
-/// is written; what is not locked was left by a writer that was killed, and goes when NAME is written again. A symbolic link is replaced, not followed.
+/// is written; what is not locked was left by a writer that was killed, and goes when NAME is written again. A symbolic link is replaced, not
+/// followed.
 /// </summary>
 public sealed class ReplacedFile : Stream
 {

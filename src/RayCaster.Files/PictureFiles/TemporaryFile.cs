@@ -4,7 +4,8 @@ namespace RayCaster.Files;
 
 /// <summary>
 /// The files NAME.XXXXXXXX.tmp, with eight hexadecimal digits, in which NAME is written before it is put in its place. The writer holds a lock on
-/// its own from beginning to end, and the system takes the lock away when the writer is gone, however it went. So one that can be locked is an orphan.
+/// its own from beginning to end, and the system takes the lock away when the writer is gone, however it went. So one that can be locked is an
+/// orphan.
 /// </summary>
 internal static class TemporaryFile
 {
@@ -14,7 +15,8 @@ internal static class TemporaryFile
     /// <summary>Who may read, write and execute; not the bits that give a program its owner's rights.</summary>
     private const UnixFileMode Rights = (UnixFileMode)511;
 
-    /// <summary>Unix renames a file that is locked for one; Windows only one that others may delete, which no orphan's finder does while it is written.</summary>
+    /// <summary>Unix renames a file that is locked for one; Windows only one that others may delete, which no orphan's finder does while it is
+    /// written.</summary>
     private static FileShare Sharing => OperatingSystem.IsWindows() ? FileShare.Delete : FileShare.None;
 
     /// <summary>Begins to write beside a target.</summary>

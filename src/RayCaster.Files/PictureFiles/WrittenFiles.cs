@@ -1,7 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// What a process has written, and what it is writing. A program that must end at once, whatever its threads are doing, gives up what is not finished and can
+/// What a process has written, and what it is writing. A program that must end at once, whatever its threads are doing, gives up what is not
+/// finished and can
 /// say what is.
 /// </summary>
 public static class WrittenFiles

@@ -1,6 +1,7 @@
 namespace RayCaster.Files;
 
-/// <summary>Finds the file that somebody meant. Each folder is listed once, and few names are looked for in it: a scene may miss a thousand files.</summary>
+/// <summary>Finds the file that somebody meant. Each folder is listed once, and few names are looked for in it: a scene may miss a thousand
+/// files.</summary>
 internal sealed class FileNames
 {
     /// <summary>How many hints are given: as many problems of a scene as are printed.</summary>
@@ -15,7 +16,8 @@ internal sealed class FileNames
     /// <summary>How many names of files were read from folders.</summary>
     public int NamesRead { get; private set; }
 
-    /// <summary>The end of a message about a file that is not there: where it was looked for, unless the path says so, and which file may be meant.</summary>
+    /// <summary>The end of a message about a file that is not there: where it was looked for, unless the path says so, and which file may be
+    /// meant.</summary>
     /// <param name="path">The file that is not there.</param>
     /// <param name="extension">What somebody may have left out at its end.</param>
     public static string Hint(string path, string extension = "") => new FileNames().HintFor(path, extension);

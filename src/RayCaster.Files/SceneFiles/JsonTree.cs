@@ -13,7 +13,8 @@ internal sealed class JsonTree
 
     private JsonTree(SourceText text) => (Text, nodes) = (text, new Node[16 + text.Utf8.Length / 4]);
 
-    /// <summary>A token; an object's keys stand before their values. Plain fields: each property would be one more method to compile at start-up.</summary>
+    /// <summary>A token; an object's keys stand before their values. Plain fields: each property would be one more method to compile at
+    /// start-up.</summary>
     public struct Node
     {
         /// <summary>What it is.</summary>
@@ -96,7 +97,8 @@ internal sealed class JsonTree
     /// <param name="end">The place after its closing bracket.</param>
     private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next, lastClosed) = (end, count, opening);
 
-    /// <summary>The text with blanks in place of comments. The JSON reader's own skipping stumbles over a comment between a key and its colon.</summary>
+    /// <summary>The text with blanks in place of comments. The JSON reader's own skipping stumbles over a comment between a key and its
+    /// colon.</summary>
     private static ReadOnlySpan<byte> WithoutComments(ReadOnlySpan<byte> utf8)
     {
         byte[]? copy = null;

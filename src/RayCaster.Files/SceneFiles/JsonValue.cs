@@ -64,7 +64,8 @@ internal readonly struct JsonValue(JsonTree tree, int node)
 
     /// <summary>The same in an object that has no key twice.</summary>
     /// <param name="name">The key.</param>
-    /// <param name="likely">Where it is looked for first, 0 for no such place; becomes the place after it: most files have their keys in the order of the questions.</param>
+    /// <param name="likely">Where it is looked for first, 0 for no such place; becomes the place after it: most files have their keys in the
+    /// order of the questions.</param>
     public JsonValue? Find(string name, ref int likely)
     {
         if (likely > 0 && likely < tree[node].Next && new JsonValue(tree, likely).Is(name)) return ValueOf(new(tree, likely), ref likely);

@@ -6,7 +6,8 @@ namespace RayCaster.Files;
 /// <param name="threads">How many threads read and place a large mesh; one per core if left out.</param>
 internal sealed class SceneDocument(SourceText text, string folder, int? threads = null)
 {
-    /// <summary>After so many errors the rest is not read, and after so many problems no warning is kept: a file of nothing but mistakes would take hours.</summary>
+    /// <summary>After so many errors the rest is not read, and after so many problems no warning is kept: a file of nothing but mistakes would
+    /// take hours.</summary>
     public const int MostProblems = 1000;
 
     private const int LongestMessage = 2000; // a mesh file's path may stand in it, as long as somebody likes

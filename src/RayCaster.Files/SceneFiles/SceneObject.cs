@@ -168,7 +168,8 @@ internal sealed class SceneObject
     }
 
     /// <summary>
-    /// An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none. It is the same
+    /// An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none. It is
+    /// the same
     /// one each time: the caller is done with an element when it takes the next.
     /// </summary>
     public IEnumerable<SceneObject> Objects(string key, string meaning)
@@ -197,7 +198,8 @@ internal sealed class SceneObject
         return o.IsNow(value, null, name) ? o : null;
     }
 
-    /// <summary>Begins an object in the text, and notes the keys that stand in it twice, of which the first counts; false and a problem where it is none.</summary>
+    /// <summary>Begins an object in the text, and notes the keys that stand in it twice, of which the first counts; false and a problem where it
+    /// is none.</summary>
     /// <param name="value">What should be an object.</param>
     /// <param name="place">Its place in the array.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
@@ -271,7 +273,8 @@ internal sealed class SceneObject
         return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
     }
 
-    /// <summary>The value of a key that has not been asked for before, or null if it is not written, which is a problem where it is required.</summary>
+    /// <summary>The value of a key that has not been asked for before, or null if it is not written, which is a problem where it is
+    /// required.</summary>
     private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
     {
         if (document is null) return null;

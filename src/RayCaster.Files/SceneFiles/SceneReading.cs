@@ -10,7 +10,8 @@ public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
     /// <summary>How many problems <see cref="Report"/> writes out.</summary>
     public const int Printed = 20;
 
-    /// <summary>The mesh files that the scene names, by their full paths, whether or not they could be read: what to watch for a change, and not to overwrite.</summary>
+    /// <summary>The mesh files that the scene names, by their full paths, whether or not they could be read: what to watch for a change, and not
+    /// to overwrite.</summary>
     public IReadOnlyCollection<string> MeshFiles { get; init; } = [];
 
     /// <summary>The problems as text for people, the errors first; empty if there are none. Of many only the first are written out.</summary>

@@ -37,7 +37,8 @@ public sealed class SceneDifference
     /// <summary>Whether the picture in question is the scene's own, and the reference is not: they may have been swapped.</summary>
     public bool IsMineOwn { get; }
 
-    /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not that picture.</summary>
+    /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not that
+    /// picture.</summary>
     public IReadOnlyList<ModelDifference> Models { get; }
 
     /// <summary>The model that a pixel shows in the scene's own picture, by the pixel's place in reading order; −1 for the background.</summary>

@@ -1,7 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Finds out whether this build still draws a scene as its stored reference picture shows it. A build whose course library was changed may not, and then its judgement of other
+/// Finds out whether this build still draws a scene as its stored reference picture shows it. A build whose course library was changed may not,
+/// and then its judgement of other
 /// pictures is worth nothing.
 /// </summary>
 public static class StoredReference

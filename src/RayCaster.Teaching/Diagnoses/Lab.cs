@@ -30,11 +30,11 @@ internal sealed class Lab
         Towards = new((uc, ur) => uc * U + ur * V - W);
         Direction = new(Unit);
 
-        Plane = new((plane, d) => plane.Cross(RayOf(d)));
-        Sphere = new((sphere, d) => sphere.Cross(RayOf(d)));
-        Box = new((box, d) => box.Cross(RayOf(d)));
-        Circle = new((circle, d) => circle.Cross(RayOf(d)));
-        Triangle = new((triangle, d) => triangle.Cross(RayOf(d)));
+        Plane = new((plane, d) => plane.Intersect(RayOf(d)));
+        Sphere = new((sphere, d) => sphere.Intersect(RayOf(d)));
+        Box = new((box, d) => box.Intersect(RayOf(d)));
+        Circle = new((circle, d) => circle.Intersect(RayOf(d)));
+        Triangle = new((triangle, d) => triangle.Intersect(RayOf(d)));
 
         Ahead = new(t => clip.IsAhead(t));
         Near = new((t, depth) => clip.IsBeyondNear(isDepth ? depth : t));
@@ -168,7 +168,8 @@ internal sealed class Lab
     /// <summary>Whether triangles are hit outside of themselves, so that nothing can be said about a mesh by its bounds.</summary>
     public bool TrianglesReachOut { get; set; }
 
-    /// <summary>Whether the last bits decide for each pixel if the mistake shows there: some pixels are the lab's, the others the definition's.</summary>
+    /// <summary>Whether the last bits decide for each pixel if the mistake shows there: some pixels are the lab's, the others the
+    /// definition's.</summary>
     public bool Scatters { get; set; }
 
     // ---- Which crossing counts ----
@@ -277,7 +278,7 @@ internal sealed class Lab
         Model<Aabb> box => Box.Do(box.Primitive, d),
         Model<Circle> circle => Circle.Do(circle.Primitive, d),
         Model<Triangle> triangle => Triangle.Do(triangle.Primitive, d),
-        _ => model.Cross(RayOf(d)),
+        _ => model.Intersect(RayOf(d)),
     };
 
     private (byte R, byte G, byte B) Cast(int column, int row)

@@ -55,7 +55,8 @@ public sealed class Mistake
     /// <param name="symptom">What is to be seen.</param>
     /// <param name="question">What to ask oneself.</param>
     /// <param name="answer">What to write instead.</param>
-    /// <param name="isWithinRounding">Whether it moves no channel by more than a level, as rounding does, so that no wrong pixel can be its work.</param>
+    /// <param name="isWithinRounding">Whether it moves no channel by more than a level, as rounding does, so that no wrong pixel can be its
+    /// work.</param>
     internal Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate,
         string symptom, string question, string answer, bool isWithinRounding = false)
         : this(id, concerns, slide, cause, deviate, new Hint(symptom, question, answer)) => IsWithinRounding = isWithinRounding;

@@ -3,7 +3,8 @@ using System.Globalization;
 namespace RayCaster.Teaching;
 
 /// <summary>One number of the scene or of the camera's plane that may be another in a picture, and what that would look like.</summary>
-/// <param name="Draw">The scene with another number: x is by how much it differs, or the logarithm of how many times it is what it should be.</param>
+/// <param name="Draw">The scene with another number: x is by how much it differs, or the logarithm of how many times it is what it should
+/// be.</param>
 /// <param name="Tries">The x that are tried first.</param>
 /// <param name="Says">What is to be said of an x.</param>
 internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double> Tries, Func<double, string> Says)

@@ -28,7 +28,8 @@ public sealed class SceneDiagnosis
     /// <summary>Its picture.</summary>
     public Picture Right { get; }
 
-    /// <summary>The mistakes of the catalogue that the scene's picture cannot show; found out when first asked for, which takes longer than a diagnosis.</summary>
+    /// <summary>The mistakes of the catalogue that the scene's picture cannot show; found out when first asked for, which takes longer than a
+    /// diagnosis.</summary>
     public IReadOnlyList<Mistake> Hidden => hidden.Value;
 
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>

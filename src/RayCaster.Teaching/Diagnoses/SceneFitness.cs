@@ -69,7 +69,8 @@ public sealed class SceneFitness
     /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
     public IReadOnlyList<Mistake> Hidden { get; }
 
-    /// <summary>The mistakes that show in another wording only than the catalogue's first: a program may well have them, and its picture be right.</summary>
+    /// <summary>The mistakes that show in another wording only than the catalogue's first: a program may well have them, and its picture be
+    /// right.</summary>
     public IReadOnlyList<Mistake> HiddenAtFirst { get; }
 
     /// <summary>Those of the hidden ones that do change pixels, by a level: a comparison shows them, the eye does not.</summary>

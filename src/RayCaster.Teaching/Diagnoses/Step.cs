@@ -1,7 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>A step of the definition that mistakes change: one puts another formula in its place, others lay themselves around it.</summary>
-/// <remarks>What is around a formula stays around it, in whichever order the mistakes are made, so that a second mistake adds to the first.</remarks>
+/// <remarks>What is around a formula stays around it, in whichever order the mistakes are made, so that a second mistake adds to the
+/// first.</remarks>
 /// <typeparam name="F">What the step takes and gives.</typeparam>
 /// <param name="definition">The right step.</param>
 internal sealed class Step<F>(F definition) where F : Delegate

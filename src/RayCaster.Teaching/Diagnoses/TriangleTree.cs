@@ -57,7 +57,7 @@ internal sealed class TriangleTree
         for (var i = node.First; i < node.End; i++)
         {
             var triangle = mesh[order[i]];
-            Keep(lab.First.Do(lab.Triangle.IsChanged ? lab.Triangle.Do(triangle, d) : triangle.Cross(along), d), ref nearest);
+            Keep(lab.First.Do(lab.Triangle.IsChanged ? lab.Triangle.Do(triangle, d) : triangle.Intersect(along), d), ref nearest);
         }
     }
 

@@ -29,7 +29,8 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
         return lab;
     }
 
-    /// <summary>Every way to be unfinished: each subset of the scene's kinds of shape but none and all, with and without attenuation and clipping.</summary>
+    /// <summary>Every way to be unfinished: each subset of the scene's kinds of shape but none and all, with and without attenuation and
+    /// clipping.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="done">What is surely there.</param>
     public static IEnumerable<Unfinished> Ways(Scene scene, IReadOnlyCollection<string> done)

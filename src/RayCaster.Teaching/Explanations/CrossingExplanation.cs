@@ -26,6 +26,7 @@ public enum Verdict
 /// <param name="Refusal">Why it does not count; <see cref="Refusal.None"/> if it does.</param>
 /// <param name="Reason">The verdict's reason in words.</param>
 /// <param name="Numbers">How t came about, from the named steps of the formula; empty where it is one of them.</param>
-/// <param name="Untested">Where there is no crossing for a test that failed: the t that the test was about, for example that of the circle's plane.</param>
+/// <param name="Untested">Where there is no crossing for a test that failed: the t that the test was about, for example that of the circle's
+/// plane.</param>
 public sealed record CrossingExplanation(
     double T, double Z, Verdict Verdict, Refusal Refusal, string Reason, string Numbers, double? Untested);

@@ -71,7 +71,8 @@ public sealed class HitLedger
         return ledger;
     }
 
-    /// <summary>Whether a scene is judged so soon that nobody minds who has not asked for it: its parts count, in however few models they are.</summary>
+    /// <summary>Whether a scene is judged so soon that nobody minds who has not asked for it: its parts count, in however few models they
+    /// are.</summary>
     public static bool IsQuick(Scene scene)
     {
         var parts = 0L;

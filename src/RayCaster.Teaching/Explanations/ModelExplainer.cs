@@ -16,7 +16,7 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         var shape = part is { } i && trial.Model is Mesh triangles ? Model.Of(triangles[i]) : trial.Model;
         IReadOnlyList<FormulaStep> steps = [];
         IReadOnlyList<CrossingExplanation> crossings = [];
-        if (part is null || shape.Cross(ray) is not { } derived)
+        if (part is null || shape.Intersect(ray) is not { } derived)
             crossings = trial.Mesh is null ? [Plain(trial)] : [];
         else
         {

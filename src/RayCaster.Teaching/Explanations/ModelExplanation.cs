@@ -17,7 +17,8 @@ public sealed record ModelExplanation(int Index, string Name, string Type, Verdi
     /// <summary>A triangle's barycentric numbers w, u, v, which add up to 1; null for other shapes and for a triangle seen edge-on.</summary>
     public IReadOnlyList<double>? Weights { get; init; }
 
-    /// <summary>How a mesh's triangles fare; null for other shapes. Steps and crossings are those of <see cref="MeshExplanation.Triangle"/>.</summary>
+    /// <summary>How a mesh's triangles fare; null for other shapes. Steps and crossings are those of
+    /// <see cref="MeshExplanation.Triangle"/>.</summary>
     public MeshExplanation? Mesh { get; init; }
 
     /// <summary>Where next to the pixel the model shows, in words; null where it does not.</summary>
@@ -39,7 +40,8 @@ public sealed record SlabExplanation(char Axis, double Lo, double Hi, double T0,
 
 /// <summary>How the triangles of a mesh fare.</summary>
 /// <param name="Triangles">How many there are; the ray is tried with each.</param>
-/// <param name="Triangle">The one that is explained, by its place in the mesh, from 0: the nearest that counts, else one that nearly does; null for none.</param>
+/// <param name="Triangle">The one that is explained, by its place in the mesh, from 0: the nearest that counts, else one that nearly does; null
+/// for none.</param>
 /// <param name="Missed">How many the ray passes by.</param>
 /// <param name="Behind">How many lie behind the camera.</param>
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias.</param>

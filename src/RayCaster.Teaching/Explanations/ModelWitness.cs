@@ -19,7 +19,7 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
     /// <returns><see cref="Outcome.Shows"/> for a hit, whatever else is in the scene.</returns>
     public Outcome Judge(Ray ray, out double t) =>
         blocks.Length > 0 ? JudgeMesh(ray, out t)
-        : model.Cross(new Ray<Scalar>(ray.Origin, ray.Direction)) is { } crossings ? JudgeShape(ray, crossings, out t)
+        : model.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)) is { } crossings ? JudgeShape(ray, crossings, out t)
         : JudgeByAsking(ray, out t);
 
     private Outcome JudgeShape(Ray ray, Crossings<Scalar> crossings, out double t)
@@ -30,7 +30,7 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
         // Of two crossings the far one comes nearest to counting: the near one would, if that were only too near.
         t = double.IsFinite(crossings.Far) ? crossings.Far : crossings.Near;
         if (double.IsFinite(t)) return Refused(ray, t);
-        var witness = model.Cross(new Ray<Witness>(ray.Origin, ray.Direction))!.Value.Near.Loss;
+        var witness = model.Intersect(new Ray<Witness>(ray.Origin, ray.Direction))!.Value.Near.Loss;
         return witness == Outcome.Shows ? Outcome.NoNumber : witness;
     }
 
@@ -45,7 +45,7 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
             var end = Math.Min(((Mesh)model).TriangleCount, (block + 1) * TrianglesOfBlock);
             for (var part = block * TrianglesOfBlock; part < end; part++)
             {
-                double crossing = ((Mesh)model)[part].Cross(along).Near;
+                double crossing = ((Mesh)model)[part].Intersect(along).Near;
                 if (!double.IsFinite(crossing)) continue;
                 var other = ray.Counts(crossing) ? Outcome.Shows : Refused(ray, crossing);
                 if (outcome == Outcome.Shows ? other != Outcome.Shows || crossing >= nearest
@@ -57,7 +57,8 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
         return outcome;
     }
 
-    /// <summary>A model without a formula only answers whether it is hit. So it is asked again without clip planes, and about the way back.</summary>
+    /// <summary>A model without a formula only answers whether it is hit. So it is asked again without clip planes, and about the way
+    /// back.</summary>
     private Outcome JudgeByAsking(Ray ray, out double t)
     {
         t = model.Intersect(ray) ?? double.NegativeInfinity;
@@ -86,7 +87,8 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
         return Array.ConvertAll(blocks, bounds => bounds.PaddedFrom(origin));
     }
 
-    /// <summary>Whether the line of a ray, on both sides of the camera, may cross padded bounds. A NaN, from a line within a face, drops nothing.</summary>
+    /// <summary>Whether the line of a ray, on both sides of the camera, may cross padded bounds. A NaN, from a line within a face, drops
+    /// nothing.</summary>
     private static bool Crosses(in Bounds bounds, Vector3 d)
     {
         var (least, most) = (double.NegativeInfinity, double.PositiveInfinity);

@@ -1,7 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// The plane through a pixel's ray and the camera's up, V, as a drawing from the side: the sections of the shapes, the clip planes and the crossings. Coordinates
+/// The plane through a pixel's ray and the camera's up, V, as a drawing from the side: the sections of the shapes, the clip planes and the
+/// crossings. Coordinates
 /// count from P: u across V, in the direction in which the ray goes, and v along V.
 /// </summary>
 /// <param name="Direction">d.</param>
@@ -65,7 +66,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
             foreach (var angle in angles)
             {
                 var (sin, cos) = Math.SinCos(angle);
-                if (model.Cross(new Ray<Scalar>(origin, cos * u + sin * v)) is not { } crossings) break; // plain doubles and ifs: only the crossing is known
+                if (model.Intersect(new Ray<Scalar>(origin, cos * u + sin * v)) is not { } crossings) break; // plain doubles and ifs: only the crossing is known
                 double a = crossings.Near, b = crossings.Far;
                 if (!IsDrawn(a) && !IsDrawn(b)) End();
                 if (IsDrawn(a)) near.Add([a * cos, a * sin]);

@@ -51,7 +51,8 @@ internal static class Reasons
     /// <summary>The values of all steps of a name.</summary>
     public static double[] Values(IReadOnlyList<FormulaStep> steps, string name) => [.. steps.Where(step => step.Name == name).Select(step => step.Value)];
 
-    /// <summary>Where a ray enters and leaves the slabs of a box: the lesser and the greater of t0 and t1; in a slab whose face it runs in it is for ever.</summary>
+    /// <summary>Where a ray enters and leaves the slabs of a box: the lesser and the greater of t0 and t1; in a slab whose face it runs in it is
+    /// for ever.</summary>
     public static (double[] Enters, double[] Leaves) Slabs(double[] t0, double[] t1) => (
         [.. t0.Zip(t1, (a, b) => Math.Min(a, b) is var t && double.IsNaN(t) ? double.NegativeInfinity : t)],
         [.. t0.Zip(t1, (a, b) => Math.Max(a, b) is var t && double.IsNaN(t) ? double.PositiveInfinity : t)]);

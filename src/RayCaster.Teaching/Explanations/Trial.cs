@@ -14,9 +14,9 @@ internal readonly struct Trial
         {
             Mesh = TryTriangles(mesh, ray, Hit);
             Near = Far = double.NaN;
-            if (Mesh.Triangle is { } part) (Near, Far) = (mesh[part].Cross(Plain(ray)).Near, double.NaN);
+            if (Mesh.Triangle is { } part) (Near, Far) = (mesh[part].Intersect(Plain(ray)).Near, double.NaN);
         }
-        else if (model.Cross(Plain(ray)) is { } crossings)
+        else if (model.Intersect(Plain(ray)) is { } crossings)
             (Near, Far) = (crossings.Near, crossings.Far);
         else // plain doubles and ifs: without clipping it tells where it would be hit
             (Near, Far) = (Hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
@@ -62,7 +62,7 @@ internal readonly struct Trial
         var nearest = double.PositiveInfinity; // of the refused, the one with the least |t|
         for (var i = 0; i < mesh.TriangleCount; i++)
         {
-            double t = mesh[i].Cross(along).Near;
+            double t = mesh[i].Intersect(along).Near;
             var refusal = ray.Clip.Refuse(t, ray.ZPerT);
             counts[(int)refusal]++;
             if (refusal is Refusal.NoNumber) continue;

@@ -1,9 +1,11 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A double that remembers why it became no number. With it a formula, also a student's own, says why a ray does not cross the shape.</summary>
+/// <summary>A double that remembers why it became no number. With it a formula, also a student's own, says why a ray does not cross the
+/// shape.</summary>
 /// <param name="Value">The number; as a mask 1 for true and 0 for false.</param>
 /// <param name="Loss">
-/// Why <paramref name="Value"/> is NaN, or infinite; of a mask why it could not be true, and none if it was plainly false. <see cref="Outcome.Shows"/> stands for none.
+/// Why <paramref name="Value"/> is NaN, or infinite; of a mask why it could not be true, and none if it was plainly false.
+/// <see cref="Outcome.Shows"/> stands for none.
 /// </param>
 internal readonly record struct Witness(double Value, Outcome Loss) : IReal<Witness>
 {

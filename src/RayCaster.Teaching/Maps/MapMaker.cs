@@ -10,7 +10,8 @@ public static class MapMaker
     /// <param name="scene">The scene.</param>
     /// <param name="kind">What to write down.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
-    /// <exception cref="PictureFileException">The map has more pixels than <see cref="MostPixels"/>, or does not fit into this machine's memory.</exception>
+    /// <exception cref="PictureFileException">The map has more pixels than <see cref="MostPixels"/>, or does not fit into this machine's
+    /// memory.</exception>
     public static NumberMap Make(Scene scene, MapKind kind, int? threads = null)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);

@@ -51,7 +51,8 @@ public static class MapPicture
         byte Mix(int shift) => (byte)(((Ramp[i] >> shift) & 255) * (1 - rest) + ((Ramp[i + 1] >> shift) & 255) * rest + 0.5);
     }
 
-    /// <summary>A colour for each model: the hue goes on by the golden angle, so that neighbours in the scene file, and many, are far apart.</summary>
+    /// <summary>A colour for each model: the hue goes on by the golden angle, so that neighbours in the scene file, and many, are far
+    /// apart.</summary>
     private static (byte, byte, byte) OfModel(int model)
     {
         var hue = 6 * Part(0.61803398874989 * model);

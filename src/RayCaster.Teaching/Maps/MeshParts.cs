@@ -33,7 +33,7 @@ internal static class MeshParts
                 {
                     if (hits.Model[line + column] != index || parts[line + column] >= 0) continue;
                     var d = camera.Direction<Scalar>(column, row);
-                    var crossings = triangle.Cross(new Ray<Scalar>(camera.Position, d));
+                    var crossings = triangle.Intersect(new Ray<Scalar>(camera.Position, d));
                     if (crossings.Near == hits.T[line + column]) parts[line + column] = part;
                 }
             }

@@ -12,7 +12,8 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
     private readonly int[]? parts = scene.Models.Any(model => model is Mesh) ? MeshParts.Find(scene, hits) : null;
     private readonly ISurface?[] surfaces = [.. scene.Models.Select(model => model.Surface)];
 
-    /// <summary>The normal at a pixel's hit, of length 1 and towards the camera; zero where nothing is hit, or the shape's neighbouring hits do not tell.</summary>
+    /// <summary>The normal at a pixel's hit, of length 1 and towards the camera; zero where nothing is hit, or the shape's neighbouring hits do
+    /// not tell.</summary>
     /// <param name="column">c, from the left.</param>
     /// <param name="row">r, from the bottom.</param>
     public Vector3 Normal(int column, int row)
@@ -47,7 +48,8 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
         return new(d.X, d.Y, d.Z);
     }
 
-    /// <summary>The surface goes through the hits of two rays beside each other in the row and two in the column; zero where one of them misses.</summary>
+    /// <summary>The surface goes through the hits of two rays beside each other in the row and two in the column; zero where one of them
+    /// misses.</summary>
     private Vector3 FromNeighbours(int column, int row, int model)
     {
         var across = Hit(column + Step, row, model) - Hit(column - Step, row, model);

@@ -4,7 +4,8 @@ using System.Xml;
 
 namespace RayCaster.Teaching;
 
-/// <summary>The marks in the form that continuous integration reads: a suite for each student, a case for each item. Answers are not in it.</summary>
+/// <summary>The marks in the form that continuous integration reads: a suite for each student, a case for each item. Answers are not in
+/// it.</summary>
 internal static class JUnitReport
 {
     /// <summary>The text of the file.</summary>

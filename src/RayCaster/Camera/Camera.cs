@@ -114,12 +114,14 @@ public sealed class Camera
     public double Reach { get; }
 
     /// <summary>
-    /// By how much U, V and W are not at right angles and of length 1. That is all rounding, but much of it where up is nearly the view direction; a ray
+    /// By how much U, V and W are not at right angles and of length 1. That is all rounding, but much of it where up is nearly the view
+    /// direction; a ray
     /// then meets a point a little beside the pixel on which U and V put it.
     /// </summary>
     internal double Skew { get; }
 
-    /// <summary>Whether points are put so far beside the rays that meet them that margins of 1e-12 of their distance do not make up for it.</summary>
+    /// <summary>Whether points are put so far beside the rays that meet them that margins of 1e-12 of their distance do not make up for
+    /// it.</summary>
     internal bool IsSkewed => Skew > 1e-13;
 
     /// <summary>Bias, zNear and zFar as one question.</summary>

@@ -12,7 +12,7 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
 
     /// <summary>The box is what three slabs share: t_min is the last of the ways in, t_max the first of the ways out, if t_min ≤ t_max.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
+    public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>
     {
         var x = Slab<N>(Min.X, Max.X, ray.Origin.X, ray.Direction.X);
         var y = Slab<N>(Min.Y, Max.Y, ray.Origin.Y, ray.Direction.Y);

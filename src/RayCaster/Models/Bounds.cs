@@ -36,8 +36,10 @@ public readonly record struct Bounds(Vector3 Min, Vector3 Max)
     /// <summary>The same for any kind of number.</summary>
     /// <remarks>
     /// It is not quite the distance, which is right for hits that are in the box. A triangle's t is a mean of the corners' depths along the axis k
-    /// that the ray follows most (<see cref="AlongRay{N}"/>), t = z / d_k; and where the triangle is seen so exactly edge-on that the weights are all noise, this may be
-    /// the depth of any corner. So the ray meets the box, but of the hit only the coordinate along k is sure to lie in it. Of rays that meet the box,
+    /// that the ray follows most (<see cref="AlongRay{N}"/>), t = z / d_k; and where the triangle is seen so exactly edge-on that the weights are
+    /// all noise, this may be
+    /// the depth of any corner. So the ray meets the box, but of the hit only the coordinate along k is sure to lie in it. Of rays that meet the
+    /// box,
     /// |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), for the two other axes i and j.
     /// </remarks>
     /// <param name="near">How far the box is from the origin along each axis.</param>

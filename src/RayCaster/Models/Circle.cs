@@ -13,9 +13,9 @@ public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radi
 
     /// <summary>The crossing X of the circle's plane, where |X − C| ≤ R. Compares squares: |X − C|² ≤ R².</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
+    public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>
     {
-        var t = new Plane(Center, Normal).Cross(ray).Near;
+        var t = new Plane(Center, Normal).Intersect(ray).Near;
         var CX = (ray.At(t) - Center).As("CX"); // infinite or NaN for a parallel ray, so that no comparison holds
         return new(N.If((CX * CX <= Radius * Radius).As("inside"), t));
     }

@@ -1,6 +1,7 @@
 namespace RayCaster;
 
-/// <summary>Does something for each kind of model that it could not do for all kinds alike: <see cref="Model.Accept"/> calls the method that fits.</summary>
+/// <summary>Does something for each kind of model that it could not do for all kinds alike: <see cref="Model.Accept"/> calls the method that
+/// fits.</summary>
 public interface IModelVisitor
 {
     /// <summary>Visits a model whose shape states its crossing as a formula.</summary>

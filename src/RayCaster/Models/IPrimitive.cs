@@ -12,5 +12,5 @@ public interface IPrimitive
     /// <param name="ray">The ray; its direction has length 1.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
     /// <returns>The parameters t, in units of length, nearest first; NaN for none.</returns>
-    Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>;
+    Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>;
 }

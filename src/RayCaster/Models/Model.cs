@@ -30,10 +30,11 @@ public abstract class Model
     /// <summary>A box around it; null for a shape that is endless or does not say.</summary>
     public virtual Bounds? Bounds => (this as IBounded)?.Bounds;
 
-    /// <summary>Where any kind of ray crosses the shape, by its own formula; null where there is none to run: for a mesh, and for plain doubles and ifs.</summary>
+    /// <summary>Where any kind of ray crosses the shape, by its own formula; null where there is none to run: for a mesh, and for plain doubles
+    /// and ifs.</summary>
     /// <param name="ray">The ray; its direction has length 1.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
-    public virtual Crossings<N>? Cross<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
+    public virtual Crossings<N>? Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
 
     /// <summary>Calls the visitor's method for this kind of model.</summary>
     public virtual void Accept(IModelVisitor visitor) => visitor.VisitOther(this);
@@ -53,7 +54,7 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     /// <inheritdoc/>
     public override double? Intersect(Ray ray)
     {
-        var crossings = Primitive.Cross(new Ray<Scalar>(ray.Origin, ray.Direction));
+        var crossings = Primitive.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction));
         double t = ray.Clip.First<Scalar>(crossings, ray.ZPerT);
         return double.IsNaN(t) ? null : t;
     }
@@ -68,7 +69,7 @@ public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
     public override Bounds? Bounds => (Primitive as IBounded)?.Bounds;
 
     /// <inheritdoc/>
-    public override Crossings<N>? Cross<N>(in Ray<N> ray) => Primitive.Cross(ray);
+    public override Crossings<N>? Intersect<N>(in Ray<N> ray) => Primitive.Intersect(ray);
 
     /// <inheritdoc/>
     public override void Accept(IModelVisitor visitor) => visitor.Visit(this);

@@ -11,7 +11,7 @@ public readonly record struct Plane(Vector3 Point, Vector3 Normal) : IPrimitive,
     /// t = (Q − P)·n / d·n. A parallel ray divides by 0: t is infinite, or NaN for a ray in the plane, and counts in no case.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
+    public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>
     {
         var t = ((Point - ray.Origin) * Normal / (ray.Direction * Normal)).As("t");
         return new(t);

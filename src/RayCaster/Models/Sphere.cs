@@ -19,7 +19,7 @@ public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive
     /// (Haines, Günther, Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", 2019).
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
+    public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>
     {
         var L = (Center - ray.Origin).As("L");
         var tca = (L * ray.Direction).As("tca");
@@ -31,7 +31,8 @@ public readonly record struct Sphere(Vector3 Center, double Radius) : IPrimitive
     /// <summary>X − C, made 1 long.</summary>
     Vector3 ISurface.Normal(Vector3 X) => (X - Center).Normalized;
 
-    /// <summary>Longitude and latitude: u goes once around the z axis from −x over −y, x and y, 0 to 1; v from the lower pole, 0, to the upper, 1.</summary>
+    /// <summary>Longitude and latitude: u goes once around the z axis from −x over −y, x and y, 0 to 1; v from the lower pole, 0, to the upper,
+    /// 1.</summary>
     (double U, double V) ISurface.Parameters(Vector3 X)
     {
         var n = (X - Center).Normalized;

@@ -23,15 +23,15 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     /// cover the view like tiles, corners included (after Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013).</para>
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N> => Cross(new AlongRay<N>(ray));
+    public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => Intersect(new AlongRay<N>(ray));
 
     /// <summary>The same, for a caller that asks about many triangles and one ray.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // not inlined: in a caller grown too large operators, silently, become calls
-    internal Crossings<N> Cross<N>(in AlongRay<N> along) where N : struct, IReal<N> => Cross(along, A, B, C);
+    internal Crossings<N> Intersect<N>(in AlongRay<N> along) where N : struct, IReal<N> => Intersect(along, A, B, C);
 
     /// <summary>The same for corners over any kind of number: in a packet each lane has its own triangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static Crossings<N> Cross<N>(in AlongRay<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
+    internal static Crossings<N> Intersect<N>(in AlongRay<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
         where N : struct, IReal<N>
     {
         var (a, b, c) = (along.See(cornerA), along.See(cornerB), along.See(cornerC));

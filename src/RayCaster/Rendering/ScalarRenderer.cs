@@ -1,10 +1,12 @@
 namespace RayCaster;
 
-/// <summary>The definition of a picture, one ray after another. What draws faster must give the same bytes; in a build from source it is checked against this.</summary>
+/// <summary>The definition of a picture, one ray after another. What draws faster must give the same bytes; in a build from source it is checked
+/// against this.</summary>
 public static class ScalarRenderer
 {
     /// <summary>
-    /// Whether this library was built from other sources than those with which the fast way was tested to agree (tested.sha256). Then pictures are compared with this
+    /// Whether this library was built from other sources than those with which the fast way was tested to agree (tested.sha256). Then pictures
+    /// are compared with this
     /// definition while they are drawn.
     /// </summary>
     public static bool IsChanged =>

@@ -2,7 +2,8 @@ using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Cli.Tests.Fuzzing;
 
-/// <summary>A sample of spoilt files and odd command lines through the real process: it ends with a picture or with words, and leaves nothing else.</summary>
+/// <summary>A sample of spoilt files and odd command lines through the real process: it ends with a picture or with words, and leaves nothing
+/// else.</summary>
 public sealed class ProcessTests : IDisposable
 {
     private const int Sample = 8;

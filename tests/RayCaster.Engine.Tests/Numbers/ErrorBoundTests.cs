@@ -17,14 +17,14 @@ public class ErrorBoundTests
         {
             var (y, z, size) = (0.3 * (random.NextDouble() - 0.5), 0.3 * (random.NextDouble() - 0.5), Math.Pow(2, -random.Next(4, 9)));
             var region = new Vector3<ErrorBound>(ErrorBound.From(-1 - size, -1), ErrorBound.From(y, y + size), ErrorBound.From(z, z + size));
-            var bound = IntervalTests.Primitives[shape].Cross(new Ray<ErrorBound>(origin, region)).Near;
+            var bound = IntervalTests.Primitives[shape].Intersect(new Ray<ErrorBound>(origin, region)).Near;
             if (bound.Error == double.PositiveInfinity) continue;
             bounded++;
             for (var j = 0; j < 20; j++)
             {
                 var d = new Vector3(-1 - random.NextDouble() * size, y + random.NextDouble() * size, z + random.NextDouble() * size);
-                double exact = IntervalTests.Primitives[shape].Cross(new Ray<Scalar>(origin, d)).Near;
-                var rough = IntervalTests.Primitives[shape].Cross(new Ray<FloatPacket>(origin, (Vector3)d)).Near;
+                double exact = IntervalTests.Primitives[shape].Intersect(new Ray<Scalar>(origin, d)).Near;
+                var rough = IntervalTests.Primitives[shape].Intersect(new Ray<FloatPacket>(origin, (Vector3)d)).Near;
                 var error = Math.Abs(rough.Upper[random.Next(FloatPacket.Count)] - exact);
                 Assert.True(error <= bound.Error, $"off by {error} for {d}, where {bound.Error} was said to be the most");
                 worst = Math.Max(worst, error / bound.Error);
@@ -51,7 +51,7 @@ public class ErrorBoundTests
         Assert.NotEqual(0, wrong);
 
         N Level<N>(N column, N row) where N : struct, IReal<N> =>
-            Color.Level(scene.Attenuation(plane.Cross(new Ray<N>(scene.Camera.Position, scene.Camera.Direction(column, row))).Near));
+            Color.Level(scene.Attenuation(plane.Intersect(new Ray<N>(scene.Camera.Position, scene.Camera.Direction(column, row))).Near));
     }
 
     [Fact]

@@ -25,11 +25,11 @@ public class IntervalTests
         {
             var (y, z) = (random.NextDouble() - 0.5, random.NextDouble() - 0.5);
             var region = Region(y, z, Math.Pow(2, -random.Next(1, 8)));
-            var bounds = Primitives[shape].Cross(region);
+            var bounds = Primitives[shape].Intersect(region);
             for (var j = 0; j < 30; j++)
             {
                 var d = new Vector3(Inside(region.Direction.X), Inside(region.Direction.Y), Inside(region.Direction.Z));
-                var crossings = Primitives[shape].Cross(new Ray<Scalar>(new Vector3(20, 0, 0), d));
+                var crossings = Primitives[shape].Intersect(new Ray<Scalar>(new Vector3(20, 0, 0), d));
                 Assert.True(Contains(bounds.Near, crossings.Near), $"near {crossings.Near} of the ray along {d} is not in {Lo(bounds.Near)} … {Hi(bounds.Near)}");
                 Assert.True(Contains(bounds.Far, crossings.Far), $"far {crossings.Far} of the ray along {d} is not in {Lo(bounds.Far)} … {Hi(bounds.Far)}");
             }
@@ -43,13 +43,13 @@ public class IntervalTests
     [InlineData("aabb")]
     [InlineData("circle")]
     public void ARegionFarBesideABoundedShapeSurelyMissesIt(string shape) =>
-        Assert.True(WidePacket.All(Primitives[shape].Cross(Region(0.4, 0.4, 0.02)).Near.IsNothing));
+        Assert.True(WidePacket.All(Primitives[shape].Intersect(Region(0.4, 0.4, 0.02)).Near.IsNothing));
 
     [Theory]
     [MemberData(nameof(Shapes))]
     public void ANarrowRegionHasANarrowRangeOfT(string shape)
     {
-        var near = Primitives[shape].Cross(Region(0.003, 0.002, 1e-6)).Near;
+        var near = Primitives[shape].Intersect(Region(0.003, 0.002, 1e-6)).Near;
         Assert.Equal(0u, WidePacket.Bits(near.MayBeNaN));
         Assert.InRange(Hi(near) - Lo(near), 0, 0.01);
     }
@@ -69,12 +69,12 @@ public class IntervalTests
     {
         var random = new Random(5);
         var floor = new Plane(new(0, -5, 0), new(0, 1, 0));
-        var t = floor.Cross(Region(0.001, 0, 0.01)).Near;
+        var t = floor.Intersect(Region(0.001, 0, 0.01)).Near;
         Assert.InRange(Gap(t), 500, 5 / 0.006 + 1e-9);
         for (var i = 0; i < 1000; i++)
         {
             var d = new Vector3(-1, 0.001 + 0.01 * (random.NextDouble() - 0.5), 0);
-            Assert.True(Contains(t, floor.Cross(new Ray<Scalar>(new Vector3(20, 0, 0), d)).Near));
+            Assert.True(Contains(t, floor.Intersect(new Ray<Scalar>(new Vector3(20, 0, 0), d)).Near));
         }
     }
 
@@ -97,7 +97,8 @@ public class IntervalTests
 
     private static double Gap(Range range) => range.Gap.Lanes[0];
 
-    /// <summary>The rays from (20, 0, 0) towards −x that lie about (y, z) on the picture plane; their directions need not have length 1 to be a test.</summary>
+    /// <summary>The rays from (20, 0, 0) towards −x that lie about (y, z) on the picture plane; their directions need not have length 1 to be a
+    /// test.</summary>
     private static Ray<Range> Region(double y, double z, double size) => new(
         new Vector3(20, 0, 0),
         new Vector3<Range>(new(-1 - size / 8, -1 + size / 8), new(y - size / 2, y + size / 2), new(z - size / 2, z + size / 2)));

@@ -1,7 +1,8 @@
 namespace RayCaster.Engine.Tests.Rendering;
 
 /// <summary>
-/// Rays that lie in the plane of a triangle as well as doubles can tell: the weights of the corners are all noise, and the formula's t may be that of any of them,
+/// Rays that lie in the plane of a triangle as well as doubles can tell: the weights of the corners are all noise, and the formula's t may be
+/// that of any of them,
 /// even where it is less than the distance of the triangle's box.
 /// </summary>
 public class EdgeOnTriangleTests

@@ -2,7 +2,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine.Tests.Rendering;
 
-/// <summary>Where floats may round a level to the other side of a whole number, the margins say so, and they are not much greater than that.</summary>
+/// <summary>Where floats may round a level to the other side of a whole number, the margins say so, and they are not much greater than
+/// that.</summary>
 public class FloatBytesTests
 {
     [Fact]

@@ -47,10 +47,10 @@ public class PacketTests
                     origins[lane] = special.Choose(3) == 0 ? special.Mix(aims) : special.Vector();
                     directions[lane] = special.Choose(3) == 0 ? special.Direction() : special.Towards(origins[lane], special.Mix(aims));
                 }
-                var packet = primitive.Cross(new Ray<Packet>(Pack(origins), Pack(directions)));
+                var packet = primitive.Intersect(new Ray<Packet>(Pack(origins), Pack(directions)));
                 for (var lane = 0; lane < Packet.Count; lane++)
                 {
-                    var scalar = primitive.Cross(new Ray<Scalar>(origins[lane], directions[lane]));
+                    var scalar = primitive.Intersect(new Ray<Scalar>(origins[lane], directions[lane]));
                     if (Same(scalar.Near, packet.Near.Lanes[lane]) && Same(scalar.Far, packet.Far.Lanes[lane]))
                     {
                         if (!double.IsNaN(scalar.Near)) hits++;

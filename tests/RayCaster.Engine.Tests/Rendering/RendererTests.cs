@@ -165,7 +165,8 @@ public class RendererTests
     }
 
     /// <summary>
-    /// Up so nearly along the view that U, V and W are not at right angles, by rounding: rays then pass beside the pixels on which U and V put what they hit.
+    /// Up so nearly along the view that U, V and W are not at right angles, by rounding: rays then pass beside the pixels on which U and V put
+    /// what they hit.
     /// </summary>
     [Theory]
     [InlineData(40)]
@@ -207,7 +208,8 @@ public class RendererTests
         Assert.Throws<OperationCanceledException>(() => renderer.Draw(_ => cancellation.Cancel(), null, cancellation.Token));
     }
 
-    /// <summary>Floats cannot tell which of two planes is in front that lie some millionths apart, and neither can a byte wait for doubles to be asked everywhere.</summary>
+    /// <summary>Floats cannot tell which of two planes is in front that lie some millionths apart, and neither can a byte wait for doubles to be
+    /// asked everywhere.</summary>
     [Theory]
     [InlineData(0)]
     [InlineData(1e-7)]

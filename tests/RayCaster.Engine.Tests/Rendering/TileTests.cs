@@ -3,7 +3,8 @@ namespace RayCaster.Engine.Tests.Rendering;
 /// <summary>Where a model can show at all is told by its bounds; no pixel that hits it lies elsewhere.</summary>
 public class TileTests
 {
-    /// <summary>Boxes that begin exactly where a ray passes, in a picture so wide that the padding of their bounds is less than what the projection rounds.</summary>
+    /// <summary>Boxes that begin exactly where a ray passes, in a picture so wide that the padding of their bounds is less than what the
+    /// projection rounds.</summary>
     [Fact]
     public void WithoutItsMarginATileWouldLoseHitsAtTheEdgeOfABox()
     {

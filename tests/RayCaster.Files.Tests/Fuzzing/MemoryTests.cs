@@ -91,7 +91,8 @@ public class MemoryTests
         Reading.OfPicture(new("a.png", file.ToArray()));
     }
 
-    /// <summary>What is small in the file and large in memory: lines as long as they may be, in all kinds of pixels, and pictures of one bit a pixel.</summary>
+    /// <summary>What is small in the file and large in memory: lines as long as they may be, in all kinds of pixels, and pictures of one bit a
+    /// pixel.</summary>
     [Theory]
     [InlineData(1_000_000, 1, 16, 6, false)]
     [InlineData(1_000_000, 1, 8, 2, false)]
@@ -113,7 +114,8 @@ public class MemoryTests
         Promise.Within(MemoryLimit.OfPicture(file.Length, width, height), () => PictureFile.Read(new MemoryStream(file.ToArray())));
     }
 
-    /// <summary>Of a pipe no more is read than the header asks for, though it never ends, and no more memory is taken than for what has come.</summary>
+    /// <summary>Of a pipe no more is read than the header asks for, though it never ends, and no more memory is taken than for what has
+    /// come.</summary>
     [Theory]
     [InlineData("P6 5 5 255\n", 5, 5)]
     [InlineData("P5 1000 1000 65535\n", 1000, 1000)]

@@ -55,7 +55,8 @@ public class FormatsTests
         AssertSame(expected, MeshFile.Parse(path, Encoding.UTF8.GetBytes(text.Replace('\n', '\r'))));
     }
 
-    /// <summary>A download may stop at any byte: what is left is refused, or is read where only the end of a number or of the last line is missing.</summary>
+    /// <summary>A download may stop at any byte: what is left is refused, or is read where only the end of a number or of the last line is
+    /// missing.</summary>
     [Fact]
     [Trait("kind", "campaign")]
     public void EveryPrefixOfAFileIsReadOrRefused()

@@ -3,7 +3,8 @@ using System.IO.Compression;
 
 namespace RayCaster.Files.Tests.PictureFiles;
 
-/// <summary>PNGs whose checksums are right and that are wrong all the same (ISO/IEC 15948, clause 5): they are refused, here as by other programs.</summary>
+/// <summary>PNGs whose checksums are right and that are wrong all the same (ISO/IEC 15948, clause 5): they are refused, here as by other
+/// programs.</summary>
 public sealed class WronglyMadePngTests : IDisposable
 {
     private static readonly byte[] lines = new byte[10 * 31];

@@ -44,7 +44,8 @@ internal static class SceneSchema
         ["additionalProperties"] = false,
     };
 
-    /// <summary>A model of some type: the type says by which definition it is checked, so that an editor complains about this type's keys only.</summary>
+    /// <summary>A model of some type: the type says by which definition it is checked, so that an editor complains about this type's keys
+    /// only.</summary>
     private static JsonObject AnyModel() => new()
     {
         ["title"] = "Model",

@@ -2,7 +2,8 @@ using System.Text;
 
 namespace RayCaster.Files.Tests.SceneFiles;
 
-/// <summary>To refuse a scene is no more work than so many times its bytes: what is looked for is counted, and twice the file is at most about twice the work.</summary>
+/// <summary>To refuse a scene is no more work than so many times its bytes: what is looked for is counted, and twice the file is at most about
+/// twice the work.</summary>
 public sealed class WorkTests : IDisposable
 {
     private readonly TemporaryFolder folder = new();

@@ -6,7 +6,8 @@ using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
 /// <summary>
-/// How well the diagnosis names what <see cref="SlideCaster"/> planted, which shares no formula with the library. A single mistake counts as named if
+/// How well the diagnosis names what <see cref="SlideCaster"/> planted, which shares no formula with the library. A single mistake counts as
+/// named if
 /// the suspect is it alone, or has it for a twin; a pair if one of both is in the first suspect. What changes fewer than
 /// <see cref="SceneFitness.LeastPixels"/> pixels beyond rounding is not visible and not counted.
 /// </summary>

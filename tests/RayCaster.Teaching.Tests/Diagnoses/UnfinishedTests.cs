@@ -2,7 +2,8 @@ using RayCaster.Teaching.Tests.Mistakes;
 
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
-/// <summary>Programs that do not draw everything yet: the pictures are <see cref="SlideCaster"/>'s, of scenes from which models were taken.</summary>
+/// <summary>Programs that do not draw everything yet: the pictures are <see cref="SlideCaster"/>'s, of scenes from which models were
+/// taken.</summary>
 public class UnfinishedTests
 {
     private static readonly Scene scene = Small("mistakes/generic");

@@ -18,8 +18,8 @@ public class DerivationTests
             foreach (var model in scene.Models)
                 foreach (var shape in Some.ShapesOf(model))
                 {
-                    var expected = shape.Cross(new Ray<Scalar>(scene.Camera.Position, plain))!.Value;
-                    var crossings = shape.Cross(new Ray<Derivation>(scene.Camera.Position, derived))!.Value;
+                    var expected = shape.Intersect(new Ray<Scalar>(scene.Camera.Position, plain))!.Value;
+                    var crossings = shape.Intersect(new Ray<Derivation>(scene.Camera.Position, derived))!.Value;
                     AssertSame([expected.Near, expected.Far], [crossings.Near, crossings.Far]);
                     AssertSame([scene.Camera.ClipRange.First(expected, scene.Camera.ZPerT(plain))], [scene.Camera.ClipRange.First(crossings, zPerT)]);
                     AssertSame([scene.Attenuation(expected.Near)], [scene.Attenuation(crossings.Near)]);
@@ -30,7 +30,7 @@ public class DerivationTests
     [Fact]
     public void AVectorIsWrittenAsThreeNumbersAndADotProductAsOne()
     {
-        var t = new Plane(new(-5, 0, 0), new(1, 0, 0)).Cross(Along(-1, 0, 0)).Near;
+        var t = new Plane(new(-5, 0, 0), new(1, 0, 0)).Intersect(Along(-1, 0, 0)).Near;
         Assert.Equal(25, t.Value);
         var step = Assert.Single(FormulaStep.LeadingTo(t));
         Assert.Equal(("t", "(Point - ray.Origin) * Normal / (ray.Direction * Normal)"), (step.Name, step.Formula));
@@ -40,7 +40,7 @@ public class DerivationTests
     [Fact]
     public void StepsComeInTheOrderOfTheFormula()
     {
-        var crossings = new Sphere(new(0, 0, 0), 4).Cross(Along(-1, 0, 0));
+        var crossings = new Sphere(new(0, 0, 0), 4).Intersect(Along(-1, 0, 0));
         Assert.Equal((16, 24), (crossings.Near.Value, crossings.Far.Value));
         var steps = FormulaStep.LeadingTo(crossings.Near, crossings.Far);
         Assert.Equal(["L", "tca", "D", "thc"], steps.Select(step => step.Name));
@@ -63,7 +63,7 @@ public class DerivationTests
     [Fact]
     public void AFailedTestIsToldWithItsNumbers()
     {
-        var t = new Ring(new(0, 0, 0), new(1, 0, 0), 1, 2).Cross(new Ray<Derivation>(new Vector3(20, 3, 0), new Vector3(-1, 0, 0))).Near;
+        var t = new Ring(new(0, 0, 0), new(1, 0, 0), 1, 2).Intersect(new Ray<Derivation>(new Vector3(20, 3, 0), new Vector3(-1, 0, 0))).Near;
         Assert.Equal(double.NaN, t.Value);
         Assert.EndsWith("= 9 ≤ 4 is false", Why.IsNoNumber(t.Term));
     }

@@ -140,8 +140,8 @@ public class HitLedgerTests
                 for (var column = 0; column < scene.Camera.Width; column++)
                 {
                     var ray = scene.Camera.CastRay(column, 0);
-                    var expected = shape.Cross(new Ray<Scalar>(ray.Origin, ray.Direction))!.Value;
-                    var crossings = shape.Cross(new Ray<Witness>(ray.Origin, ray.Direction))!.Value;
+                    var expected = shape.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction))!.Value;
+                    var crossings = shape.Intersect(new Ray<Witness>(ray.Origin, ray.Direction))!.Value;
                     Assert.Equal((expected.Near.Value, expected.Far.Value), (crossings.Near.Value, crossings.Far.Value));
                     Assert.Equal(double.IsFinite(expected.Near), crossings.Near.Loss == Outcome.Shows);
                 }
@@ -154,7 +154,7 @@ public class HitLedgerTests
     /// <summary>∞ − ∞.</summary>
     private readonly record struct NoNumbers : IPrimitive
     {
-        public Crossings<N> Cross<N>(in Ray<N> ray) where N : struct, IReal<N>
+        public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>
         {
             N infinity = double.PositiveInfinity;
             return new(infinity * (ray.Direction * ray.Direction) - infinity);

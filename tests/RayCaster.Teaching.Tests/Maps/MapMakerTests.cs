@@ -80,7 +80,7 @@ public class MapMakerTests
                     if (ray.HitModel is not Mesh mesh) continue;
                     triangles++;
                     var i = 0;
-                    while (mesh[i].Cross(new Ray<Scalar>(ray.Origin, ray.Direction)).Near != ray.HitParameter) i++;
+                    while (mesh[i].Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)).Near != ray.HitParameter) i++;
                     var (n, expected) = (new Vector3(map[x, y][0], map[x, y][1], map[x, y][2]), ((mesh[i].B - mesh[i].A) % (mesh[i].C - mesh[i].A)).Normalized);
                     Assert.Equal(1, Math.Abs(n * expected), 1e-6);
                 }

@@ -4,7 +4,8 @@ using System.Globalization;
 namespace RayCaster.Testing.Fuzzing;
 
 /// <summary>
-/// Many inputs, one after another, each made of a seed and a number, on a thread that is watched: an input that takes too long is a find like one that
+/// Many inputs, one after another, each made of a seed and a number, on a thread that is watched: an input that takes too long is a find like one
+/// that
 /// throws. RAYCASTER_SEED is the seed, RAYCASTER_MINUTES how long a campaign lasts (docs/limits.md); without them a fixed sample is tried.
 /// </summary>
 internal static class Campaign

@@ -3,7 +3,8 @@ using System.Text;
 
 namespace RayCaster.Testing.Fuzzing;
 
-/// <summary>Spoils files: a few steps each, of bytes, of words and brackets, or of a PNG's chunks. The same random numbers give the same file.</summary>
+/// <summary>Spoils files: a few steps each, of bytes, of words and brackets, or of a PNG's chunks. The same random numbers give the same
+/// file.</summary>
 internal sealed class Mutation(Random random, SeedFile[] seeds)
 {
     private const int Longest = 1 << 16;

@@ -89,11 +89,11 @@ internal static class AccuracyRays
         var ray = new Ray<Scalar>(At(0), At(3));
         var crossings = shape switch
         {
-            "plane" => new Plane(At(6), At(9)).Cross(ray),
-            "sphere" => new Sphere(At(6), row[9]).Cross(ray),
-            "aabb" => new Aabb(At(6), At(9)).Cross(ray),
-            "circle" => new Circle(At(6), At(9), row[12]).Cross(ray),
-            "triangle" => new Triangle(At(6), At(9), At(12)).Cross(ray),
+            "plane" => new Plane(At(6), At(9)).Intersect(ray),
+            "sphere" => new Sphere(At(6), row[9]).Intersect(ray),
+            "aabb" => new Aabb(At(6), At(9)).Intersect(ray),
+            "circle" => new Circle(At(6), At(9), row[12]).Intersect(ray),
+            "triangle" => new Triangle(At(6), At(9), At(12)).Intersect(ray),
             _ => throw new ArgumentException(shape),
         };
         return (crossings.Near, crossings.Far);

@@ -66,7 +66,8 @@ public class SlideTests
         Assert.Equal(new Color(0.5, 0.5, 0.5), attenuation * ray.HitModel!.Color);
     }
 
-    /// <summary>The slide writes <c>new Vector3(b * a.X, b * a.Y, b * a.Z, 0)</c>: a slip, for its vector has three coordinates. This is what it means.</summary>
+    /// <summary>The slide writes <c>new Vector3(b * a.X, b * a.Y, b * a.Z, 0)</c>: a slip, for its vector has three coordinates. This is what it
+    /// means.</summary>
     [Fact]
     public void SlideVectorsProductWithoutTheSlipOfAFourthCoordinate()
     {

@@ -36,7 +36,8 @@ public class MeshPainterTests
         Assert.NotEqual(0, WrongPixels(new Random(2), 0, (screen, scene) => new(screen, scene, 0) { Error = 0 }));
     }
 
-    /// <summary>How many pixels of some tiles are not in doubt and not what the definition makes of a t whose w is in the range that is known.</summary>
+    /// <summary>How many pixels of some tiles are not in doubt and not what the definition makes of a t whose w is in the range that is
+    /// known.</summary>
     private static int WrongPixels(Random random, float spread, Func<ScreenSpace, Scene, MeshPainter> make)
     {
         var camera = new Camera(new(3, 1, 2), Vector3.Zero, fovY: 70, width: 1900, height: 1080);

@@ -1,6 +1,7 @@
 namespace RayCaster.Engine.Tests.Rendering.Meshes;
 
-/// <summary>Seeded scenes of one mesh each, made to be awkward: edges on rays, slivers, duplicates, cameras inside, clip planes that cut, extreme sizes.</summary>
+/// <summary>Seeded scenes of one mesh each, made to be awkward: edges on rays, slivers, duplicates, cameras inside, clip planes that cut, extreme
+/// sizes.</summary>
 internal static class RandomMesh
 {
     public static Scene Make(Random random)
