@@ -193,6 +193,7 @@ internal sealed partial class Tab
     {
         lock (gate)
         {
+            outdated.Dispose(); // what it was for is done; kept, each would stay registered with the end of the page
             outdated = CancellationTokenSource.CreateLinkedTokenSource(server.Scene.Outdated, end.Token);
             return outdated.Token;
         }

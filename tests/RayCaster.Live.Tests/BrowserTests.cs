@@ -130,6 +130,7 @@ public class BrowserTests(Chromium chromium) : IClassFixture<Chromium>
         var folder = Environment.GetEnvironmentVariable("RAYCASTER_DOCS");
         await using var live = await LivePage.OpenAsync(File.ReadAllText(ProjectFolder.PathOf("scenes/room.json")));
         var (page, complaints) = await chromium.OpenAsync(live);
+        await page.WaitForFunctionAsync("() => document.getElementById('model-0-rays').textContent.includes('%')");
         if (folder is not null) await page.ScreenshotAsync(new() { Path = Path.Combine(folder, "live.png") });
         var box = (await page.Locator("#picture").BoundingBoxAsync())!;
         await page.Mouse.ClickAsync(box.X + box.Width * 0.65f, box.Y + box.Height * 0.72f);
