@@ -50,10 +50,13 @@ public class PromisesTests
     [Fact]
     public void OnlyTheReplacedFileWrites() =>
         NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "WrittenFiles.cs", "HandOutFolder.cs", "WorkFolder.cs"],
-            @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
+            @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)"
+            + @"|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 
     [Fact]
-    public void NoNetworkAndNoOtherProgram() => NowhereBut([.. LivePage(), "LiveCommand.cs", "ProgramRunner.cs"], @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
+    public void NoNetworkAndNoOtherProgram() =>
+        NowhereBut([.. LivePage(), "LiveCommand.cs", "ProgramRunner.cs"],
+            @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
 
     [Fact]
     public void OnlyNamedVariablesAreRead()
@@ -66,7 +69,8 @@ public class PromisesTests
 
     /// <summary>What is promised of the live page is held by tests of its own.</summary>
     private static IEnumerable<string> LivePage() =>
-        SourceFiles().Where(path => path.Contains($"{Path.DirectorySeparatorChar}RayCaster.Live{Path.DirectorySeparatorChar}")).Select(path => Path.GetFileName(path));
+        SourceFiles().Where(path => path.Contains($"{Path.DirectorySeparatorChar}RayCaster.Live{Path.DirectorySeparatorChar}"))
+            .Select(path => Path.GetFileName(path));
 
     private static void NowhereBut(string[] files, string pattern)
     {

@@ -58,7 +58,8 @@ public class CatalogTests
             if (mistake.Wordings.Count == 1) continue; // SceneFitnessTests see to it that no two mistakes have the same pictures
             Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id));
             var hidden = mistake.Wordings.Where(wording => small.All(scene => AreAlike(scene.Right, WrongPicture.Draw(scene.Scene, [wording]))));
-            Assert.Empty(hidden.Except([MistakeCatalog.Named("round")!, MistakeCatalog.Named("x256")!]).Select(wording => $"{wording}: {wording.Cause}"));
+            Assert.Empty(
+                hidden.Except([MistakeCatalog.Named("round")!, MistakeCatalog.Named("x256")!]).Select(wording => $"{wording}: {wording.Cause}"));
         }
     }
 

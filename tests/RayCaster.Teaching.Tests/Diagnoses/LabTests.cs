@@ -19,7 +19,8 @@ public class LabTests
     [Fact]
     public void SinglePixelsAreThoseOfTheWholePictureOnAnyThread()
     {
-        var lab = new Lab(SceneFolder.Read(SceneFolder.FileOf("mistakes/portrait")), MistakeCatalog.Named("whswap")!, MistakeCatalog.Named("tri-uv")!);
+        var lab = new Lab(
+            SceneFolder.Read(SceneFolder.FileOf("mistakes/portrait")), MistakeCatalog.Named("whswap")!, MistakeCatalog.Named("tri-uv")!);
         var whole = lab.Render();
         Assert.Equal((lab.Width, lab.Height), (whole.Width, whole.Height));
         Parallel.For(0, 300, i =>

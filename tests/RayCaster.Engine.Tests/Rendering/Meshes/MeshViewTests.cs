@@ -29,7 +29,8 @@ public class MeshViewTests
         {
             var (a, b) = (0.01 * random.Next(-100, 100), 0.01 * random.Next(-100, 100));
             Vector3 At(double x, double s) => camera.Position + (x + 5) * new Vector3(1, s * a, s * b);
-            vertices.AddRange([At(random.NextDouble(), 0.3), At(random.NextDouble(), 0.1), At(random.NextDouble(), 0.3 + 1e-9 * random.NextDouble())]);
+            vertices.AddRange(
+                [At(random.NextDouble(), 0.3), At(random.NextDouble(), 0.1), At(random.NextDouble(), 0.3 + 1e-9 * random.NextDouble())]);
         }
         vertices.AddRange([new(0.5, -9, -9), new(0.5, 9, -9), new(0.5, 0, 9)]);
         RendererTests.AssertEqual(new(camera, [new Mesh([.. vertices], [.. Enumerable.Range(0, vertices.Count)])]), $"seed {seed}");
