@@ -55,7 +55,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     public override Tile Extent { get; }
 
     /// <inheritdoc/>
-    public override ModelView<N> ForThread(TileFilters<N>? filters = null) => new MeshView<N>(this, filters ?? new());
+    public override ModelView<N> ForThread(ThreadTools? tools = null) => new MeshView<N>(this, (tools ?? new()).Of<TileFilters<N>>());
 
     /// <inheritdoc/>
     public override HitRange Enter(in Tile tile, HitRange known)
