@@ -45,7 +45,8 @@ internal sealed record Limits(double Least, double Most, bool IsOpen)
     public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false) { Words = "at least 0" };
     public static readonly Limits NotZero = new(double.NegativeInfinity, double.PositiveInfinity, false)
     {
-        Words = "other than 0", IsZeroRefused = true,
+        Words = "other than 0",
+        IsZeroRefused = true,
     };
 
     /// <summary>Numbers between two that are refused themselves.</summary>

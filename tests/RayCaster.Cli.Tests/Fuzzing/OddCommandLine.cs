@@ -1,5 +1,5 @@
-using RayCaster.Testing.Fuzzing;
 using System.Text;
+using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Cli.Tests.Fuzzing;
 

@@ -42,7 +42,9 @@ internal static class RandomCrowd
         var zFar = random.Next(3) == 0 ? zNear + 8 * random.NextDouble() + 0.01 : 1e6;
         var (width, height) = random.Next(8) switch
         {
-            0 => (1, random.Next(1, 900)), 1 => (random.Next(1, 900), 1), _ => (random.Next(1, 150), random.Next(1, 110)),
+            0 => (1, random.Next(1, 900)),
+            1 => (random.Next(1, 900), 1),
+            _ => (random.Next(1, 150), random.Next(1, 110)),
         };
         var fovY = random.Next(5) == 0 ? 1 + 175 * random.NextDouble() : 45;
         return new Scene(

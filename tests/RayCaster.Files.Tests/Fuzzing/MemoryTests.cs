@@ -1,6 +1,6 @@
 using System.IO.Compression;
-using RayCaster.Testing.Fuzzing;
 using System.Text;
+using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Files.Tests.Fuzzing;
 

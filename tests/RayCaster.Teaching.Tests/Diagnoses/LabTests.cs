@@ -1,5 +1,3 @@
-using RayCaster.Teaching.Tests.Mistakes;
-
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
 /// <summary>What a lab draws: the definition, and with mistakes what they say, one on top of the other.</summary>

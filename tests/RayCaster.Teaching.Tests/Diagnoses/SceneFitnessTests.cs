@@ -1,5 +1,3 @@
-using RayCaster.Teaching.Tests.Mistakes;
-
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
 public class SceneFitnessTests

@@ -33,7 +33,11 @@ internal static class RandomMesh
         var fovY = random.Next(6) switch { 0 => Math.Pow(10, -12 * random.NextDouble()), 1 => 170, 2 => 90, _ => 10 + 80 * random.NextDouble() };
         var (width, height) = random.Next(12) switch
         {
-            0 => (1, 200), 1 => (200, 1), 2 => (1, 1), 3 => (130, 70), _ => (random.Next(2, 60), random.Next(2, 60)),
+            0 => (1, 200),
+            1 => (200, 1),
+            2 => (1, 1),
+            3 => (130, 70),
+            _ => (random.Next(2, 60), random.Next(2, 60)),
         };
         var zNear = random.Next(3) == 0 ? 4 * random.NextDouble() : random.Next(2) * 0.01;
         var camera = new Camera(unit * position, unit * target, up, fovY, width, height,
