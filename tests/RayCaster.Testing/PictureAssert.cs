@@ -22,7 +22,7 @@ internal static class PictureAssert
         if (comparison.IsEqual) return;
 
         PictureFile.Write(received, actual);
-        var message = $"{comparison.Describe(name + ".png")}\n  {received}";
+        var message = $"{comparison.Describe(name)}\n  {received}";
         if (comparison.Draw() is { } differences)
         {
             PictureFile.Write(diff, differences);

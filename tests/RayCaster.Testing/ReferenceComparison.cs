@@ -44,12 +44,13 @@ internal sealed class ReferenceComparison
     private bool SameSize => (expected.Width, expected.Height) == (actual.Width, actual.Height);
 
     /// <summary>What is wrong, and the command that explains the first wrong pixel.</summary>
+    /// <param name="name">The reference's name, without <c>.png</c>: that of its scene.</param>
     public string Describe(string name)
     {
-        if (!SameSize) return $"{name}: expected {expected.Width} × {expected.Height} pixels, got {actual.Width} × {actual.Height}";
+        if (!SameSize) return $"{name}.png: expected {expected.Width} × {expected.Height} pixels, got {actual.Width} × {actual.Height}";
         if (first is not var (x, y))
-            return $"{name}: {OffByOne} of {Pixels} pixels ({100.0 * OffByOne / Pixels:0.##} %) are off by 1; at most 1 % may be";
-        return $"{name}: {Wrong} of {Pixels} pixels ({100.0 * Wrong / Pixels:0.##} %) differ, by at most {largest}; "
+            return $"{name}.png: {OffByOne} of {Pixels} pixels ({100.0 * OffByOne / Pixels:0.##} %) are off by 1; at most 1 % may be";
+        return $"{name}.png: {Wrong} of {Pixels} pixels ({100.0 * Wrong / Pixels:0.##} %) differ, by at most {largest}; "
             + $"the first at column {x}, line {y} from the top: expected {expected[x, y]}, got {actual[x, y]}\n"
             + $"  dotnet run --project src/RayCaster.Cli -- explain scenes/{name}.json {x} {y} --size {expected.Width}x{expected.Height}";
     }

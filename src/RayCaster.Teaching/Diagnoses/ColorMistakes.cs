@@ -101,11 +101,6 @@ internal static class ColorMistakes
                 lab.Dark.Is(attenuation => attenuation);
                 lab.Clamp.Is(channel => Math.Min(channel, 1));
                 lab.Byte.Is(channel => Wrapped(255 * channel + 0.5));
-            })
-            .Or("only what is more than 1 is not clamped", lab =>
-            {
-                lab.Clamp.Is(channel => Math.Max(channel, 0));
-                lab.Byte.Is(channel => Wrapped(255 * channel + 0.5));
             }),
         new("x256", Concerns.Color, Slides.Template, "256 · channel",
             lab => lab.Byte.Is(channel => (byte)Math.Min(256 * channel, 255)),

@@ -92,8 +92,7 @@ internal static class HitMistakes
             {
                 lab.Ahead.Is(t => t > 0.1);
                 lab.Near.Is((_, _) => true);
-            })
-            .Or("a bias of 1", lab => lab.Ahead.Is(t => t > 1)),
+            }),
         new("clip-root", Concerns.Hit, Slides.ClipPlanes,
             "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",
             lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),

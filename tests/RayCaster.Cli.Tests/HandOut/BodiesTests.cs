@@ -1,5 +1,4 @@
 using System.Text;
-using RayCaster.Cli;
 
 namespace RayCaster.Cli.Tests.HandOut;
 

@@ -1,4 +1,3 @@
-using RayCaster.Testing.Fuzzing;
 using System.Diagnostics;
 using System.IO.Compression;
 using System.Text;

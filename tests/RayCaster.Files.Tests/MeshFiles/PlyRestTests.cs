@@ -20,7 +20,7 @@ public class PlyRestTests
     }
 
     [Fact]
-    public void ARowTooManyIsRefused() => Assert.Equal("a.ply(14): there is more in the file than the rows that its header promises",
+    public void ARowTooManyIsRefused() => Assert.Equal("a.ply(15): there is more in the file than the rows that its header promises",
         Assert.Throws<MeshFileException>(() => Read(Encoding.ASCII.GetBytes(Ascii + "\n3 0 1 2\n"))).Message);
 
     [Fact]

@@ -52,15 +52,12 @@ public class CatalogTests
     [Fact]
     public void EveryWordingKeepsTheIdAndShowsSomewhere()
     {
-        foreach (var mistake in MistakeCatalog.All)
-        {
-            Assert.Same(mistake, mistake.Wordings[0]);
-            if (mistake.Wordings.Count == 1) continue; // SceneFitnessTests see to it that no two mistakes have the same pictures
-            Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id));
-            var hidden = mistake.Wordings.Where(wording => small.All(scene => AreAlike(scene.Right, WrongPicture.Draw(scene.Scene, [wording]))));
-            Assert.Empty(
-                hidden.Except([MistakeCatalog.Named("round")!, MistakeCatalog.Named("x256")!]).Select(wording => $"{wording}: {wording.Cause}"));
-        }
+        Assert.All(MistakeCatalog.All, mistake => Assert.Same(mistake, mistake.Wordings[0]));
+        Assert.All(MistakeCatalog.All, mistake => Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id)));
+        var worded = MistakeCatalog.All.Where(mistake => mistake.Wordings.Count > 1); // of the others SceneFitnessTests tell that they show
+        var hidden = worded.SelectMany(mistake => mistake.Wordings)
+            .Where(wording => small.All(scene => AreAlike(scene.Right, WrongPicture.Draw(scene.Scene, [wording]))));
+        Assert.Empty(hidden.Select(wording => $"{wording}: {wording.Cause}"));
     }
 
     /// <summary>The scenes with few pixels, and their pictures.</summary>

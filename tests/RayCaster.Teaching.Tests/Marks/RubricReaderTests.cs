@@ -25,6 +25,14 @@ public sealed class RubricReaderTests : IDisposable
     }
 
     [Fact]
+    public void TheRubricOfTheTenStepsHasAnItemForEachMistakeBeyondRounding()
+    {
+        var rubric = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
+        var beyond = MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding).Select(mistake => mistake.Id);
+        Assert.Equal(beyond.Order(), rubric.Items.SelectMany(item => item.Mistakes).Order());
+    }
+
+    [Fact]
     public void TheSchemaOfRubricsSaysWhatTheReaderReads()
     {
         var (file, schema) = (ProjectFolder.PathOf("docs/rubric.schema.json"), RubricSchema.Write());

@@ -43,4 +43,19 @@ public class MeshViewTests
         Vector3[] corners = [new(0, -1, -1), new(0, 1, -1), new(0.1, 0, 1)];
         RendererTests.AssertEqual(new(camera, [new Mesh(corners, [.. Enumerable.Range(0, 30_000).Select(i => (i + i / 3) % 3)])]), "duplicates");
     }
+    /// <summary>There are fewer filters than meshes, and so meshes take them from each other.</summary>
+    [Fact]
+    public void AHundredMeshesInATileComeOutToTheBit()
+    {
+        var random = new Random(1);
+        var ball = MeshGenerator.Icosphere(0);
+        double Next() => 2 * random.NextDouble() - 1;
+        var models = new Model[100];
+        for (var i = 0; i < models.Length; i++)
+        {
+            var center = new Vector3(Next(), Next(), Next());
+            models[i] = new Mesh([.. ball.Vertices.Select(vertex => center + 0.15 * vertex)], ball.Indices) { Color = new(i / 100.0, 1, 0) };
+        }
+        RendererTests.AssertEqual(new(new(new(-5, 0, 0), Vector3.Zero, fovY: 25, width: 70, height: 50), models), "a hundred meshes");
+    }
 }
