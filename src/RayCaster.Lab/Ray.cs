@@ -20,7 +20,9 @@ public class Ray(Vector3 origin, Vector3 direction)
         Origin + t * Direction;
         // END SOLUTION
 
-    /// <summary>A model is crossed at t: keeps the hit if t counts and is nearer than the nearest so far. Of two at the same t the first stays.</summary>
+    /// <summary>
+    /// Keeps the hit of a model at t if t counts and is nearer than the nearest so far. Of two at the same t the first stays.
+    /// </summary>
     public void Hit(double t, Model model)
     {
         // BEGIN SOLUTION "Ray"

@@ -6,7 +6,8 @@ namespace RayCaster.Engine;
 /// One thread's tool: finds the tiles of a mesh's triangles, by the box around sixteen of them that follow one another. Where that box says
 /// little, each triangle is looked at.
 /// </summary>
-internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, int[] indices, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
+internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, int[] indices, TriangleSorter each)
+    where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>The triangles of a group in more tiles than this are sorted one by one: they lie far from each other, or are large.</summary>
     private const int ManyTiles = 6;
@@ -79,7 +80,8 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, i
         shows &= (mostW >= (N)(double)screen.LeastW) & (leastW <= (N)(double)screen.MostW);
         return (N.Bits(fit), N.Bits(shows));
 
-        [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a method grown too large operators, silently, become calls
+        // in a method grown too large operators, silently, become calls
+        [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
         void Project(Vector3 axis, double zero, double pixels, double[] first, double[] last)
         {
             N none = 0.0, scale = screen.Scale, middle = zero, margin = 2.0 * screen.Margin, end = pixels, guard = screen.Guard;

@@ -32,7 +32,8 @@ internal sealed class Duplicates(Vector3[] vertices, int[] indices)
         var (a, b, c) = (vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);
         var hash = HashOf(a) + 3 * HashOf(b) + 5 * HashOf(c);
         ref var slot = ref table[(int)((ulong)(hash * -7046029254386353131) >> 54)];
-        if (slot.Round == round && slot.Triangle < triangle && IsCorner(slot.Triangle, 0, a) && IsCorner(slot.Triangle, 1, b) && IsCorner(slot.Triangle, 2, c))
+        if (slot.Round == round && slot.Triangle < triangle && IsCorner(slot.Triangle, 0, a) && IsCorner(slot.Triangle, 1, b)
+            && IsCorner(slot.Triangle, 2, c))
             return true;
         slot = (round, triangle);
         return false;

@@ -18,10 +18,12 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     /// <param name="rays">The rays.</param>
     /// <param name="triangles">The triangles.</param>
     /// <param name="first">The place there of the first lane's triangle, which those of the others follow.</param>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // in a caller grown too large operators, silently, become calls
+    // in a caller grown too large operators, silently, become calls
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public Crossings<N> Intersect(in Ray<N> rays, RawSpan<int> triangles, int first) => Triangle.Intersect(
         new AlongRay<N>(rays),
-        N.Gather(vertices, indices, triangles, first, 0), N.Gather(vertices, indices, triangles, first, 1), N.Gather(vertices, indices, triangles, first, 2));
+        N.Gather(vertices, indices, triangles, first, 0), N.Gather(vertices, indices, triangles, first, 1),
+        N.Gather(vertices, indices, triangles, first, 2));
 
     /// <summary>Asks about a pixel and a triangle, sooner or later, and keeps the t if it is less than what stands at the place.</summary>
     /// <param name="column">The pixel's column.</param>

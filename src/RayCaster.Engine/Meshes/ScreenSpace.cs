@@ -141,5 +141,6 @@ internal sealed class ScreenSpace
 
     /// <inheritdoc cref="IsFit(Vector256{float}, Vector256{float}, Vector256{float})"/>
     public bool IsFit(double column, double row, double nearness) =>
-        nearness is > 1e-30 and < 1e30 && column >= -Guard - 1 && column <= Camera.Width + Guard + 1 && row >= -Guard - 1 && row <= Camera.Height + Guard + 1;
+        nearness is > 1e-30 and < 1e30 && column >= -Guard - 1 && column <= Camera.Width + Guard + 1
+        && row >= -Guard - 1 && row <= Camera.Height + Guard + 1;
 }

@@ -17,7 +17,8 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     /// nothing.</param>
     /// <param name="twins">Makes what knows that triangles are the same; null where that is not known.</param>
     /// <param name="threads">How many threads may work.</param>
-    public ScreenTriangles(ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, ClusterSorter<N>>? group, Func<Duplicates>? twins, int threads)
+    public ScreenTriangles(
+        ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, ClusterSorter<N>>? group, Func<Duplicates>? twins, int threads)
     {
         (Corners, Owners) = (corners, owners);
         tilesAcross = Tile.TilesOf(screen.Camera.Width);
@@ -25,7 +26,8 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         var sorters = new TriangleSorter[Math.Clamp(count / LeastForAThread, 1, threads)];
         for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
         var groupers = group is null ? [] : Array.ConvertAll(sorters, sorter => group(sorter));
-        int First(int sorter) => sorter == sorters.Length ? count : (int)((long)count * sorter / sorters.Length) / TriangleCluster.Length * TriangleCluster.Length;
+        int First(int sorter) =>
+            sorter == sorters.Length ? count : (int)((long)count * sorter / sorters.Length) / TriangleCluster.Length * TriangleCluster.Length;
         ThreadTeam.Each(sorters.Length, sorters.Length, i =>
         {
             if (group is null) sorters[i].Add(First(i), First(i + 1));

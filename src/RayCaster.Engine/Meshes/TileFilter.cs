@@ -77,7 +77,9 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         hits.Decide();
         coarse.Update(pixels.Covered);
         var least = coarse.Least;
-        return new(screen.Unit / cover.GreatestW * (1 - 1e-6), least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
+        return new(
+            screen.Unit / cover.GreatestW * (1 - 1e-6),
+            least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
     /// <summary>Keeps the hits of a part of a row of the tile.</summary>

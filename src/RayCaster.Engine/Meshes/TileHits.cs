@@ -62,7 +62,8 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
     }
 
     private void Add(int pixel, int triangle) => exact.Add(
-        pixels.Tile.Column + pixel % TilePixels.Stride, pixels.Tile.Row + pixel / TilePixels.Stride, triangle, pixel, pixels.Decided, pixels.Covered);
+        pixels.Tile.Column + pixel % TilePixels.Stride, pixels.Tile.Row + pixel / TilePixels.Stride,
+        triangle, pixel, pixels.Decided, pixels.Covered);
 
     /// <summary>Whether any pixel of a packet has a proposed triangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

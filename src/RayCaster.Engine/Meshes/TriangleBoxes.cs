@@ -64,7 +64,8 @@ internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
     {
         var places = new RawSpan<int>(indices);
         var most = Vector256<uint>.Zero; // a negative index is a larger one than all
-        for (var i = first; i < first + 3 * TriangleCluster.Length; i += Vector256<int>.Count) most = Vector256.Max(most, places.Load256(i).AsUInt32());
+        for (var i = first; i < first + 3 * TriangleCluster.Length; i += Vector256<int>.Count)
+            most = Vector256.Max(most, places.Load256(i).AsUInt32());
         return Vector256.LessThanAll(most, Vector256.Create((uint)vertices.Length - 1));
     }
 

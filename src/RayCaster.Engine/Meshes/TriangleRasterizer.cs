@@ -117,7 +117,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                     var wins = possible & Vector128.GreaterThan(lower, before);
                     coveredHere = Vector128.MaxNative(sure, lower).ToScalar();
                     frontHere = Vector128.ConditionalSelect(wins, upper, before).ToScalar();
-                    proposedHere = Vector128.ConditionalSelect(wins.AsInt32(), Vector128.CreateScalarUnsafe(name), Vector128.CreateScalarUnsafe(proposedHere)).ToScalar();
+                    proposedHere = Vector128.ConditionalSelect(
+                        wins.AsInt32(), Vector128.CreateScalarUnsafe(name), Vector128.CreateScalarUnsafe(proposedHere)).ToScalar();
                     if (Vector128.AndNot(possible, wins).AsInt32().ToScalar() != 0) pixels.Enqueue(pixel, name, upper.ToScalar());
                 }
             }
@@ -126,7 +127,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
 
     /// <summary>A function at a sample of each triangle's box.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector256<float> At(RawSpan<float> setup, int field, Vector256<float> right, Vector256<float> up) => Vector256.MultiplyAddEstimate(
+    private static Vector256<float> At(RawSpan<float> setup, int field, Vector256<float> right, Vector256<float> up) =>
+        Vector256.MultiplyAddEstimate(
         up, Field(setup, field + 2), Vector256.MultiplyAddEstimate(right, Field(setup, field + 1), Field(setup, field)));
 
     /// <summary>Takes the triangles that are set up, eight pixels of two rows at a time.</summary>
@@ -147,7 +149,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         {
             var lane = BitOperations.TrailingZeroCount(shows);
             var name = Vector512.Create(names[firstName + lane]);
-            var (first, width, height) = (Whole(s, lane, TriangleSetUp.Pixel), Whole(s, lane, TriangleSetUp.Across), Whole(s, lane, TriangleSetUp.Upwards));
+            var (first, width, height) = (Whole(s, lane, TriangleSetUp.Pixel),
+                Whole(s, lane, TriangleSetUp.Across), Whole(s, lane, TriangleSetUp.Upwards));
             var isLarge = Math.Max(width, height) >= LargeSide;
             var count = 0;
             for (var x = 0; x <= width; x += 8)
@@ -173,7 +176,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                     var upper = Vector512.MinNative(nearness + slack, most);
                     var lower = Vector512.MaxNative(nearness - slack, least);
                     var (sure, before) = (Two(coveredAt, pixel), Two(frontAt, pixel));
-                    var possible = inBox & Vector512.LessThanOrEqual(up, last) & Vector512.GreaterThanOrEqual(inner, outside) & Vector512.GreaterThanOrEqual(upper, sure);
+                    var possible = inBox & Vector512.LessThanOrEqual(up, last)
+                        & Vector512.GreaterThanOrEqual(inner, outside) & Vector512.GreaterThanOrEqual(upper, sure);
                     if (isLarge && possible == Vector512<float>.Zero) continue;
                     var covers = possible & Vector512.GreaterThan(inner, inside);
                     var wins = covers & Vector512.GreaterThan(lower, before);

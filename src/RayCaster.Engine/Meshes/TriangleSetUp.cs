@@ -81,7 +81,8 @@ internal static class TriangleSetUp
         var depth = t.A.W + (left - ax) * depthRight + (bottom - ay) * depthUp;
         // Corners off by δ move the plane of w by its slope · δ; the slope itself is rounded by the area's 2⁻²⁴ size² / area; w by 2⁻²⁴ of itself.
         var slope = Vector256.Abs(depthRight) + Vector256.Abs(depthUp);
-        var depthSlack = Vector256.Create(4f) * slope * (margin + rounding * size * (one + size * size / area)) + Vector256.Create(4f) * rounding * mostW;
+        var depthSlack = Vector256.Create(4f) * slope * (margin + rounding * size * (one + size * size / area)) +
+            Vector256.Create(4f) * rounding * mostW;
 
         var counts = Vector256.LessThanOrEqual(mostW, Vector256.Create(screen.MostSureW))
             & Vector256.GreaterThanOrEqual(leastW, Vector256.Create(screen.LeastSureW)) & ~isSliver;

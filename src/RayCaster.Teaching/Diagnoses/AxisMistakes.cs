@@ -10,7 +10,8 @@ internal static class AxisMistakes
             "The picture shows what is behind the camera, or nothing.",
             "Which way does W point: to the target, or away from it?",
             "W = −(T − P) normalised: it points backwards, and d has −W in it.")
-            .Or("W = +(T − P) normalised, while the depth is measured along −W", lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, -ur))),
+            .Or("W = +(T − P) normalised, while the depth is measured along −W",
+                lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, -ur))),
         new Mistake("dir-plus-w", Concerns.Camera, Slides.PixelTranslation, "d = uc U + ur V + W",
             lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(-uc, -ur)),
             "Nothing before the camera is in the picture.",

@@ -19,7 +19,8 @@ internal static class BoxMistakes
             "The ray is in the box when it is in all three slabs. Has it entered at the first way in, or at the last?",
             "t_min = max of the ways in, t_max = min of the ways out.")
             .Or("box: t_max is the last way out, not the first", lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Max, Math.Max)))
-            .Or("box: t_min is the least way in, t_max the last way out", lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Max))),
+            .Or("box: t_min is the least way in, t_max the last way out",
+                lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Max))),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
             cross(new(box.Min with { Z = double.NegativeInfinity }, box.Max with { Z = double.PositiveInfinity }), d)),
             "Boxes are endless columns.",
@@ -51,8 +52,10 @@ internal static class BoxMistakes
             "Boxes have a wrong size or place, or are gone.",
             "The scene's \"max\": is it a corner, or how far it is from corner to corner?",
             "B0 = min and B1 = max, as the scene has them.")
-            .Or("box: the first corner taken for its middle, the second for its size", Corners(box => new(box.Min - 0.5 * box.Max, box.Min + 0.5 * box.Max)))
-            .Or("box: the first corner taken for its middle, the second for half its size", Corners(box => new(box.Min - box.Max, box.Min + box.Max))),
+            .Or("box: the first corner taken for its middle, the second for its size",
+                Corners(box => new(box.Min - 0.5 * box.Max, box.Min + 0.5 * box.Max)))
+            .Or("box: the first corner taken for its middle, the second for half its size",
+                Corners(box => new(box.Min - box.Max, box.Min + box.Max))),
     ];
 
     private static Action<Lab> Corners(Func<Aabb, Aabb> other) => lab => lab.Box.Becomes(cross => (box, d) => cross(other(box), d));

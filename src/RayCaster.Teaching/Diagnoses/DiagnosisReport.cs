@@ -22,10 +22,12 @@ public static class DiagnosisReport
             AppendMatch(text, diagnosis, picture, scene);
             return text.ToString();
         }
-        text.AppendLine($"{picture} is not the picture of {scene}: {Pixels(diagnosis.WrongCount)} of {diagnosis.PixelCount:N0} ({Percent(diagnosis.Share(diagnosis.WrongCount))}) differ.");
+        text.AppendLine($"{picture} is not the picture of {scene}: {Pixels(diagnosis.WrongCount)} of {diagnosis.PixelCount:N0} " +
+            $"({Percent(diagnosis.Share(diagnosis.WrongCount))}) differ.");
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
-            Wrap(text, "", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(diagnosis.Finding == Finding.Unfinished ? " The rest is right." : "")}");
+            Wrap(text, "",
+                $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(diagnosis.Finding == Finding.Unfinished ? " The rest is right." : "")}");
         else if (diagnosis.MissingModel is { } missing)
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
         foreach (var likely in diagnosis.Likely) Wrap(text, "", likely);
@@ -39,9 +41,11 @@ public static class DiagnosisReport
     {
         if (diagnosis.ProvesNothing)
             text.AppendLine($"The picture of {scene} is of one colour, as that of an empty world: it proves nothing.");
-        text.AppendLine($"{picture} matches: it is the picture of {scene}{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {Pixels(outlines)} on outlines" : "")}.");
+        text.AppendLine($"{picture} matches: it is the picture of {scene}" +
+            $"{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {Pixels(outlines)} on outlines" : "")}.");
         if (diagnosis.DarkerShare > 0.05)
-            text.AppendLine($"{Percent(diagnosis.DarkerShare)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, where truncating takes 255 x.");
+            text.AppendLine($"{Percent(diagnosis.DarkerShare)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, " +
+                "where truncating takes 255 x.");
     }
 
     /// <summary>After "matches": the mistakes that the scene would not show, so that a right picture is not taken for a right program.</summary>
@@ -49,7 +53,9 @@ public static class DiagnosisReport
     {
         if (hidden.Count == 0) return "";
         var text = new StringBuilder();
-        Wrap(text, "", $"This scene cannot show {hidden.Count} of the {MistakeCatalog.All.Count} known mistakes: {string.Join(", ", hidden.Select(mistake => mistake.Id))}. \"check\" says why.");
+        Wrap(text, "",
+            $"This scene cannot show {hidden.Count} of the {MistakeCatalog.All.Count} known mistakes: " +
+            $"{string.Join(", ", hidden.Select(mistake => mistake.Id))}. \"check\" says why.");
         return text.ToString();
     }
 
@@ -108,13 +114,21 @@ public static class DiagnosisReport
     /// <param name="picture">The picture's size; left out if null.</param>
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
-    public static string Json(Diagnosis diagnosis, (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null)
+    public static string Json(
+        Diagnosis diagnosis, (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null)
     {
         using var bytes = new MemoryStream();
         using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
         {
             json.WriteStartObject();
-            json.WriteString("finding", diagnosis.Finding switch { Finding.Matches => "matches", Finding.Unfinished => "unfinished", Finding.Mistake => "mistake", _ => "none of these" });
+            json.WriteString("finding",
+                diagnosis.Finding switch
+                {
+                    Finding.Matches => "matches",
+                    Finding.Unfinished => "unfinished",
+                    Finding.Mistake => "mistake",
+                    _ => "none of these",
+                });
             WriteSize(json, "mine", picture);
             WriteSize(json, "scene", scene);
             json.WriteNumber("pixels", diagnosis.PixelCount);
@@ -207,13 +221,16 @@ public static class DiagnosisReport
         if (suspect.OtherSample)
             Wrap(text, "  Besides:  ", "the rays pass through another place of each pixel than the scene says (\"sample\": corner or center).");
         if (suspect.Twins.Count > 0)
-            Wrap(text, "  Twins:    ", $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} the same picture; \"check\" tells which scene would tell them apart.");
+            Wrap(text, "  Twins:    ",
+                $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} " +
+                "the same picture; \"check\" tells which scene would tell them apart.");
     }
 
     private static void AppendNotTried(StringBuilder text, Diagnosis diagnosis)
     {
         if (diagnosis.NotTried.Count > 0)
-            Wrap(text, "", $"Not tried, since the scene has too many triangles: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
+            Wrap(text, "",
+                $"Not tried, since the scene has too many triangles: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 
     private static string Names(Suspect suspect) => string.Join(" + ", suspect.Mistakes.Select(mistake => mistake.Id));

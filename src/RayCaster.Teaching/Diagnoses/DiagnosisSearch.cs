@@ -62,7 +62,8 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     private bool IsDone(List<WrongProgram> all) => all.Exists(trial => trial.Misfit.Unexplained <= Explained * Wrong);
 
-    private List<WrongProgram> Sorted(List<WrongProgram> trials) => [.. trials.OrderBy(trial => trial.Cost(Wrong))]; // stable: of equals the first in the catalogue
+    // stable: of equals the first in the catalogue
+    private List<WrongProgram> Sorted(List<WrongProgram> trials) => [.. trials.OrderBy(trial => trial.Cost(Wrong))];
 
     private List<WrongProgram> Singles(Unfinished way, bool[] samples) =>
     [

@@ -19,16 +19,21 @@ public static class FitnessReport
         new(scene => scene.Models.Count == 0, "the world is empty: add models"),
         new(scene => scene.Camera.Width == scene.Camera.Height, "the picture is square: make it 3:2, say 300 x 200",
             "aspect-inv", "aspect-none", "aspect-int", "fov-horiz", "whswap", "transpose", "size-mixed", "uv-swap"),
-        new(scene => scene.Camera.Width < 2 * scene.Camera.Height && scene.Camera.Width > scene.Camera.Height, "width / height in whole numbers is 1",
+        new(scene => scene.Camera.Width < 2 * scene.Camera.Height && scene.Camera.Width > scene.Camera.Height,
+            "width / height in whole numbers is 1",
             "aspect-int"),
         new(scene => scene.Camera.W.Z == 0 || scene.Camera.Up * scene.Camera.W == 0,
             "the camera is level, at right angles to up: raise its position or lower its target", "u-unnorm", "cross-z", "len-nosqrt", "v-up"),
-        new(scene => scene.Models.OfType<Model<Sphere>>().All(model => model.Primitive.Radius == 1), "every sphere has the radius 1: take another", "r-nosq", "d-nosq"),
-        new(scene => scene.Models.OfType<Model<Circle>>().All(model => model.Primitive.Radius == 1), "every circle has the radius 1: take another", "circ-nosq"),
+        new(scene => scene.Models.OfType<Model<Sphere>>().All(model => model.Primitive.Radius == 1),
+            "every sphere has the radius 1: take another", "r-nosq", "d-nosq"),
+        new(scene => scene.Models.OfType<Model<Circle>>().All(model => model.Primitive.Radius == 1),
+            "every circle has the radius 1: take another", "circ-nosq"),
         new(_ => true, "no camera is inside a sphere: put one there", "near-root-only"),
         new(_ => true, "no camera is inside a sphere and looks away from its middle: turn it about", "tca-positive"),
         new(_ => true, "no camera is inside a box: put one there", "slab-inside"),
-        new(_ => true, "no coordinate of the camera lies on a box's face while a ray runs along it: give camera, target and a box one coordinate in common", "slab-inv-nan"),
+        new(_ => true,
+            "no coordinate of the camera lies on a box's face while a ray runs along it: give camera, target and a box one coordinate in common",
+            "slab-inv-nan"),
         new(_ => true, "nothing near is cut by zNear, or nothing shows behind what is cut: move zNear into the scene",
             "znear-t", "no-znear", "bias-big", "clip-after", "zboth-t"),
         new(_ => true, "no sphere or box is cut open by zNear: let the near clip plane pass through one", "clip-root"),
@@ -37,7 +42,9 @@ public static class FitnessReport
         new(_ => true, "every triangle shows the same side: turn one about by swapping two corners", "tri-cull"),
         new(_ => true, "every plane shows the side of its normal: turn a normal about", "plane-cull"),
         new(_ => true, "no colour leaves 0 to 1: let one be brighter than 1 near the camera", "noclamp"),
-        new(_ => true, "the models are in an order, or so far from each other, that it does not matter which hit wins: put the nearest first and last", "last-hit", "far-hit"),
+        new(_ => true,
+            "the models are in an order, or so far from each other, that it does not matter which hit wins: put the nearest first and last",
+            "last-hit", "far-hit"),
         new(_ => true, "left and right look alike: put a model to one side", "u-cross", "u-only", "cols", "cross-x", "cross-y", "cross-z"),
     ];
 
@@ -46,7 +53,8 @@ public static class FitnessReport
     {
         var text = new StringBuilder();
         var one = fitness.Scenes.Count == 1;
-        text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {fitness.Scenes.Count} scenes together show")} {Shown(fitness)} of the {fitness.Asked.Count} known mistakes.");
+        text.AppendLine($"{(one ? "As a test the scene shows" : $"As a test these {fitness.Scenes.Count} scenes together show")} " +
+            $"{Shown(fitness)} of the {fitness.Asked.Count} known mistakes.");
         if (fitness.Reduced) text.AppendLine("A large picture was judged by a smaller one of the same shape.");
         var hidden = fitness.Hidden.Except(fitness.WithinRounding).ToArray();
         if (hidden.Length > 0)
@@ -64,19 +72,22 @@ public static class FitnessReport
             foreach (var mistake in fitness.HiddenAtFirst) text.AppendLine($"    {mistake.Id,-14} hidden as: {mistake.Cause}");
         }
         if (fitness.WithinRounding.Count > 0)
-            text.AppendLine($"Only a comparison of the bytes shows {string.Join(", ", fitness.WithinRounding.Select(mistake => mistake.Id))}: they change a channel by a level.");
+            text.AppendLine($"Only a comparison of the bytes shows {string.Join(", ", fitness.WithinRounding.Select(mistake => mistake.Id))}: " +
+                "they change a channel by a level.");
         if (fitness.Twins.Count > 0)
         {
             text.AppendLine("These are seen, but cannot be told apart:");
             foreach (var group in fitness.Twins) text.AppendLine($"  {string.Join(" = ", group.Select(mistake => mistake.Id))}");
-            if (fitness.Scenes.All(scene => scene.Background == Color.Black)) text.AppendLine("  The background is black: another colour tells a black model from none.");
+            if (fitness.Scenes.All(scene => scene.Background == Color.Black))
+                text.AppendLine("  The background is black: another colour tells a black model from none.");
         }
         if (fitness.NotTried.Count > 0)
             text.AppendLine($"Not tried, since there are too many triangles: {string.Join(", ", fitness.NotTried.Select(mistake => mistake.Id))}.");
         text.AppendLine(fitness.FragilePixels == 0
             ? "No pixel depends on the last bits of the camera's numbers."
             : string.Create(CultureInfo.InvariantCulture,
-                $"{fitness.FragilePixels:N0} of {fitness.PixelCount:N0} pixels are fragile: they show another model when a number of the camera moves by its last bit. Another right program may differ there."));
+                $"{fitness.FragilePixels:N0} of {fitness.PixelCount:N0} pixels are fragile: " +
+                $"they show another model when a number of the camera moves by its last bit. Another right program may differ there."));
         return text.ToString();
     }
 
@@ -130,7 +141,8 @@ public static class FitnessReport
 
     private static string ReasonFor(Mistake mistake, SceneFitness fitness)
     {
-        if (fitness.ShowsNothing && !fitness.Scenes.All(scene => scene.Models.Count == 0)) return "the picture is of one colour: nothing is to be seen in it";
+        if (fitness.ShowsNothing && !fitness.Scenes.All(scene => scene.Models.Count == 0))
+            return "the picture is of one colour: nothing is to be seen in it";
         if (fitness.Scenes.Any(scene => scene.Models.Count > 0) && !fitness.Scenes.Any(mistake.Touches)) return $"there is no {Needs(mistake)}";
         foreach (var reason in reasons)
             if ((reason.Ids.Length == 0 || reason.Ids.Contains(mistake.Id)) && fitness.Scenes.All(reason.Holds))
@@ -140,6 +152,7 @@ public static class FitnessReport
 
     private static string Needs(Mistake mistake) => string.Join(" or ", new[]
     {
-        (Concerns.Spheres, "sphere"), (Concerns.Planes, "plane"), (Concerns.Boxes, "box"), (Concerns.Circles, "circle"), (Concerns.Triangles, "triangle"),
+        (Concerns.Spheres, "sphere"), (Concerns.Planes, "plane"),
+        (Concerns.Boxes, "box"), (Concerns.Circles, "circle"), (Concerns.Triangles, "triangle"),
     }.Where(shape => (mistake.Concerns & shape.Item1) != 0).Select(shape => shape.Item2));
 }

@@ -27,7 +27,8 @@ internal static class LikelyCause
         if (HasSameOutlines(scene, byModels, picture, right))
         {
             yield return meant is [{ } only] ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
-                : kinds is [var kind] && scene.Models.Any(model => model.Kind != kind) ? $"Only what is of the type {kind}: the same outlines, but another light. Is its t right?"
+                : kinds is [var kind] && scene.Models.Any(model => model.Kind != kind)
+                    ? $"Only what is of the type {kind}: the same outlines, but another light. Is its t right?"
                 : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
         }
         else if (meant.Count == 1)
@@ -53,7 +54,8 @@ internal static class LikelyCause
             var model = byModels.ModelAt(i);
             if (model >= 0 && Unfinished.IsShadeOf(shown, scene.Models[model].Color)) same++;
             // Of two grey models each is a shade of the other: there a new edge tells.
-            if (x > 0 && PictureDifference.Levels(right[x, y], right[x - 1, y]) <= 8 && PictureDifference.Levels(shown, picture[x - 1, y]) > 40) edges++;
+            if (x > 0 && PictureDifference.Levels(right[x, y], right[x - 1, y]) <= 8 && PictureDifference.Levels(shown, picture[x - 1, y]) > 40)
+                edges++;
         }
         return same >= 0.97 * wrong && edges <= 0.02 * wrong;
     }

@@ -56,14 +56,16 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
 
         yield return Of(lab => x => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x)),
             x => $"The same picture, about {Times(x, "large", "small")}: look at h, and at fovY.");
-        yield return Of(lab => x => lab.PlaneWidth.Becomes(w => h => w(h) / Math.Pow(2, x)), x => $"The same picture, about {Times(x, "wide", "narrow")}: look at w.");
+        yield return Of(lab => x => lab.PlaneWidth.Becomes(w => h => w(h) / Math.Pow(2, x)),
+            x => $"The same picture, about {Times(x, "wide", "narrow")}: look at w.");
         yield return Of(lab => x =>
         {
             lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x));
             lab.PlaneWidth.Becomes(w => h => w(h) * Math.Pow(2, x));
         }, x => $"The same picture, about {Times(x, "high", "low")}: look at h, while w is right.");
         yield return Of(lab => x => lab.Reach.Becomes(reach => () => reach() * Math.Pow(2, x)),
-            x => $"All outlines are right, only the light: it ends at about {Number(c.Reach * Math.Pow(2, x))}, while 2 |T − P| is {Number(c.Reach)}. Look at the attenuation, and at the camera's target.");
+            x => $"All outlines are right, only the light: it ends at about {Number(c.Reach * Math.Pow(2, x))}, " +
+                $"while 2 |T − P| is {Number(c.Reach)}. Look at the attenuation, and at the camera's target.");
         yield return new(x => new(With(c.Position, c.Target, zNear: c.ZNear * Math.Pow(2, x))), times,
             x => $"All is right if zNear is about {Number(c.ZNear * Math.Pow(2, x))}; the scene says {Number(c.ZNear)}.");
         yield return new(x => new(With(c.Position, c.Target, zFar: c.ZFar * Math.Pow(2, x))), times,
@@ -71,9 +73,11 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
         foreach (var (name, axis, of) in Axes)
         {
             yield return new(x => new(With(c.Position + x * axis, c.Target)), lengths,
-                x => $"Another camera: all is right if {name} of its position is about {Number(of(c.Position) + x)}; the scene says {Number(of(c.Position))}.");
+                x => $"Another camera: all is right if {name} of its position is about {Number(of(c.Position) + x)}; " +
+                    $"the scene says {Number(of(c.Position))}.");
             yield return new(x => new(With(c.Position, c.Target + x * axis)), lengths,
-                x => $"Another camera: all is right if {name} of its target is about {Number(of(c.Target) + x)}; the scene says {Number(of(c.Target))}.");
+                x => $"Another camera: all is right if {name} of its target is about {Number(of(c.Target) + x)}; " +
+                    $"the scene says {Number(of(c.Target))}.");
         }
 
         OtherNumber Of(Func<Lab, Action<double>> edit, Func<double, string> says) => new(x => new(scene, Changed(lab => edit(lab)(x))), times, says);
@@ -90,11 +94,13 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
         var name = ModelName.Of(scene, place);
         if (Moved(model, Vector3.Zero, 1) is null) yield break;
         if (model is not Model<Plane>)
-            yield return new(x => new(With(Moved(model, Vector3.Zero, Math.Pow(2, x))!)), times, x => $"Only {name}: it is about {Times(x, "large", "small")}.");
+            yield return new(x => new(With(Moved(model, Vector3.Zero, Math.Pow(2, x))!)), times,
+                x => $"Only {name}: it is about {Times(x, "large", "small")}.");
         var size = (scene.Camera.Target - scene.Camera.Position).Length;
         double[] lengths = [.. Both([0.01, 0.02, 0.04, 0.08, 0.15, 0.3]).Select(x => x * size)];
         foreach (var (axisName, axis, _) in Axes)
-            yield return new(x => new(With(Moved(model, x * axis, 1)!)), lengths, x => $"Only {name}: it stands elsewhere, its {axisName} is about {Number(Math.Abs(x))} too {(x > 0 ? "large" : "small")}.");
+            yield return new(x => new(With(Moved(model, x * axis, 1)!)), lengths,
+                x => $"Only {name}: it stands elsewhere, its {axisName} is about {Number(Math.Abs(x))} too {(x > 0 ? "large" : "small")}.");
 
         Scene With(Model other) => scene with { Models = [.. scene.Models.Select((own, i) => i == place ? other : own)] };
     }
@@ -107,7 +113,8 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
             Model<Plane> { Primitive: var p } => Model.Of(p with { Point = p.Point + by }),
             Model<Sphere> { Primitive: var s } => Model.Of(new Sphere(s.Center + by, s.Radius * times)),
             Model<Circle> { Primitive: var c } => Model.Of(new Circle(c.Center + by, c.Normal, c.Radius * times)),
-            Model<Aabb> { Primitive: var b } => Model.Of(new Aabb(b.Min + by + (1 - times) / 2 * (b.Max - b.Min), b.Max + by - (1 - times) / 2 * (b.Max - b.Min))),
+            Model<Aabb> { Primitive: var b } => Model.Of(
+                new Aabb(b.Min + by + (1 - times) / 2 * (b.Max - b.Min), b.Max + by - (1 - times) / 2 * (b.Max - b.Min))),
             Model<Triangle> { Primitive: var t } => Model.Of(new Triangle(
                 Grown(t.A, t, times) + by, Grown(t.B, t, times) + by, Grown(t.C, t, times) + by)),
             _ => null,
@@ -128,5 +135,6 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
     private static string Times(double x, string large, string small) => $"{Number(Math.Pow(2, Math.Abs(x)))} times too {(x > 0 ? large : small)}";
 
     /// <summary>Three digits.</summary>
-    private static string Number(double x) => x.ToString(Math.Abs(x) >= 100 ? "0" : Math.Abs(x) >= 10 ? "0.#" : "0.##", CultureInfo.InvariantCulture);
+    private static string Number(double x) =>
+        x.ToString(Math.Abs(x) >= 100 ? "0" : Math.Abs(x) >= 10 ? "0.#" : "0.##", CultureInfo.InvariantCulture);
 }

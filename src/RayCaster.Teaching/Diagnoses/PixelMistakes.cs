@@ -78,7 +78,8 @@ internal static class PixelMistakes
             "What is c / width in C#, where both are int?",
             "uc = w · c / width − w / 2, from left to right: w is a double, so no integers are divided.")
             .Or("only c / width is divided in integers", lab => lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(c / lab.Camera.Width))))
-            .Or("only r / height is divided in integers", lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(r / lab.Camera.Height)))),
+            .Or("only r / height is divided in integers",
+                lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(r / lab.Camera.Height)))),
         new Mistake("no-center", Concerns.Camera, Slides.PixelTranslation, "uc and ur without − w / 2 and − h / 2",
             lab => Shift(lab, 0, 0),
             "What should be in the middle is at a corner or at an edge.",

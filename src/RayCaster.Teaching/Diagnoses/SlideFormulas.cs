@@ -41,7 +41,8 @@ internal static class SlideFormulas
     /// <param name="slab">(lo, hi, origin, direction) → the ways in and out of a slab.</param>
     /// <param name="lastIn">Of two ways in the one that counts.</param>
     /// <param name="firstOut">Of two ways out the one that counts.</param>
-    public static Crossed Slabs(Lab lab, Aabb box, Vector3 d, InSlab slab, Func<double, double, double> lastIn, Func<double, double, double> firstOut) =>
+    public static Crossed Slabs(
+        Lab lab, Aabb box, Vector3 d, InSlab slab, Func<double, double, double> lastIn, Func<double, double, double> firstOut) =>
         Slabs(lab, box, d, (slab, slab, slab), lastIn, firstOut);
 
     /// <summary>The same with a formula for each slab.</summary>
@@ -81,7 +82,8 @@ internal static class SlideFormulas
     /// <param name="d">The ray's direction.</param>
     /// <param name="inside">(u, v) → whether X is in the triangle.</param>
     /// <param name="crossing">(A, n) → the t where the ray crosses the triangle's plane; the right one if left out.</param>
-    public static Crossed Triangle(Lab lab, Triangle triangle, Vector3 d, Func<double, double, bool> inside, Func<Vector3, Vector3, double>? crossing = null)
+    public static Crossed Triangle(
+        Lab lab, Triangle triangle, Vector3 d, Func<double, double, bool> inside, Func<Vector3, Vector3, double>? crossing = null)
     {
         var (A, B, C) = (triangle.A, triangle.B, triangle.C);
         var (n, t) = CrossPlane(lab, triangle, d);

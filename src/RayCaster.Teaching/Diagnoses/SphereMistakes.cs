@@ -45,13 +45,15 @@ internal static class SphereMistakes
             "Spheres bleed over the picture, or have a wrong size or depth.",
             "Is the discriminant b² − 4ac or (b/2)² − ac? Which one fits your b?",
             "With b = 2 d·(P − C): b² − 4ac and t = (−b ∓ √…) / 2a.")
-            .Or("sphere: b = d·(P − C) without its 2, while the discriminant is b² − 4 a c", Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - 4 * a * c)))
+            .Or("sphere: b = d·(P − C) without its 2, while the discriminant is b² − 4 a c",
+                Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - 4 * a * c)))
             .Or("sphere: discriminant b² − 2 a c", Quadratic((a, b, c) => Roots(a, b, b * b - 2 * a * c)))
             .Or("sphere: discriminant b − 4 a c", Quadratic((a, b, c) => Roots(a, b, b - 4 * a * c)))
             .Or("sphere: discriminant b² + 4 a c", Quadratic((a, b, c) => Roots(a, b, b * b + 4 * a * c)))
             .Or("sphere: divided by a where 2a is meant", Quadratic((a, b, c) => Roots(a / 2, b, b * b - 4 * a * c)))
             .Or("sphere: −b − √… / 2a without brackets", Quadratic((a, b, c) => Roots(-b, Math.Sqrt(b * b - 4 * a * c) / (2 * a))))
-            .Or("sphere: c = (P − C)² + R²", lab => lab.Sphere.Is((s, d) => QuadraticOf(lab, s, d, s.Radius * s.Radius, (a, b, c) => Roots(a, b, b * b - 4 * a * c)))),
+            .Or("sphere: c = (P − C)² + R²",
+                lab => lab.Sphere.Is((s, d) => QuadraticOf(lab, s, d, s.Radius * s.Radius, (a, b, c) => Roots(a, b, b * b - 4 * a * c)))),
         new Mistake("tca-positive", Concerns.Spheres, Slides.Sphere, "sphere: no hit where tca < 0, the slide's sentence taken literally",
             lab => lab.Sphere.Becomes(cross => (s, d) => (s.Center - lab.P) * d < 0 ? None : cross(s, d)),
             "From inside a sphere a part of it is missing: there the background shows.",
@@ -70,13 +72,15 @@ internal static class SphereMistakes
             "In which unit is R² − D²: metres, or square metres?",
             "thc = √(R² − D²).")
             .Or("sphere: thc = R − D", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R - Math.Sqrt(D2))))
-            .Or("sphere: (−b ∓ (b² − 4ac)) / 2a", Quadratic((a, b, c) => b * b - 4 * a * c < 0 ? None : Roots(-b / (2 * a), (b * b - 4 * a * c) / (2 * a)))),
+            .Or("sphere: (−b ∓ (b² − 4ac)) / 2a",
+                Quadratic((a, b, c) => b * b - 4 * a * c < 0 ? None : Roots(-b / (2 * a), (b * b - 4 * a * c) / (2 * a)))),
         new Mistake("tca-only", Concerns.Spheres, Slides.Sphere, "sphere: t = tca, where the ray is nearest to the centre",
             Sphere((R, tca, D2) => D2 > R * R ? None : new(tca)),
             "Spheres look like flat discs, and stand too deep in what they touch.",
             "What is at t = tca: the ray's way in, or its middle?",
             "t = tca − thc, and tca + thc if that does not count.")
-            .Or("sphere: t = tca, and tca + thc if that does not count", Sphere((R, tca, D2) => D2 > R * R ? None : new(tca, tca + Math.Sqrt(R * R - D2)))),
+            .Or("sphere: t = tca, and tca + thc if that does not count",
+                Sphere((R, tca, D2) => D2 > R * R ? None : new(tca, tca + Math.Sqrt(R * R - D2)))),
         new Mistake("r-diameter", Concerns.Spheres | Concerns.Circles, Slides.Sphere, "sphere: the radius taken for a diameter, R / 2",
             lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d)),
             "Round things are half as large as they should be, or twice.",

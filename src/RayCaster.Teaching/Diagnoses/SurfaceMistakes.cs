@@ -25,7 +25,8 @@ internal static class SurfaceMistakes
             "t = (Q − P)·n / d·n.")
             .Or(Readers("(P − Q)·n, so that t has the wrong sign", (P, Q, n, d) => (P - Q) * n / (d * n)).Skip(1))
             .Or(Readers("(Q + P)·n", (P, Q, n, d) => (P + Q) * n / (d * n))),
-        new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.RayPlane, "plane: left out where n points away from the camera (d·n ≥ 0)",
+        new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.RayPlane,
+            "plane: left out where n points away from the camera (d·n ≥ 0)",
             Cull(1, 0),
             "Some planes are missing; they come back when n is turned round.",
             "Does the slide say anything of the sign of d·n?",
@@ -50,7 +51,8 @@ internal static class SurfaceMistakes
             "Circles have a wrong size; one of radius 1 is right.",
             "Are both sides of your comparison lengths, or both squares?",
             "|X − C| ≤ R, or |X − C|² ≤ R².")
-            .Or("circle: |X − C| ≤ R²", lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = circle.Radius * circle.Radius }, d))),
+            .Or("circle: |X − C| ≤ R²",
+                lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = circle.Radius * circle.Radius }, d))),
         new Mistake("circ-inf", Concerns.Circles, Slides.Circle, "circle: the radius is not asked",
             lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = double.PositiveInfinity }, d)),
             "A circle covers the picture like an endless plane.",
@@ -67,7 +69,8 @@ internal static class SurfaceMistakes
             "Triangles reach beyond the side that is opposite to their first corner.",
             "Which condition draws the side from B to C?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1.")
-            .Or("triangle: u ≤ 1 and v ≤ 1 where u + v ≤ 1 is meant: a parallelogram", TriangleWhere((u, v) => u is >= 0 and <= 1 && v is >= 0 and <= 1)),
+            .Or("triangle: u ≤ 1 and v ≤ 1 where u + v ≤ 1 is meant: a parallelogram",
+                TriangleWhere((u, v) => u is >= 0 and <= 1 && v is >= 0 and <= 1)),
         new Mistake("tri-cull", Concerns.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
             lab => lab.Triangle.Becomes(cross => (triangle, d) => d * NormalOf(lab, triangle) >= 0 ? None : cross(triangle, d)),
             "Some triangles are missing; they come back when two corners are swapped.",

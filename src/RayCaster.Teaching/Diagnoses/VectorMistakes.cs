@@ -10,7 +10,8 @@ internal static class VectorMistakes
             "The more the camera looks up or down, the more the picture is zoomed in.",
             "How long is up × W where they are not perpendicular?",
             "U = (up × W) normalised.")
-            .Or("U is normalised only after V = W × U", lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, w)) * V(w, u)))
+            .Or("U is normalised only after V = W × U",
+                lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, w)) * V(w, u)))
             .Or("U is not normalised, but V is", lab => lab.Towards.Becomes(towards => (uc, ur) =>
                 towards(uc * lab.Length.Do(lab.Cross.Do(lab.Camera.Up, lab.W)), ur))),
         new Mistake("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",

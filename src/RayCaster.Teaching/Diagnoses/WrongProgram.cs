@@ -16,7 +16,8 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Wordings, .. OtherSample ? (Mistake[])[center] : []]));
 
     /// <summary>The mistakes to be named: those of the catalogue, by their first wordings.</summary>
-    public IReadOnlyList<Mistake> Named => [.. Wordings.Concat(Base.Kinds.Any() ? [] : Base.AsMistakes).Select(wording => MistakeCatalog.Named(wording.Id)!)];
+    public IReadOnlyList<Mistake> Named =>
+        [.. Wordings.Concat(Base.Kinds.Any() ? [] : Base.AsMistakes).Select(wording => MistakeCatalog.Named(wording.Id)!)];
 
     /// <summary>
     /// What it leaves unexplained, the more the more it assumes: two mistakes explain any picture better than one, and that something is not
@@ -24,5 +25,6 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// </summary>
     /// <param name="wrong">How many pixels are wrong.</param>
     public double Cost(int wrong) =>
-        (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong) * Math.Pow(1 / 0.6, Math.Max(Wordings.Count, OtherSample ? 1 : 0)) * Math.Pow(1.15, Base.NotYet.Count);
+        (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong)
+        * Math.Pow(1 / 0.6, Math.Max(Wordings.Count, OtherSample ? 1 : 0)) * Math.Pow(1.15, Base.NotYet.Count);
 }

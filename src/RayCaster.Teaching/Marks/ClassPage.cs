@@ -13,7 +13,9 @@ internal static class ClassPage
     {
         var page = new Page($"{rubric.Title}: {marks.Count} submissions");
         if (marks.Count == 0) return page.Element("p", "No submissions.").ToString();
-        page.Element("p", $"{MarksTable.Number(Math.Round(marks.Average(student => student.Points), 2))} of {MarksTable.Number(rubric.Points)} points in the mean; "
+        page.Element("p",
+            $"{MarksTable.Number(Math.Round(marks.Average(student => student.Points), 2))} of {MarksTable.Number(rubric.Points)} points " +
+            "in the mean; "
             + $"{marks.Count(student => student.LookYourself.Count > 0)} to look at yourself.");
         AddMistakes(page, marks);
         AddLookYourself(page, marks);
@@ -33,7 +35,9 @@ internal static class ClassPage
         page.Element("h2", "Mistakes, by how many make them");
         if (counts.Length == 0) page.Element("p", "None was found.");
         if (mistakes.Length > 0)
-            page.Element("p", $"To discuss next: {string.Join("; ", mistakes.Take(MostToDiscuss).Select(mistake => $"{mistake.Cause} (slide \"{mistake.Slide}\")"))}.");
+            page.Element("p",
+                "To discuss next: " +
+                $"{string.Join("; ", mistakes.Take(MostToDiscuss).Select(mistake => $"{mistake.Cause} (slide \"{mistake.Slide}\")"))}.");
         page.Html("<table><tr><th class=\"n\">Students</th><th>Mistake</th><th>What is wrong</th><th>Slide</th></tr>");
         foreach (var (id, count) in counts)
         {
@@ -52,8 +56,10 @@ internal static class ClassPage
         page.Html("<table>");
         foreach (var student in flagged)
         {
-            var pictures = student.Scenes.Where(scene => scene.Verdict == SceneVerdict.Unexplained && scene.Small.Length > 0).Select(scene => Page.Image(scene.Small, scene.Name));
-            page.Html($"<tr><td>{Link(student)}</td><td>{string.Join("<br>", student.LookYourself.Select(Page.Escaped))}<br>{string.Join(' ', pictures)}</td></tr>");
+            var pictures = student.Scenes.Where(scene => scene.Verdict == SceneVerdict.Unexplained && scene.Small.Length > 0)
+                .Select(scene => Page.Image(scene.Small, scene.Name));
+            page.Html($"<tr><td>{Link(student)}</td><td>{string.Join("<br>", student.LookYourself.Select(Page.Escaped))}<br>" +
+                $"{string.Join(' ', pictures)}</td></tr>");
         }
         page.Html("</table>");
     }
@@ -75,8 +81,10 @@ internal static class ClassPage
         page.Element("h2", "Pictures that are wrong in the same way");
         foreach (var (first, students) in large.Take(MostGroups))
         {
-            var names = string.Join(", ", students.Take(MostNames).Select(Link)) + (students.Count > MostNames ? $" and {students.Count - MostNames} more" : "");
-            page.Html($"<div class=\"tile\">{Page.Image(first.Small, first.Name)}<br>{Page.Escaped(first.Name)}, {students.Count} students<br><span class=\"small\">{names}</span></div>");
+            var names = string.Join(", ", students.Take(MostNames).Select(Link)) +
+                (students.Count > MostNames ? $" and {students.Count - MostNames} more" : "");
+            page.Html($"<div class=\"tile\">{Page.Image(first.Small, first.Name)}<br>{Page.Escaped(first.Name)}, " +
+                $"{students.Count} students<br><span class=\"small\">{names}</span></div>");
         }
         if (large.Length > MostGroups) page.Element("p", $"And {large.Length - MostGroups} smaller groups.");
     }
@@ -92,13 +100,15 @@ internal static class ClassPage
     private static void AddTable(Page page, Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         page.Element("h2", "All");
-        page.Html($"<table><tr><th>Student</th><th class=\"n\">Points</th>{string.Concat(rubric.Items.Select(item => $"<th class=\"n\">{Page.Escaped(item.Name)}</th>"))}<th>Found</th></tr>");
+        page.Html("<table><tr><th>Student</th><th class=\"n\">Points</th>" +
+            $"{string.Concat(rubric.Items.Select(item => $"<th class=\"n\">{Page.Escaped(item.Name)}</th>"))}<th>Found</th></tr>");
         foreach (var student in marks)
         {
             var style = student.Open > 0 ? "open" : student.Points < rubric.Points ? "lost" : "";
             var items = string.Concat(student.Items.Select(item => $"<td class=\"n\">{MarksTable.Item(item)}</td>"));
             var found = string.Join(", ", student.NotDrawn.Select(part => "no " + part).Concat(student.Mistakes));
-            page.Html($"<tr class=\"{style}\"><td>{Link(student)}</td><td class=\"n\">{MarksTable.Number(student.Points)}{(student.Open > 0 ? $" + {MarksTable.Number(student.Open)}?" : "")}</td>{items}<td>{Page.Escaped(found)}</td></tr>");
+            page.Html($"<tr class=\"{style}\"><td>{Link(student)}</td><td class=\"n\">{MarksTable.Number(student.Points)}" +
+                $"{(student.Open > 0 ? $" + {MarksTable.Number(student.Open)}?" : "")}</td>{items}<td>{Page.Escaped(found)}</td></tr>");
         }
         page.Html("</table>");
     }

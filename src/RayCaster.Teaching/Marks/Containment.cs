@@ -32,7 +32,8 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits)
     /// <summary>In words, for the teacher.</summary>
     public string InWords =>
         !HasOwnTree && !HasLimits ? "limits of time, output, memory and processes only"
-        : $"limits of time, output, memory and processes{(HasLimits ? ", of a file's size" : "")}{(HasOwnTree ? "; processes of their own, no network" : "")}";
+        : $"limits of time, output, memory and processes{(HasLimits ? ", of a file's size" : "")}" +
+            $"{(HasOwnTree ? "; processes of their own, no network" : "")}";
 
     /// <summary>A command with what contains it before it.</summary>
     /// <param name="command">The command.</param>

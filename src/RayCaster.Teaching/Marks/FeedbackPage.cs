@@ -22,7 +22,8 @@ internal static class FeedbackPage
         var style = item.Open > 0 ? "open" : item.Points < item.Of ? "lost" : "";
         var why = item.Open > 0 ? "Not decided: somebody will look."
             : string.Join("<br>", item.Because.Select(because => Hint(rubric, because)));
-        page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">{MarksTable.Item(item)} of {MarksTable.Number(item.Of)}</td><td>{why}</td></tr>");
+        page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">{MarksTable.Item(item)} of " +
+            $"{MarksTable.Number(item.Of)}</td><td>{why}</td></tr>");
     }
 
     /// <summary>What is wrong but costs nothing.</summary>
@@ -56,10 +57,14 @@ internal static class FeedbackPage
         }
         else
         {
-            page.Element("p", FormattableString.Invariant($"{100 * scene.WrongShare:0.##} % of the pixels differ. Left of the line is yours, right of it what it should be; move the line:"), "small");
+            page.Element("p",
+                FormattableString.Invariant($"{100 * scene.WrongShare:0.##} % of the pixels differ. ") +
+                "Left of the line is yours, right of it what it should be; move the line:", "small");
             page.Html($"""
-                <div class="slid"><div class="pair">{Page.Image(picture.ToPng(), "your picture")}{Page.Image(right.ToPng(), "the right picture")}</div>
-                <input type="range" min="0" max="100" value="50" aria-label="how much is yours" oninput="this.previousElementSibling.style.setProperty('--at', this.value + '%')"></div>
+                <div class="slid"><div class="pair">{Page.Image(picture.ToPng(), "your picture")}{
+                    Page.Image(right.ToPng(), "the right picture")}</div>
+                <input type="range" min="0" max="100" value="50" aria-label="how much is yours"
+                    oninput="this.previousElementSibling.style.setProperty('--at', this.value + '%')"></div>
                 """);
         }
     }

@@ -35,7 +35,8 @@ internal static class JUnitReport
             xml.WriteAttributeString("classname", Clean(student.Student));
             xml.WriteAttributeString("name", Clean(item.Name));
             if (item.Open > 0) WriteMessage(xml, "skipped", "Somebody must look: " + string.Join("; ", student.LookYourself));
-            else if (IsLost(item)) WriteMessage(xml, "failure", $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)} points. {MarkWords.Symptoms(item)}");
+            else if (IsLost(item))
+                WriteMessage(xml, "failure", $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)} points. {MarkWords.Symptoms(item)}");
             xml.WriteEndElement();
         }
         xml.WriteEndElement();

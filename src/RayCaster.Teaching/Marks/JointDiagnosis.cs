@@ -75,7 +75,8 @@ internal sealed class JointDiagnosis
         if (IsEnough(Verdict)) return;
 
         // Behind a wrong camera all subsets look alike, so those that the order of the lab brings are tried in any case.
-        var bases = unfinished.Take(Bases).Select(scored => scored.Hypothesis).Concat(UndoneParts.InOrder.Select(undone => new Hypothesis(undone, [])));
+        var bases = unfinished.Take(Bases).Select(scored => scored.Hypothesis)
+            .Concat(UndoneParts.InOrder.Select(undone => new Hypothesis(undone, [])));
         var singles = Best(bases.DistinctBy(hypothesis => hypothesis.Id).SelectMany(Extended));
         Take(singles);
         if (IsEnough(Verdict)) return;
@@ -99,7 +100,8 @@ internal sealed class JointDiagnosis
     private void Take(List<Scored> ranked)
     {
         var best = ranked[0];
-        if (best.Loss >= Gain * verdictLoss || !best.Hypothesis.Wordings.All(wording => Matters(best.Hypothesis, best.Hypothesis.Without(wording)))) return;
+        if (best.Loss >= Gain * verdictLoss || !best.Hypothesis.Wordings.All(wording => Matters(best.Hypothesis, best.Hypothesis.Without(wording))))
+            return;
         (Verdict, verdictLoss) = (WithoutNeedless(best.Hypothesis), best.Loss);
         Alternatives = [.. ranked.Where(other => other.Loss <= best.Loss + Alike && other.Hypothesis.Id != best.Hypothesis.Id)
             .Select(other => WithoutNeedless(other.Hypothesis)).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id)];

@@ -11,7 +11,8 @@ internal sealed class Marker(Rubric rubric)
     /// <param name="notes">What else somebody must look at.</param>
     public StudentMarks Mark(string student, string digest, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
-        List<ScenePicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged).Select(picture => new ScenePicture(picture.Scene, picture.Picture!))];
+        List<ScenePicture> pictures = [
+            .. submitted.Where(picture => picture.CanBeJudged).Select(picture => new ScenePicture(picture.Scene, picture.Picture!))];
         var diagnosis = JointDiagnosis.Of(pictures, rubric.Known);
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
         var verdict = diagnosis.Verdict;
@@ -47,7 +48,8 @@ internal sealed class Marker(Rubric rubric)
     /// Whether some scenes tell as much of an item as all together: each of its mistakes that shows in any of the scenes shows in one of these.
     /// </summary>
     private bool Tells(List<MarkedScene> told, RubricItem item) =>
-        told.Count > 0 && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
+        told.Count > 0
+        && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
 
     /// <summary>What an item loses by a hypothesis, and by which of its mistakes.</summary>
     private static (double Lost, string[] Because) Cost(RubricItem item, Hypothesis hypothesis)
@@ -77,7 +79,8 @@ internal sealed class Marker(Rubric rubric)
         foreach (var scenes in Repeated(submitted)) yield return $"{scenes}: the same picture of different scenes";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many things make them so";
         foreach (var picture in diagnosis.TellsNothing ? [] : diagnosis.Unexplained)
-            yield return $"{picture.Of.Name}: nothing explains this picture" + (diagnosis.Nearest is { } near && Names(near) != "" ? $" (nearest: {Names(near)})" : "");
+            yield return $"{picture.Of.Name}: nothing explains this picture" +
+                (diagnosis.Nearest is { } near && Names(near) != "" ? $" (nearest: {Names(near)})" : "");
         foreach (var other in diagnosis.Alternatives)
             if (rubric.Items.Any(item => Cost(item, other).Lost != Cost(item, diagnosis.Verdict).Lost))
                 yield return $"these scenes cannot tell {Names(diagnosis.Verdict)} from {Names(other)}";

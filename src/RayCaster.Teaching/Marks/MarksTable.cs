@@ -10,7 +10,9 @@ internal static class MarksTable
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         var text = new StringBuilder();
-        Append(text, ["student", "points", "open", "of", .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes", "right pictures"]);
+        Append(text,
+            ["student", "points", "open", "of", .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes",
+                "right pictures"]);
         foreach (var student in marks)
             Append(text,
             [

@@ -67,14 +67,16 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
                 changed =
                 [
                     .. before.Keys.Union(now.Keys)
-                        .Where(path => !excused.Any(own => path.StartsWith(own.Folder + Path.DirectorySeparatorChar, StringComparison.Ordinal)) && before.GetValueOrDefault(path) != now.GetValueOrDefault(path))
+                        .Where(path => !excused.Any(own => path.StartsWith(own.Folder + Path.DirectorySeparatorChar, StringComparison.Ordinal))
+                            && before.GetValueOrDefault(path) != now.GetValueOrDefault(path))
                         .Order(StringComparer.Ordinal),
                 ];
             }
             if (changed.Length == 0) yield break;
             var named = string.Join(", ", changed.Take(MostNamed).Select(path => Path.GetRelativePath(all.folder, path)));
             var ran = beside.Length == 0 ? "it ran" : $"it and {string.Join(", ", beside)} ran";
-            yield return $"files outside its folder changed while {ran}: {named}{(changed.Length > MostNamed ? $" and {changed.Length - MostNamed} more" : "")}";
+            yield return $"files outside its folder changed while {ran}: {named}" +
+                $"{(changed.Length > MostNamed ? $" and {changed.Length - MostNamed} more" : "")}";
         }
 
         /// <summary>Ends the watch.</summary>

@@ -11,12 +11,14 @@ internal sealed class Page(string title)
     private const string Style = """
         body { font: 16px/1.5 system-ui, sans-serif; max-width: 64rem; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff; }
         h1 { font-size: 1.5rem; } h2 { font-size: 1.2rem; margin-top: 2rem; }
-        table { border-collapse: collapse; width: 100%; } td, th { border-bottom: 1px solid #ddd; padding: .3rem .6rem; text-align: left; vertical-align: top; }
+        table { border-collapse: collapse; width: 100%; }
+        td, th { border-bottom: 1px solid #ddd; padding: .3rem .6rem; text-align: left; vertical-align: top; }
         td.n, th.n { text-align: right; white-space: nowrap; } tr.lost td { background: #fff1ee; } tr.open td { background: #fff8dd; }
         .small { color: #555; font-size: .9rem; } img { image-rendering: pixelated; }
         .slid { display: inline-block; } .pair { position: relative; line-height: 0; max-width: 100%; border: 1px solid #999; }
         .pair img { max-width: 100%; } .pair img + img { position: absolute; left: 0; top: 0; clip-path: inset(0 0 0 var(--at, 50%)); }
-        .pair::after { content: ""; position: absolute; top: 0; bottom: 0; left: var(--at, 50%); border-left: 2px solid #fff; mix-blend-mode: difference; }
+        .pair::after { content: ""; position: absolute; top: 0; bottom: 0; left: var(--at, 50%);
+          border-left: 2px solid #fff; mix-blend-mode: difference; }
         input[type=range] { display: block; width: 100%; margin: 0; }
         .tile { display: inline-block; margin: 0 1rem 1rem 0; vertical-align: top; max-width: 20rem; }
         """;
@@ -42,7 +44,8 @@ internal sealed class Page(string title)
     /// <summary>A picture that is in the page itself.</summary>
     /// <param name="png">Its bytes.</param>
     /// <param name="words">What it shows, for those who do not see it.</param>
-    public static string Image(byte[] png, string words) => $"<img alt=\"{Escaped(words)}\" src=\"data:image/png;base64,{Convert.ToBase64String(png)}\">";
+    public static string Image(byte[] png, string words) =>
+        $"<img alt=\"{Escaped(words)}\" src=\"data:image/png;base64,{Convert.ToBase64String(png)}\">";
 
     /// <summary>The page.</summary>
     public override string ToString() => $"""

@@ -94,28 +94,37 @@ public static class RubricReader
                 o.Refuse("mistakes", $" is {mistakes[i]}, which costs points of \"{other.Name}\" already: a mistake belongs to one item", i);
         }
         var parts = Undone.Nothing;
+        var words = string.Join(", ", UndoneParts.Words);
         for (var i = 0; i < undone.Count; i++)
         {
             if (UndoneParts.Words.Contains(undone[i])) parts |= UndoneParts.Named(undone[i]);
             else
-                o.Refuse("undone", $" must be one of {string.Join(", ", UndoneParts.Words)}, but is \"{undone[i]}\"{Spelling.DidYouMean(undone[i], UndoneParts.Words)}", i);
+                o.Refuse("undone",
+                    $" must be one of {words}, but is \"{undone[i]}\"{Spelling.DidYouMean(undone[i], UndoneParts.Words)}", i);
         }
         return new(name, points, each, mistakes, parts);
     }
 
     private static PictureSource ReadSource(SceneObject o)
     {
-        var pictures = o.OptionalText("pictures", "The file of a picture in the submission's folder; {name} stands for the scene's name. Default: {name}.png, or {name}.ppm.");
-        var run = o.Texts("run", "The command that draws a picture, word by word; {dir} stands for the submission's folder, {scene} for the scene file, {out} for the picture to write.", false);
+        var pictures = o.OptionalText(
+            "pictures", "The file of a picture in the submission's folder; {name} stands for the scene's name. Default: {name}.png, or {name}.ppm.");
+        var run = o.Texts("run",
+            "The command that draws a picture, word by word; {dir} stands for the submission's folder, {scene} for the scene file, " +
+            "{out} for the picture to write.", false);
         var build = o.Texts("build", "A command that is run once for each submission before; {dir} stands for its folder.", false);
         var time = o.Number("timeLimit", "How long a picture may take, in seconds.", Limits.From(0.1, 3600), 20);
         var buildTime = o.Number("buildTimeLimit", "How long building may take, in seconds.", Limits.From(0.1, 3600), 120);
-        var output = o.Number("outputLimit", "How much a program may print, and how large a file it writes may be, in megabytes.", Limits.From(0.1, 1024), 64);
-        var memory = o.Number("memoryLimit", "How much memory the processes of a program may hold together, in megabytes.", Limits.From(16, 1 << 20), 2048);
+        var output = o.Number(
+            "outputLimit", "How much a program may print, and how large a file it writes may be, in megabytes.", Limits.From(0.1, 1024), 64);
+        var memory = o.Number(
+            "memoryLimit", "How much memory the processes of a program may hold together, in megabytes.", Limits.From(16, 1 << 20), 2048);
         var processes = o.Whole("processLimit", "How many processes a program may be.", 1, 10_000, 100);
-        var network = o.OptionalChoice("network", "Whether programs may use the network, where that can be forbidden.", "none", "allowed") == "allowed";
+        var network = o.OptionalChoice(
+            "network", "Whether programs may use the network, where that can be forbidden.", "none", "allowed") == "allowed";
 
-        if (pictures is not null && o.Has("run")) o.Refuse("pictures", $" and run exclude each other: the pictures are there, or a command draws them");
+        if (pictures is not null && o.Has("run"))
+            o.Refuse("pictures", $" and run exclude each other: the pictures are there, or a command draws them");
         if (o.Has("build") && !o.Has("run")) o.Refuse("build", $" needs run: the command that draws a picture");
         if (o.Has("run") && run.Count == 0 && o.IsSound) o.Refuse("run", $" must begin with a program");
         if (run.Count > 0)
@@ -125,7 +134,9 @@ public static class RubricReader
         RefuseUnknownPlaces(o, "build", build);
         const double megabyte = 1e6;
         var limits = o.IsSound
-            ? new ProgramLimits(TimeSpan.FromSeconds(time), TimeSpan.FromSeconds(buildTime), (long)(output * megabyte), (long)(memory * megabyte), processes, network)
+            ? new ProgramLimits(
+                TimeSpan.FromSeconds(time), TimeSpan.FromSeconds(buildTime), (long)(output * megabyte), (long)(memory * megabyte),
+                processes, network)
             : new(default, default, 0, 0, 0, false);
         return new(pictures ?? "{name}.png", build, run, limits);
     }
@@ -134,10 +145,12 @@ public static class RubricReader
     {
         for (var i = 0; i < words.Count; i++)
             if (words[i] is ['{', .., '}'] && !places.Contains(words[i]))
-                o.Refuse(key, $" must be one of {string.Join(", ", places)} or a word, but is \"{words[i]}\"{Spelling.DidYouMean(words[i], places)}", i);
+                o.Refuse(key,
+                    $" must be one of {string.Join(", ", places)} or a word, but is \"{words[i]}\"{Spelling.DidYouMean(words[i], places)}", i);
     }
 
-    private static List<MarkedScene> ReadScenes(SceneObject o, IReadOnlyList<string> files, string folder, IncrementalHash? digest, StringBuilder reports)
+    private static List<MarkedScene> ReadScenes(
+        SceneObject o, IReadOnlyList<string> files, string folder, IncrementalHash? digest, StringBuilder reports)
     {
         var scenes = new List<MarkedScene>();
         if (o.Has("scenes") && files.Count == 0 && o.IsSound) o.Refuse("scenes", $" must name at least one scene file");

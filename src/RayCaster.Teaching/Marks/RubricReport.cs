@@ -18,7 +18,8 @@ public static class RubricReport
         {
             string[] unseen = [.. item.Mistakes.Where(mistake => !rubric.Scenes.Any(scene => scene.Shows(mistake)))];
             hidden |= unseen.Length > 0;
-            text.AppendLine($"  {MarksTable.Number(item.Points),4}  {item.Name}{(unseen.Length > 0 ? $"; no scene shows {string.Join(", ", unseen)}" : "")}");
+            text.AppendLine($"  {MarksTable.Number(item.Points),4}  {item.Name}" +
+                $"{(unseen.Length > 0 ? $"; no scene shows {string.Join(", ", unseen)}" : "")}");
         }
         string[] free = [.. MistakeCatalog.All.Where(mistake => rubric.ItemOf(mistake.Id) is null).Select(mistake => mistake.Id)];
         if (free.Length > 0) text.AppendLine($"These mistakes cost nothing: {string.Join(", ", free)}.");

@@ -91,7 +91,8 @@ public sealed class SceneVariation
             Replace(y, axes[1].Warp(y.Number));
             Replace(z, axes[2].Warp(z.Number));
         }
-        if (o.Find("radius") is { Kind: JsonTokenType.Number } radius) Replace(radius, radius.Number * (1 + growth * Math.Sin(1e3 * radius.Number + seed[24])));
+        if (o.Find("radius") is { Kind: JsonTokenType.Number } radius)
+            Replace(radius, radius.Number * (1 + growth * Math.Sin(1e3 * radius.Number + seed[24])));
     }
 
     private void Replace(JsonValue number, double by) =>

@@ -10,7 +10,8 @@ internal sealed record Submission(string Folder)
     /// <summary>What building leaves behind, and what is not the student's work.</summary>
     private static readonly string[] leftOut = ["bin", "obj", "node_modules"];
 
-    private static readonly EnumerationOptions files = new() { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.ReparsePoint, MaxRecursionDepth = 32 };
+    private static readonly EnumerationOptions files =
+        new() { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.ReparsePoint, MaxRecursionDepth = 32 };
 
     /// <summary>The student's name: that of the folder.</summary>
     public string Student => Path.GetFileName(Folder);
@@ -68,5 +69,6 @@ internal sealed record Submission(string Folder)
     }
 
     private bool IsLeftOut(string path) =>
-        Path.GetRelativePath(Folder, path).Split(Path.DirectorySeparatorChar).Any(part => leftOut.Contains(part) || (part.StartsWith('.') && part.Length > 1));
+        Path.GetRelativePath(Folder, path).Split(Path.DirectorySeparatorChar)
+            .Any(part => leftOut.Contains(part) || (part.StartsWith('.') && part.Length > 1));
 }

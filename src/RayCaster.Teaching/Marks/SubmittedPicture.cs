@@ -31,9 +31,11 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
             if (file.Length == 0) return new(scene, null, note ?? "the picture file is empty"); // a pipe has no length either
             var pixels = (long)scene.Right.Width * scene.Right.Height;
             if (file.Length > 65_536 + BytesPerPixel * pixels)
-                return new(scene, null, FormattableString.Invariant($"the picture file has {file.Length:N0} bytes, too many for the scene's {pixels:N0} pixels"));
+                return new(scene, null,
+                    FormattableString.Invariant($"the picture file has {file.Length:N0} bytes, too many for the scene's {pixels:N0} pixels"));
             using var stream = file.OpenRead();
-            if (PngSize(stream) is var (width, height) && (long)width * height > SizeFactor * pixels) return new(scene, null, WrongSize(scene, width, height));
+            if (PngSize(stream) is var (width, height) && (long)width * height > SizeFactor * pixels)
+                return new(scene, null, WrongSize(scene, width, height));
             var picture = PictureFile.Read(stream);
             return new(scene, picture, HasSizeOf(scene, picture.Width, picture.Height) ? note : WrongSize(scene, picture.Width, picture.Height));
         }

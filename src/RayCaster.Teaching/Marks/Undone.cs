@@ -73,7 +73,8 @@ internal static class UndoneParts
     {
         var undone = Undone.Nothing;
         yield return undone;
-        foreach (var part in (Undone[])[Undone.Triangle, Undone.Circle, Undone.Sphere, Undone.Aabb, Undone.Clipping, Undone.Attenuation, Undone.Plane])
+        foreach (var part in (Undone[])
+            [Undone.Triangle, Undone.Circle, Undone.Sphere, Undone.Aabb, Undone.Clipping, Undone.Attenuation, Undone.Plane])
             yield return undone |= part;
     }
 

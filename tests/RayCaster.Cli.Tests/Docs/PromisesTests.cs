@@ -17,7 +17,8 @@ public class PromisesTests
         foreach (Match name in named)
         {
             var test = $@"\[(Fact|Theory)\]\r?\n( *\[.*\r?\n)*    public [\w ]+ {name.Groups[2].Value}\(";
-            var files = SourceFiles("tests").Where(path => Path.GetFileName(path) == name.Groups[1].Value + ".cs"); // two projects may have one of a name
+            // two projects may have one of a name
+            var files = SourceFiles("tests").Where(path => Path.GetFileName(path) == name.Groups[1].Value + ".cs");
             Assert.True(files.Any(file => Regex.IsMatch(File.ReadAllText(file), test)), $"{document} names {name.Value}, which is no test");
         }
     }

@@ -98,7 +98,8 @@ internal static class Gallery
         var isWithinRounding = Showcase.IsWithinRounding(right, showcase.Tile(mistake));
         page.AppendLine().AppendLine($"### {mistake.Id}").AppendLine()
             .Append($"![{(isWithinRounding ? "Right, and in which channels the wrong one differs" : "Right, and wrong")}]")
-            .Append($"(mistakes/{mistake.Id}.png)<br><sub>[{showcase.Name}](../scenes/mistakes/{showcase.Name}.json)</sub>").AppendLine().AppendLine()
+            .Append($"(mistakes/{mistake.Id}.png)<br><sub>[{showcase.Name}](../scenes/mistakes/{showcase.Name}.json)</sub>")
+            .AppendLine().AppendLine()
             .AppendLine($"**{Markdown(Sentence(mistake.Cause))}** {Markdown(mistake.Hint.Symptom)}");
         if (isWithinRounding)
             page.AppendLine().AppendLine("The right half shows where a channel is off by its one level: the eye sees nothing of it.");
