@@ -64,7 +64,7 @@ public class MarkerTests
         });
         Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
         Assert.Empty(marks.Mistakes);
-        Assert.Equal(7, marks.LookYourself.Count);
+        Assert.Equal(rubric.Scenes.Count, marks.LookYourself.Count);
     }
 
     [Fact]

@@ -21,7 +21,7 @@ public sealed class RubricReaderTests : IDisposable
     {
         var rubric = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out var report);
         Assert.Equal("", report);
-        Assert.Equal((10, 20.0, 7), (rubric!.Items.Count, rubric.Points, rubric.Scenes.Count));
+        Assert.Equal((10, 20.0, 8), (rubric!.Items.Count, rubric.Points, rubric.Scenes.Count));
     }
 
     [Fact]
