@@ -63,7 +63,8 @@ internal sealed class CommandLine
     {
         if (operands.Count == names.Length) return operands;
         throw ProblemException.Usage(
-            $"{CommandName} takes {string.Join(' ', names!)}, but {(operands.Count == 0 ? "nothing is" : $"'{string.Join(' ', operands)}' is")} given");
+            $"{CommandName} takes {string.Join(' ', names!)}, but {(operands.Count == 0 ? "nothing is" : $"'{string.Join(' ', operands)}' is")} " +
+                "given");
     }
 
     /// <summary>How many threads, null for one per core. More than a few for each core only take memory.</summary>
@@ -107,7 +108,8 @@ internal sealed class CommandLine
             throw ProblemException.Usage($"option '{option.Name}' takes no value, but '{value}' is given");
         if (option.TakesValue && value is null)
             value = next < arguments.Length ? arguments[next++] : throw ProblemException.Usage($"option '{option.Name}' needs a value");
-        if (option.TakesValue && value!.Length == 0) throw ProblemException.Usage($"option '{option.Name}' needs a value, but an empty one is given");
+        if (option.TakesValue && value!.Length == 0)
+            throw ProblemException.Usage($"option '{option.Name}' needs a value, but an empty one is given");
         values[option] = value ?? "";
     }
 

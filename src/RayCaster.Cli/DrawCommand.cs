@@ -60,7 +60,8 @@ internal sealed class DrawCommand : Command
         StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
         var isOdd = odd.IsOdd && lines.Count == scene.Camera.Height; // a part may well show one colour
         if (line.Has(Option.Ledger) || (isOdd && HitLedger.IsQuick(scene))) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
-        else if (isOdd) StandardFile.WriteError("The picture shows nothing, or one colour; --ledger says why, which takes a while with so many triangles.\n");
+        else if (isOdd)
+            StandardFile.WriteError("The picture shows nothing, or one colour; --ledger says why, which takes a while with so many triangles.\n");
         return ExitCode.Done;
 
         void Watch(int first, ReadOnlySpan<byte> drawn)
@@ -105,7 +106,8 @@ internal sealed class DrawCommand : Command
             : output != SceneInput.Standard ? PictureFormats.ByExtension(output)
             : isPart ? PictureFormat.Png : PictureFormat.Ppm);
         return !isPart || format == PictureFormat.Png ? format
-            : throw ProblemException.Usage("what --rows and --resume draw is a PNG, which can say what it is part of; choose another name or format");
+            : throw ProblemException.Usage("what --rows and --resume draw is a PNG, which can say what it is part of; " +
+                "choose another name or format");
     }
 
     /// <summary>What a scene's pictures are called: as its file is, without folder and extension.</summary>
@@ -115,7 +117,9 @@ internal sealed class DrawCommand : Command
     private static string PartName(string name, LineRange lines, int height)
     {
         var digits = $"D{Math.Max(4, (height - 1).ToString(CultureInfo.InvariantCulture).Length)}";
-        return $"{name}.part-{lines.First.ToString(digits, CultureInfo.InvariantCulture)}-{lines.Last.ToString(digits, CultureInfo.InvariantCulture)}.png";
+        return $"{name}.part-{Padded(lines.First)}-{Padded(lines.Last)}.png";
+
+        string Padded(int line) => line.ToString(digits, CultureInfo.InvariantCulture);
     }
 
     /// <summary>One line: picture, size, models, time, rays per second.</summary>

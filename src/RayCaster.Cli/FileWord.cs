@@ -18,7 +18,8 @@ internal static class FileWord
             if (c == NotUtf8) throw new ProblemException($"raycaster: the name '{PrintableText.Of(word)}' is not UTF-8: rename the file");
             if (PrintableText.IsPrintable(c)) continue;
             throw new ProblemException(
-                $"raycaster: '{PrintableText.Of(word)}' holds the invisible character U+{(int)c:X4}: rename the file, or type the name anew if it was copied");
+                $"raycaster: '{PrintableText.Of(word)}' holds the invisible character U+{(int)c:X4}: rename the file, " +
+                    "or type the name anew if it was copied");
         }
     }
 }

@@ -58,8 +58,8 @@ internal static class HelpText
           -t, --threads <n>      How many threads cast rays. [default: one per core]
               --map <kind>       Writes numbers in place of the picture: t, depth, model, normal
                                  or uv, as <scene>.<kind>.pfm, and to look at as .png.
-              --mistake <ids>    Draws the picture of a program with this mistake, or with several at
-                                 once, as rows+bgr; docs/mistakes.md lists their ids.
+              --mistake <ids>    Draws the picture of a program with this mistake, or with
+                                 several at once, as rows+bgr; docs/mistakes.md lists them.
               --ledger           Prints which models show, and why the others do not. Printed
                                  by itself when the picture is empty or of one colour.
               --plain            Draws by the definition, ScalarRenderer, ray by ray: for the

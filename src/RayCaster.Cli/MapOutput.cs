@@ -14,7 +14,8 @@ internal static class MapOutput
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         if (MapKinds.Named(line[Option.Map]!) is not { } kind)
-            throw ProblemException.Usage($"'{line[Option.Map]}' is not a map: choose {string.Join(", ", MapKinds.Names[..^1])} or {MapKinds.Names[^1]}");
+            throw ProblemException.Usage($"'{line[Option.Map]}' is not a map: " +
+                $"choose {string.Join(", ", MapKinds.Names[..^1])} or {MapKinds.Names[^1]}");
         if (line.Has(Option.Format)) throw ProblemException.Usage("a map is a PFM and a PNG; --format is for the picture");
         var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
         var numbers = line[Option.Output] ?? DrawCommand.NameOf(path) + $".{kind.Name()}.pfm";

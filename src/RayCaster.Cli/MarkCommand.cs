@@ -61,7 +61,8 @@ internal sealed class MarkCommand : Command
         }
 
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("where do the marks go? Say it as in -o marks");
-        if (!quiet && rubric.Source.Run.Count > 0) StandardFile.WriteError($"Students' programs run with your rights, within {RubricReport.HeldBy}.\n");
+        if (!quiet && rubric.Source.Run.Count > 0)
+            StandardFile.WriteError($"Students' programs run with your rights, within {RubricReport.HeldBy}.\n");
         using var progress = new CountLine(!quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted, "submissions");
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(

@@ -28,7 +28,8 @@ internal static class MistakeOutput
             writer.Finish();
         });
         if (!quiet)
-            StandardFile.WriteError($"{PictureOutput.NameOf(output)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}{Environment.NewLine}");
+            StandardFile.WriteError($"{PictureOutput.NameOf(output)}: wrong on purpose: " +
+                $"{string.Join("; ", mistakes.Select(mistake => mistake.Cause))}{Environment.NewLine}");
         return ExitCode.Done;
     }
 }

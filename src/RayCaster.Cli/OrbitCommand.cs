@@ -77,12 +77,14 @@ internal sealed class OrbitCommand : Command
             var output = Path.Combine(folder, $"{name}-{frame.ToString(digits, CultureInfo.InvariantCulture)}.png");
             var part = PictureOutput.Facts(view, whole); // says what it is, so that it can be left out later
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue; // one reason stands for all
-            PictureOutput.Draw(output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, showProgress, cancellation);
+            PictureOutput.Draw(
+                output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, showProgress, cancellation);
             drawn++;
         }
         if (!quiet)
             StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
-                $"{(folder == "" ? "." : folder)}: {drawn} {(drawn == 1 ? "frame" : "frames")} of {scene.Camera.Width} x {scene.Camera.Height} pixels drawn, " +
+                $"{(folder == "" ? "." : folder)}: {drawn} {(drawn == 1 ? "frame" : "frames")} " +
+                $"of {scene.Camera.Width} x {scene.Camera.Height} pixels drawn, " +
                 $"{only.Count - drawn} there already, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
         return ExitCode.Done;
     }

@@ -38,7 +38,8 @@ internal static class PictureOutput
 
     /// <summary>Writes a picture that is there already.</summary>
     /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream})"/>
-    public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) => Write(output, cancellation, stream =>
+    public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
+        Write(output, cancellation, stream =>
     {
         using var writer = PictureWriter.Create(format, stream, picture.Width, picture.Height);
         writer.WriteRows(picture.Rgb);

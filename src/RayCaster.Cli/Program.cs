@@ -49,7 +49,8 @@ internal static class Program
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            StandardFile.WriteError($"raycaster: {(IsCurrentFolderThere() ? e.Message : "the folder in which it runs is gone")}{Environment.NewLine}");
+            StandardFile.WriteError("raycaster: " +
+                $"{(IsCurrentFolderThere() ? e.Message : "the folder in which it runs is gone")}{Environment.NewLine}");
             return ExitCode.CouldNot;
         }
         catch (Exception e) when (IsOutOfMemory(e))

@@ -39,7 +39,8 @@ internal sealed class SheetCommand : Command
         var (width, height) = line.PictureSize() ?? ContactSheet.SizeFor(pictures[0]);
         var sheet = new ContactSheet(pictures, columns, width, height);
         if (sheet.Width > Camera.MaxSide || sheet.Height > Camera.MaxSide || 3 * sheet.Width * (height + ContactSheet.Gap) > Array.MaxLength)
-            throw new ProblemException($"raycaster: a sheet of {sheet.Width} x {sheet.Height} pixels is too large: make its pictures smaller with --size");
+            throw new ProblemException($"raycaster: a sheet of {sheet.Width} x {sheet.Height} pixels is too large: " +
+                "make its pictures smaller with --size");
         PictureOutput.Write(output, cancellation, stream =>
         {
             using var writer = PictureWriter.Create(PictureFormat.Png, stream, (int)sheet.Width, (int)sheet.Height);

@@ -78,7 +78,9 @@ internal static class StandardFile
     private static string WithoutControls(string text) => string.Create(text.Length, text, (span, from) =>
     {
         for (var i = 0; i < span.Length; i++)
-            span[i] = from[i] is '\n' or '\t' || (from[i] == '\r' && from.AsSpan(i).StartsWith("\r\n")) || PrintableText.IsPrintable(from[i]) ? from[i] : '\uFFFD';
+            span[i] = from[i] is '\n' or '\t' || (from[i] == '\r' && from.AsSpan(i).StartsWith("\r\n")) || PrintableText.IsPrintable(from[i])
+                ? from[i]
+                : '\uFFFD';
     });
 
     /// <summary>A closed file is refused in the second way, one that grows larger than the system allows in the third.</summary>

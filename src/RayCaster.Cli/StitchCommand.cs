@@ -93,7 +93,8 @@ internal sealed class StitchCommand : Command
         if (!quiet)
             StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
                 $"{PictureOutput.NameOf(output)}: {width} x {height} pixels, " +
-                $"{parts.Count} {(parts.Count == 1 ? "part" : "parts")}, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
+                $"{parts.Count} {(parts.Count == 1 ? "part" : "parts")}, " +
+                    $"{Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
         return ExitCode.Done;
     }
 

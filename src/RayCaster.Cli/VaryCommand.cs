@@ -45,7 +45,8 @@ internal sealed class VaryCommand : Command
 
         var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
         if (scene.Models.Any(model => model is Mesh) && Path.GetDirectoryName(Path.GetFullPath(output)) != folder)
-            throw new ProblemException($"raycaster: {path} names mesh files, whose paths start at its folder: write {Path.GetFileName(output)} to {folder}");
+            throw new ProblemException($"raycaster: {path} names mesh files, whose paths start at its folder: " +
+                $"write {Path.GetFileName(output)} to {folder}");
         if (Abandonable.Run(() => SceneVariation.Of(text, folder, seed), cancellation) is not { } varied)
         {
             StandardFile.WriteError($"{path}: no variation of it shows all the mistakes that it shows; try another seed{Environment.NewLine}");

@@ -68,7 +68,8 @@ internal static class WarmUp
             if (text.IndexOf("\"sphere\""u8) >= 0) models.Add(Model.Of(new Sphere(at, 0.1)));
             if (text.IndexOf("\"aabb\""u8) >= 0) models.Add(Model.Of(new Aabb(at, at + new Vector3(0.1, 0.1, 0.1))));
             if (text.IndexOf("\"circle\""u8) >= 0) models.Add(Model.Of(new Circle(at, new(0, 1, 0), 0.1)));
-            if (text.IndexOf("\"triangle\""u8) >= 0) models.Add(Model.Of(new Triangle(at, at + new Vector3(0.1, 0, 0), at + new Vector3(0, 0, 0.1))));
+            if (text.IndexOf("\"triangle\""u8) >= 0)
+                models.Add(Model.Of(new Triangle(at, at + new Vector3(0.1, 0, 0), at + new Vector3(0, 0, 0.1))));
         }
         if (text.IndexOf("\"plane\""u8) >= 0) models.Add(Model.Of(new Plane(new(0, 0, -1), new(0, 0, 1))));
         if (text.IndexOf("\"mesh\""u8) >= 0) models.Add(Sheet());

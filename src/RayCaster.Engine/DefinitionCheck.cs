@@ -39,7 +39,8 @@ public sealed class DefinitionCheck
         for (; rgb.Length > 0; rgb = rgb[(3 * width)..], linesTaken++)
             foreach (var window in windows)
                 if (linesTaken >= window.Line && linesTaken < window.Line + window.Drawn.Height)
-                    rgb.Slice(3 * window.Column, 3 * window.Drawn.Width).CopyTo(window.Drawn.Rgb.AsSpan((linesTaken - window.Line) * 3 * window.Drawn.Width));
+                    rgb.Slice(3 * window.Column, 3 * window.Drawn.Width)
+                        .CopyTo(window.Drawn.Rgb.AsSpan((linesTaken - window.Line) * 3 * window.Drawn.Width));
     }
 
     /// <summary>The first pixel that differs, once all lines are taken, as a message; null where all are equal.</summary>

@@ -36,7 +36,8 @@ public sealed class Renderer(Scene scene, int? threads = null)
     public void DrawInto(Picture picture)
     {
         if ((picture.Width, picture.Height) != (camera.Width, camera.Height))
-            throw new ArgumentException($"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
+            throw new ArgumentException(
+                $"a picture of {picture.Width} x {picture.Height} for one of {camera.Width} x {camera.Height}", nameof(picture));
         using var frame = Frame.Of(scene, threadCount, ManyFrames);
         var shader = frame.Shader; // made before other threads need it
         Cast(frame, () =>

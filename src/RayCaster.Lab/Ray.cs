@@ -18,10 +18,9 @@ public class Ray(Vector3 origin, Vector3 direction)
         // BEGIN SOLUTION "Ray"
         // STUB Todo.Note("Ray", Vector3.Zero);
         Origin + t * Direction;
-    // END SOLUTION
+        // END SOLUTION
 
-    /// <summary>A model is crossed at t: keeps the hit if t counts and is nearer than the nearest so far. Of two at the same t the first
-    /// stays.</summary>
+    /// <summary>A model is crossed at t: keeps the hit if t counts and is nearer than the nearest so far. Of two at the same t the first stays.</summary>
     public void Hit(double t, Model model)
     {
         // BEGIN SOLUTION "Ray"

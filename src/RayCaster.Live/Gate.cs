@@ -44,7 +44,8 @@ internal sealed class Gate(int port, string token)
         if (origin.Count > 0 || mayChange)
             if (!string.Equals(origin.ToString(), $"http://{host}", StringComparison.OrdinalIgnoreCase))
                 return "This request comes from another page.";
-        if (request.Headers["Sec-Fetch-Site"] is [{ Length: > 0 } site] && site is not ("same-origin" or "none")) return "This request comes from another page.";
+        if (request.Headers["Sec-Fetch-Site"] is [{ Length: > 0 } site] && site is not ("same-origin" or "none"))
+            return "This request comes from another page.";
 
         if (request.Cookies[cookie] is { } known && IsToken(known)) return null;
         if (request.Path == "/" && HttpMethods.IsGet(request.Method) && IsToken(request.Query["token"].ToString()))

@@ -131,7 +131,8 @@ internal sealed class LiveServer : IAsyncDisposable
         if (gate.Refuse(context) is { } reason) await SayAsync(context, StatusCodes.Status403Forbidden, reason);
         else if (context.Request.Path == "/live" && context.WebSockets.IsWebSocketRequest) await ServeTabAsync(context);
         else if (context.Request.Path == "/mine" && HttpMethods.IsPost(context.Request.Method)) await TakeMineAsync(context);
-        else if (!HttpMethods.IsGet(context.Request.Method)) await SayAsync(context, StatusCodes.Status405MethodNotAllowed, "This is not to be done here.");
+        else if (!HttpMethods.IsGet(context.Request.Method))
+            await SayAsync(context, StatusCodes.Status405MethodNotAllowed, "This is not to be done here.");
         else if (!await files.TryAnswerAsync(context)) await SayAsync(context, StatusCodes.Status404NotFound, "There is nothing of this name.");
     }
 

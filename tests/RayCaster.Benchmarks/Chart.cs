@@ -70,13 +70,18 @@ internal sealed class Chart(string file, string title, string xTitle, string yTi
             """));
         foreach (var tick in Ticks(x))
         {
-            svg.AppendLine(Invariant($"""<line class="grid" stroke="#d0d7de" x1="{AtX(tick):0.0}" y1="{Top}" x2="{AtX(tick):0.0}" y2="{Top + PlotHeight}"/>"""));
-            svg.AppendLine(Invariant($"""<text class="quiet" fill="#57606a" x="{AtX(tick):0.0}" y="{Top + PlotHeight + 20}" text-anchor="middle">{Label(tick)}</text>"""));
+            svg.AppendLine(Invariant(
+                $"""<line class="grid" stroke="#d0d7de" x1="{AtX(tick):0.0}" y1="{Top}" x2="{AtX(tick):0.0}" y2="{Top + PlotHeight}"/>"""));
+            svg.AppendLine(Invariant(
+                $"""<text class="quiet" fill="#57606a" x="{AtX(tick):0.0}" y="{Top + PlotHeight + 20}" """) + Invariant(
+                $"""text-anchor="middle">{Label(tick)}</text>"""));
         }
         foreach (var tick in Ticks(y))
         {
-            svg.AppendLine(Invariant($"""<line class="grid" stroke="#d0d7de" x1="{Left}" y1="{AtY(tick):0.0}" x2="{Left + PlotWidth}" y2="{AtY(tick):0.0}"/>"""));
-            svg.AppendLine(Invariant($"""<text class="quiet" fill="#57606a" x="{Left - 8}" y="{AtY(tick) + 4:0.0}" text-anchor="end">{Label(tick)}</text>"""));
+            svg.AppendLine(Invariant(
+                $"""<line class="grid" stroke="#d0d7de" x1="{Left}" y1="{AtY(tick):0.0}" x2="{Left + PlotWidth}" y2="{AtY(tick):0.0}"/>"""));
+            svg.AppendLine(Invariant(
+                $"""<text class="quiet" fill="#57606a" x="{Left - 8}" y="{AtY(tick) + 4:0.0}" text-anchor="end">{Label(tick)}</text>"""));
         }
         svg.AppendLine(Invariant($"""<path class="axis" stroke="#57606a" fill="none" d="M{Left} {Top}V{Top + PlotHeight}H{Left + PlotWidth}"/>"""));
         for (var i = 0; i < lines.Count; i++)
@@ -85,7 +90,8 @@ internal sealed class Chart(string file, string title, string xTitle, string yTi
             var points = line.Points.OrderBy(p => p.X).Select(p => (X: AtX(p.X), Y: AtY(p.Y))).ToList();
             var legend = (X: Left + PlotWidth + 18, Y: Top + 10 + 24 * i);
             svg.AppendLine($"""<g class="{line.Ink.ToString().ToLowerInvariant()}" color="{LightColor(line.Ink)}">""");
-            var stroke = "fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\" stroke-linejoin=\"round\"" + (line.Dashed ? " stroke-dasharray=\"6 4\"" : "");
+            var stroke = "fill=\"none\" stroke=\"currentColor\" stroke-width=\"2\" stroke-linejoin=\"round\"" +
+                (line.Dashed ? " stroke-dasharray=\"6 4\"" : "");
             svg.AppendLine(Invariant($"""<path {stroke} d="M{string.Join("L", points.Select(p => Invariant($"{p.X:0.0} {p.Y:0.0}")))}"/>"""));
             svg.AppendLine(Invariant($"""<path {stroke} d="M{legend.X} {legend.Y}h28"/>"""));
             foreach (var p in points.Append((legend.X + 14, legend.Y))) svg.AppendLine(Mark(line.Ink, p.X, p.Y));
@@ -145,7 +151,8 @@ internal sealed class Chart(string file, string title, string xTitle, string yTi
         if (tick is < 10_000 and > 0.005 || tick == 0) return tick.ToString("0.###", CultureInfo.InvariantCulture);
         const string Superscripts = "⁰¹²³⁴⁵⁶⁷⁸⁹";
         var power = (int)Math.Round(Math.Log10(tick));
-        return "10" + (power < 0 ? "⁻" : "") + string.Concat(Math.Abs(power).ToString(CultureInfo.InvariantCulture).Select(digit => Superscripts[digit - '0']));
+        return "10" + (power < 0 ? "⁻" : "") +
+            string.Concat(Math.Abs(power).ToString(CultureInfo.InvariantCulture).Select(digit => Superscripts[digit - '0']));
     }
 
     private static string Invariant(FormattableString text) => FormattableString.Invariant(text);

@@ -19,7 +19,8 @@ internal static class Checks
             var ray = ScalarRenderer.Cast(scene, i % Width, Height - 1 - i / Width);
             var hitModel = model[i] < 0 ? null : scene.Models[model[i]];
             var rgb = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
-            if (ray.HitModel != hitModel || (hitModel is not null && ray.HitParameter != t[i]) || rgb != (bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]))
+            if (ray.HitModel != hitModel || (hitModel is not null && ray.HitParameter != t[i])
+                || rgb != (bytes[3 * i], bytes[3 * i + 1], bytes[3 * i + 2]))
                 throw new InvalidOperationException($"{benchmark.Name}: the engine and its definition differ in pixel {i % Width}, {i / Width}");
             if (hitModel is not null) hits++;
         }
@@ -39,7 +40,8 @@ internal static class Checks
             var (theirT, theirModel) = embree.Hits(way, workshop.PathOf("hits"), t.Length);
             var share = Agreement(t, model, theirT, theirModel);
             if (share < worst.Share) worst = (share, way);
-            if (share < 0.99) throw new InvalidOperationException($"{benchmark.Name}: Embree's way {way} agrees only in {100 * share:0.00} % of the pixels");
+            if (share < 0.99)
+                throw new InvalidOperationException($"{benchmark.Name}: Embree's way {way} agrees only in {100 * share:0.00} % of the pixels");
         }
         Console.WriteLine($"  each of Embree's {embree.Ways.Count()} ways agrees in {100 * worst.Share:0.00} % or more of the pixels {worst.Way}");
 
@@ -67,7 +69,8 @@ internal static class Checks
             if (model[i] == theirModel[i]) same++;
             if (model[i] < 0 ? theirModel[i] < 0 : theirModel[i] >= 0 && Math.Abs(t[i] - theirT[i]) <= FloatError * t[i]) near++;
         }
-        if (same < 0.99 * t.Length) throw new InvalidOperationException($"Embree sees our models only in {100.0 * same / t.Length:0.0} % of the pixels");
+        if (same < 0.99 * t.Length)
+            throw new InvalidOperationException($"Embree sees our models only in {100.0 * same / t.Length:0.0} % of the pixels");
         return (double)near / t.Length;
     }
 }

@@ -43,7 +43,14 @@ internal sealed class EmbreePeer : IDisposable
     public string NameOf(string way)
     {
         var words = way.Split(' ');
-        var call = words[3] switch { "8" => "rtcIntersect8", "16" => "rtcIntersect16", "1m" => "rtcIntersect1M", "np" => "rtcIntersectNp", var nm => $"rtcIntersectNM ({nm[2..]})" };
+        var call = words[3] switch
+        {
+            "8" => "rtcIntersect8",
+            "16" => "rtcIntersect16",
+            "1m" => "rtcIntersect1M",
+            "np" => "rtcIntersectNp",
+            var nm => $"rtcIntersectNM ({nm[2..]})"
+        };
         var shapes = !hasUserShapes ? "" : words[2] == "user" ? ", user geometries" : ", its own shapes";
         return $"{call}, {(words[0] == "best" ? "widest instructions" : "AVX2")}{(words[1] == "compact" ? ", compact" : "")}{shapes}";
     }

@@ -18,13 +18,15 @@ internal sealed class Growth(Options options, Workshop workshop, string? peer)
     private Chart Triangles()
     {
         // 4 m (m − 1) triangles: from 8 to 10 million.
-        var scenes = new[] { 2, 6, 16, 50, 158, 500, 1581 }.Where(m => 4 * m * (m - 1) <= mostModels).Select(m => BenchmarkScene.Bumpy($"bumpy-{m}", m));
+        var scenes = new[] { 2, 6, 16, 50, 158, 500, 1581 }.Where(m => 4 * m * (m - 1) <= mostModels)
+            .Select(m => BenchmarkScene.Bumpy($"bumpy-{m}", m));
         return Models("growth-triangles", "A bumpy sphere of more and more triangles", "triangles", scenes);
     }
 
     private Chart Spheres()
     {
-        var scenes = new[] { 10, 100, 1000, 10_000, 100_000, 1_000_000 }.Where(n => n <= mostModels).Select(n => BenchmarkScene.Spheres($"spheres-{n}", n));
+        var scenes = new[] { 10, 100, 1000, 10_000, 100_000, 1_000_000 }.Where(n => n <= mostModels)
+            .Select(n => BenchmarkScene.Spheres($"spheres-{n}", n));
         return Models("growth-spheres", "More and more spheres", "spheres", scenes);
     }
 
@@ -89,7 +91,8 @@ internal sealed class Growth(Options options, Workshop workshop, string? peer)
                 if (!dashed) chart.Add("each thread a full one", Ink.Scalar, threads, threads, dashed: true);
                 chart.Add($"{label}: exact t", Ink.Exact, threads, c?.Gain(Answer.Hits)?.Median ?? 1, dashed);
                 chart.Add($"{label}: bytes", Ink.Bytes, threads, c?.Gain(Answer.Bytes)?.Median ?? 1, dashed);
-                if (embree is not null) chart.Add($"{label}: Embree", Ink.Embree, threads, c?.Gain(Answer.Hits, isEmbree: true)?.Median ?? 1, dashed);
+                if (embree is not null)
+                    chart.Add($"{label}: Embree", Ink.Embree, threads, c?.Gain(Answer.Hits, isEmbree: true)?.Median ?? 1, dashed);
             }
         }
         return chart;

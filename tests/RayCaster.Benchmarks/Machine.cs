@@ -1,4 +1,5 @@
 using System.Runtime.InteropServices;
+using System.Runtime.Intrinsics;
 
 namespace RayCaster.Benchmarks;
 
@@ -11,7 +12,7 @@ internal static class Machine
     [
         Field("/proc/cpuinfo", "model name", ':') ?? "unknown processor",
         $"{Environment.ProcessorCount} cores as the system counts them",
-        $"widest vectors of .NET {(System.Runtime.Intrinsics.Vector512.IsHardwareAccelerated ? 512 : System.Runtime.Intrinsics.Vector256.IsHardwareAccelerated ? 256 : 128)} bits",
+        $"widest vectors of .NET {(Vector512.IsHardwareAccelerated ? 512 : Vector256.IsHardwareAccelerated ? 256 : 128)} bits",
         Field("/etc/os-release", "PRETTY_NAME", '=')?.Trim('"') ?? RuntimeInformation.OSDescription,
         RuntimeInformation.FrameworkDescription,
         $"{DateTime.UtcNow:yyyy-MM-dd}",

@@ -52,7 +52,8 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
                 {
                     var ours = OurApp(json, width, height, threads);
                     var theirs = new Way("POV-Ray", Answer.Bytes, () => workshop.Run(povray,
-                        [$"+I{pov}", $"+O{workshop.PathOf("pov.png")}", $"+W{width}", $"+H{height}", $"+WT{threads}", "File_Gamma=1", "-D", "-A", "-GA"]).Elapsed);
+                        [$"+I{pov}", $"+O{workshop.PathOf("pov.png")}", $"+W{width}", $"+H{height}", $"+WT{threads}", "File_Gamma=1", "-D", "-A",
+                            "-GA"]).Elapsed);
                     var what = $"{benchmark.Title}, {width}×{height}, {threads} {(threads == 1 ? "thread" : "threads")}, file to PNG";
                     yield return Compare(what, "POV-Ray's time / ours", ours, theirs, Math.Min(rounds, 3));
                     CheckPov(what);

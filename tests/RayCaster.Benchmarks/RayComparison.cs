@@ -89,11 +89,13 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
     {
         Console.WriteLine($"\n{Scene.Title}, {Size}, {Threads} {(Threads == 1 ? "thread" : "threads")}, {Exact.Times.Count} rounds");
         if (!double.IsNaN(Agreement))
-            Console.WriteLine($"  Embree sees as far as we see in {100 * Agreement:0.000} % of the pixels; its hierarchy takes {Text.Ratio(BuildPerTrace)} times its tracing");
+            Console.WriteLine($"  Embree sees as far as we see in {100 * Agreement:0.000} % of the pixels; " +
+                $"its hierarchy takes {Text.Ratio(BuildPerTrace)} times its tracing");
         foreach (var way in ways.OrderBy(way => way.Median))
         {
             var best = BestEmbree(way.Answer);
-            Console.WriteLine($"  {way.Median,10:0.00} ms (least {way.Least:0.00})  {(best is null ? "" : Text.Ratio(Ratio.Of(way, best).Median)),7}  {way.Label}");
+            Console.WriteLine($"  {way.Median,10:0.00} ms (least {way.Least:0.00})  " +
+                $"{(best is null ? "" : Text.Ratio(Ratio.Of(way, best).Median)),7}  {way.Label}");
         }
     }
 }

@@ -19,7 +19,8 @@ internal sealed class Report
     public string Write(Options options, TimeSpan elapsed)
     {
         var text = new StringBuilder();
-        text.AppendLine($"Measured on: {Machine.Description}. {options.Repeats} rounds; the whole run took {Math.Ceiling(elapsed.TotalMinutes):0} minutes.");
+        text.AppendLine($"Measured on: {Machine.Description}. {options.Repeats} rounds; " +
+            $"the whole run took {Math.Ceiling(elapsed.TotalMinutes):0} minutes.");
         if (Comparisons.Count > 0) WriteRays(text);
         if (Programs.Count > 0) WritePrograms(text);
         if (Charts.Count > 0) text.AppendLine("\n## Growth");
@@ -30,7 +31,8 @@ internal sealed class Report
     private void WriteRays(StringBuilder text)
     {
         text.AppendLine("\n## Rays\n");
-        text.AppendLine("| scene | picture | threads | exact t | bytes | bytes of a single picture | scalar definition | naive, struct | naive, class | Embree agrees | its build / its trace |");
+        text.AppendLine("| scene | picture | threads | exact t | bytes | bytes of a single picture | scalar definition | " +
+            "naive, struct | naive, class | Embree agrees | its build / its trace |");
         text.AppendLine("|---|---|---|---|---|---|---|---|---|---|---|");
         foreach (var c in Comparisons)
         {
@@ -45,16 +47,22 @@ internal sealed class Report
         var embree = Comparisons.Where(c => c.BestEmbree(Answer.Hits) is not null).ToList();
         if (embree.Count > 0)
         {
-            text.AppendLine("\nEmbree's best way, of those tried:\n\n| scene | picture | threads | for t and model | for bytes |\n|---|---|---|---|---|");
+            text.AppendLine("\nEmbree's best way, of those tried:\n\n| scene | picture | threads | for t and model | for bytes |\n" +
+                "|---|---|---|---|---|");
             foreach (var c in embree)
-                text.AppendLine($"| {c.Scene.Title} | {c.Size} | {c.Threads} | {c.BestEmbree(Answer.Hits)!.Name} | {c.BestEmbree(Answer.Bytes)!.Name} |");
+                text.AppendLine($"| {c.Scene.Title} | {c.Size} | {c.Threads} | {c.BestEmbree(Answer.Hits)!.Name} | " +
+                    $"{c.BestEmbree(Answer.Bytes)!.Name} |");
         }
 
         if (ThreadComparisons.Count == 0) return;
-        text.AppendLine("\nTimes as fast as one thread:\n\n| scene | picture | threads | exact t | bytes | Embree, t and model | Embree, bytes |\n|---|---|---|---|---|---|---|");
+        text.AppendLine("\nTimes as fast as one thread:\n\n| scene | picture | threads | exact t | bytes | Embree, t and model | Embree, bytes |\n" +
+            "|---|---|---|---|---|---|---|");
         foreach (var c in ThreadComparisons)
         {
-            var gains = new[] { c.Gain(Answer.Hits), c.Gain(Answer.Bytes), c.Gain(Answer.Hits, isEmbree: true), c.Gain(Answer.Bytes, isEmbree: true) };
+            var gains = new[]
+            {
+                c.Gain(Answer.Hits), c.Gain(Answer.Bytes), c.Gain(Answer.Hits, isEmbree: true), c.Gain(Answer.Bytes, isEmbree: true),
+            };
             var cells = gains.Select(gain => gain is { } ratio ? Text.Spread(ratio) : "–");
             text.AppendLine($"| {c.Rays.Scene.Title} | {c.Rays.Size} | {c.Rays.Threads} | {string.Join(" | ", cells)} |");
         }

@@ -42,7 +42,8 @@ internal static class SceneFiles
         var direction = -camera.W - 0.5 / camera.Width * right - 0.5 / camera.Height * up;
         writer.WriteLine("#version 3.7;\nglobal_settings { assumed_gamma 1 ambient_light rgb 1 }");
         writer.WriteLine($"background {{ rgb {Angled(Vector(scene.Background))} }}");
-        writer.WriteLine($"camera {{ perspective location {Angled(camera.Position)} direction {Angled(direction)} right {Angled(right)} up {Angled(up)} }}");
+        writer.WriteLine("camera " +
+            $"{{ perspective location {Angled(camera.Position)} direction {Angled(direction)} right {Angled(right)} up {Angled(up)} }}");
         foreach (var model in scene.Models)
         {
             var shape = model switch

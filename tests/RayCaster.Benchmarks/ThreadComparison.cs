@@ -29,7 +29,8 @@ internal sealed class ThreadComparison(RayComparison rays)
         Interleaving.Run(pairs, rounds);
         Console.WriteLine($"\n{Rays.Scene.Title}, {Rays.Size}, {Rays.Threads} threads beside one, {rounds} rounds");
         foreach (var pair in pairs)
-            Console.WriteLine($"  {pair[0].Median,10:0.00} ms and {pair[1].Median,10:0.00} ms  {Text.Ratio(Ratio.Of(pair[1], pair[0]).Median),7}  {pair[0].Label}");
+            Console.WriteLine($"  {pair[0].Median,10:0.00} ms and {pair[1].Median,10:0.00} ms  " +
+                $"{Text.Ratio(Ratio.Of(pair[1], pair[0]).Median),7}  {pair[0].Label}");
         return this;
     }
 

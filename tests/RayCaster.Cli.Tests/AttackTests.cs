@@ -22,7 +22,8 @@ public sealed class AttackTests : IDisposable
     {
         raycaster.Run(arguments);
         Assert.Equal(2, raycaster.ExitCode);
-        Assert.Matches("^raycaster: (a name is empty: it names no file|option '--output' needs a value, but an empty one is given)\n", raycaster.Error);
+        Assert.Matches(
+            "^raycaster: (a name is empty: it names no file|option '--output' needs a value, but an empty one is given)\n", raycaster.Error);
     }
 
     [Theory]
@@ -37,7 +38,8 @@ public sealed class AttackTests : IDisposable
         {
             raycaster.Run(arguments);
             Assert.Equal(2, raycaster.ExitCode);
-            Assert.Matches($"^raycaster: '[^\n\r\u202E\u2028]+' holds the invisible character {shown.Replace("+", "\\+")}[^\n\r]+\n$", raycaster.Error);
+            Assert.Matches(
+                $"^raycaster: '[^\n\r\u202E\u2028]+' holds the invisible character {shown.Replace("+", "\\+")}[^\n\r]+\n$", raycaster.Error);
         }
     }
 
@@ -47,7 +49,9 @@ public sealed class AttackTests : IDisposable
         if (OperatingSystem.IsWindows()) return; // has no such names
         Directory.CreateDirectory(raycaster.PathOf("frames"));
         raycaster.Write("frames/a\nb.png", "x").Run("sheet", "frames", "-o", "x.png");
-        Assert.Equal((2, "raycaster: 'a\uFFFDb.png' holds the invisible character U+000A: rename the file, or type the name anew if it was copied\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal(
+            (2, "raycaster: 'a\uFFFDb.png' holds the invisible character U+000A: rename the file, or type the name anew if it was copied\n"),
+            (raycaster.ExitCode, raycaster.Error));
     }
 
     [Fact]
@@ -128,7 +132,8 @@ public sealed class AttackTests : IDisposable
     {
         if (OperatingSystem.IsWindows()) return; // links need rights there
         raycaster.Write("cube.obj", "v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
-        raycaster.Write("t.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [ { "type": "mesh", "file": "cube.obj" } ] }""");
+        raycaster.Write(
+            "t.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [ { "type": "mesh", "file": "cube.obj" } ] }""");
         Directory.CreateSymbolicLink(raycaster.PathOf("link"), raycaster.Folder);
         raycaster.Run("t.json", "-s", "8x8", "--rows", "0..7", "-o", "a.png", "-q");
         var before = Content();
@@ -145,7 +150,9 @@ public sealed class AttackTests : IDisposable
     {
         if (!OperatingSystem.IsLinux()) return;
         raycaster.Run("orbit", Room, "--frames", "3", "-s", "300x300", "-q");
-        raycaster.RunInShell($"unshare -m true 2>/dev/null || exit 77; unshare -m sh -c 'mkdir -p disk; mount -t tmpfs -o size=8k none disk && \"{RayCasterProcess.App}\" animate room-0000.png room-0001.png room-0002.png -o disk/film.png'");
+        raycaster.RunInShell("unshare -m true 2>/dev/null || exit 77; unshare -m sh -c 'mkdir -p disk; " +
+            $"mount -t tmpfs -o size=8k none disk && \"{RayCasterProcess.App}\" " +
+            "animate room-0000.png room-0001.png room-0002.png -o disk/film.png'");
         if (raycaster.ExitCode == 77) return; // one may not mount
         Assert.Equal((2, "raycaster: cannot write disk/film.png: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
     }
@@ -154,7 +161,8 @@ public sealed class AttackTests : IDisposable
     public void APictureThatDoesNotSayWhatItIsIsDrawnAnewWithAReason()
     {
         raycaster.Run(Room, "-s", "9x9", "-q").Run(Room, "-s", "9x9", "--resume");
-        Assert.StartsWith("room.png is drawn anew: it does not say which scene it shows, as pictures do that are drawn with --rows or --resume\n", raycaster.Error);
+        Assert.StartsWith("room.png is drawn anew: it does not say which scene it shows, as pictures do that are drawn with --rows or --resume\n",
+            raycaster.Error);
         raycaster.Run(Room, "-s", "9x9", "--resume");
         Assert.Equal("room.png: there already\n", raycaster.Error);
     }
@@ -164,11 +172,14 @@ public sealed class AttackTests : IDisposable
     public void AThousandMeshesFitIntoLittleMemory()
     {
         if (OperatingSystem.IsWindows()) return; // no sh there
-        raycaster.Write("cube.obj", "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+        raycaster.Write("cube.obj",
+            "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n" +
+            "f 1 2 3 4\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
         var random = new Random(1);
         var models = string.Join(",\n", Enumerable.Range(0, 1000).Select(_ => FormattableString.Invariant(
             $$"""{ "type": "mesh", "file": "cube.obj", "translate": [{{random.Next(-8, 8)}}, {{random.Next(-8, 8)}}, {{random.Next(-8, 8)}}] }""")));
-        raycaster.Write("many.json", $$"""{ "camera": { "position": [30, 0, 0], "target": [0, 0, 0], "width": 1000, "height": 1000 }, "models": [ {{models}} ] }""");
+        raycaster.Write("many.json",
+            $$"""{ "camera": { "position": [30, 0, 0], "target": [0, 0, 0], "width": 1000, "height": 1000 }, "models": [ {{models}} ] }""");
         raycaster.RunInShell($"export DOTNET_GCHeapHardLimit={100 << 20:x}; raycaster many.json -t 8 -q");
         Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.Error));
     }

@@ -83,7 +83,8 @@ public sealed class CompareTests : IDisposable
     public void AWrongPixelIsToldBothWays()
     {
         app.Run("compare", Mine(picture => picture[3, 2] = (1, 2, 3)), Mine(name: "right.png"));
-        Assert.Contains("\n  In the middle of the widest wrong place: column 3, line 2 from the top (row 317 from the bottom): (1, 2, 3) instead of (0, ", app.OutputText);
+        Assert.Contains("\n  In the middle of the widest wrong place: column 3, line 2 from the top (row 317 from the bottom): " +
+            "(1, 2, 3) instead of (0, ", app.OutputText);
     }
 
     [Fact]

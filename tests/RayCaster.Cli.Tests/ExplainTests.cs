@@ -41,7 +41,7 @@ public class ExplainTests : IDisposable
     {
         app.Run(Room, "-o", "mine.png", "-q");
         Assert.Equal(0, app.Run("explain", Room, "250", "380", "--reference", "mine.png").ExitCode);
-        Assert.Contains("The other picture has 138 0 138 here: the same", app.OutputText);
+        Assert.Contains("It has 138 0 138 here: the same", app.OutputText);
         app.Run(Room, "-o", "small.png", "-q", "--size", "10x10");
         Assert.Equal(2, app.Run("explain", Room, "250", "380", "--reference", "small.png").ExitCode);
         Assert.Contains("--size 10x10", app.Error);

@@ -19,7 +19,8 @@ public sealed class FaultTests : IDisposable
     [Fact]
     public void AFullDiskLeavesTheOldPictureAndNothingElse()
     {
-        if (!InOwnFileSystem("mount -t tmpfs -o size=64k none disk; echo old >disk/room.ppm", "raycaster -q ROOM -s 999x999 -o disk/room.ppm")) return;
+        if (!InOwnFileSystem("mount -t tmpfs -o size=64k none disk; echo old >disk/room.ppm", "raycaster -q ROOM -s 999x999 -o disk/room.ppm"))
+            return;
         Assert.Equal((2, "raycaster: cannot write disk/room.ppm: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
         Assert.Equal("room.ppm old\n", raycaster.OutputText);
     }
@@ -27,7 +28,8 @@ public sealed class FaultTests : IDisposable
     [Fact]
     public void AFullDiskIsNoticedWhereThePictureIsCompressed()
     {
-        if (!InOwnFileSystem("mount -t tmpfs -o size=8k none disk; echo old >disk/room.png", "raycaster -q ROOM -s 999x999 -o disk/room.png")) return;
+        if (!InOwnFileSystem("mount -t tmpfs -o size=8k none disk; echo old >disk/room.png", "raycaster -q ROOM -s 999x999 -o disk/room.png"))
+            return;
         Assert.Equal((2, "raycaster: cannot write disk/room.png: the disk is full\n"), (raycaster.ExitCode, raycaster.Error));
         Assert.Equal("room.png old\n", raycaster.OutputText);
     }
@@ -35,7 +37,9 @@ public sealed class FaultTests : IDisposable
     [Fact]
     public void AReadOnlyFileSystemIsNamed()
     {
-        if (!InOwnFileSystem("mount -t tmpfs none disk; echo old >disk/room.png; mount -o remount,ro disk", "raycaster -q ROOM -s 9x9 -o disk/room.png")) return;
+        if (!InOwnFileSystem(
+            "mount -t tmpfs none disk; echo old >disk/room.png; mount -o remount,ro disk", "raycaster -q ROOM -s 9x9 -o disk/room.png"))
+            return;
         Assert.Equal((2, "raycaster: cannot write disk/room.png: read-only file system\n"), (raycaster.ExitCode, raycaster.Error));
         Assert.Equal("room.png old\n", raycaster.OutputText);
     }
@@ -169,7 +173,8 @@ public sealed class FaultTests : IDisposable
     [Trait("kind", "campaign")]
     public void AMeshThatShrinksOrVanishesWhileItIsReadIsNamed()
     {
-        raycaster.Write("mesh.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [{ "type": "mesh", "file": "a.obj" }] }""");
+        raycaster.Write(
+            "mesh.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [{ "type": "mesh", "file": "a.obj" }] }""");
         var text = string.Concat(Enumerable.Repeat("v 0 0 0\nv 1 0 0\nv 1 1 0.25\nf -1 -2 -3\n", 100_000));
         var random = new Random(Campaign.Seed);
         for (var i = 0; i < 6; i++)

@@ -44,7 +44,8 @@ public sealed class FrameTests : IDisposable
         Assert.StartsWith(".: 1 frame of 20 x 15 pixels drawn, 3 there already, ", raycaster.Error);
         Assert.Equal(before, File.GetLastWriteTimeUtc(raycaster.PathOf("room-0001.png")));
         raycaster.Run("orbit", Room, "--frames", "5", "-s", "20x15", "--resume"); // another film: only frame 0 is the same
-        Assert.StartsWith("room-0001.png is drawn anew: it shows another scene, another size or other lines\n.: 4 frames of 20 x 15 pixels drawn, 1 there already, ", raycaster.Error);
+        Assert.StartsWith("room-0001.png is drawn anew: it shows another scene, another size or other lines\n" +
+            ".: 4 frames of 20 x 15 pixels drawn, 1 there already, ", raycaster.Error);
     }
 
     [Fact]
@@ -52,7 +53,8 @@ public sealed class FrameTests : IDisposable
     {
         raycaster.Write("way.json", """{ "keys": [ { "time": 0, "position": [20, 0, 0] }, { "time": 1, "position": [10, 0, 0] } ] }""");
         raycaster.Run("orbit", Room, "--frames", "2", "-s", "20x15", "--keys", "way.json");
-        raycaster.Write("near.json", File.ReadAllText(Room).Replace("\"position\": [20, 0, 0]", "\"position\": [10, 0, 0]")).Run("near.json", "-s", "20x15");
+        raycaster.Write("near.json", File.ReadAllText(Room).Replace("\"position\": [20, 0, 0]", "\"position\": [10, 0, 0]"))
+            .Run("near.json", "-s", "20x15");
         Assert.Equal(PictureFile.Read(raycaster.PathOf("near.png")).Rgb, PictureFile.Read(raycaster.PathOf("room-0001.png")).Rgb);
     }
 
@@ -64,7 +66,8 @@ public sealed class FrameTests : IDisposable
     [InlineData("animate needs a name for the picture, as in -o animate.png\n", "animate", ".")]
     [InlineData("animate writes a PNG, to a file: choose a name with .png\n", "animate", ".", "-o", "a.ppm")]
     [InlineData("which pictures? Name PNG files, a pattern or a folder with some\n", "animate", ".", "-o", "a.png")]
-    [InlineData("'2000' is not a number of frames in a second: it is a whole number from 1 to 1000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
+    [InlineData(
+        "'2000' is not a number of frames in a second: it is a whole number from 1 to 1000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
     [InlineData("picture file not found: b.png\n", "sheet", "b.png", "-o", "a.png")]
     [InlineData("'x' is not a number of columns\n", "sheet", "b.png", "-o", "a.png", "--columns", "x")]
     public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)
@@ -121,7 +124,8 @@ public sealed class FrameTests : IDisposable
     public void FramesOfAnAnimationAreOfOneSize()
     {
         raycaster.Run(Room, "-s", "20x15", "-o", "a.png").Run(Room, "-s", "20x16", "-o", "b.png").Run("animate", "a.png", "b.png", "-o", "film.png");
-        Assert.Equal((2, "raycaster: cannot read b.png: it has 20 x 16 pixels, but a.png has 20 x 15: frames are of one size\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal((2, "raycaster: cannot read b.png: it has 20 x 16 pixels, but a.png has 20 x 15: frames are of one size\n"),
+            (raycaster.ExitCode, raycaster.Error));
         Assert.Equal(["a.png", "b.png"], raycaster.Files);
     }
 
@@ -129,9 +133,11 @@ public sealed class FrameTests : IDisposable
     public void ASheetShowsThePicturesRowByRow()
     {
         foreach (var (name, color) in ((string, string)[])[("a", "#100000"), ("b", "#002000"), ("c", "#000030")])
-            raycaster.Write($"{name}.json", "{ \"camera\": { \"position\": [5, 0, 0], \"target\": [0, 0, 0] }, \"models\": [], \"background\": \"" + color + "\" }")
+            raycaster.Write($"{name}.json", "{ \"camera\": { \"position\": [5, 0, 0], \"target\": [0, 0, 0] }, \"models\": [], \"background\": \"" +
+                color + "\" }")
                 .Run($"{name}.json", "-s", "30x20");
-        raycaster.Run("sheet", ".", "-o", "sheet.png", "--columns", "2", "-s", "6x4").Run("sheet", ".", "-o", "sheet.png", "--columns", "2", "-s", "6x4");
+        raycaster.Run("sheet", ".", "-o", "sheet.png", "--columns", "2", "-s", "6x4")
+            .Run("sheet", ".", "-o", "sheet.png", "--columns", "2", "-s", "6x4");
         Assert.Equal("sheet.png: 3 pictures, 24 x 20 pixels\n", raycaster.Error); // the sheet itself is not on it
         var sheet = PictureFile.Read(raycaster.PathOf("sheet.png"));
         for (var y = 0; y < 20; y++)
@@ -148,7 +154,8 @@ public sealed class FrameTests : IDisposable
         PictureFile.Write(raycaster.PathOf("a.png"), Checks());
         raycaster.Run("sheet", "a.png", "-o", "sheet.png", "-s", "2x2");
         var sheet = PictureFile.Read(raycaster.PathOf("sheet.png"));
-        Assert.Equal([(128, 100, 0), (128, 100, 0), (128, 100, 50), (128, 100, 50)], ((byte R, byte G, byte B)[])[sheet[4, 4], sheet[5, 4], sheet[4, 5], sheet[5, 5]]);
+        Assert.Equal([(128, 100, 0), (128, 100, 0), (128, 100, 50), (128, 100, 50)],
+            ((byte R, byte G, byte B)[])[sheet[4, 4], sheet[5, 4], sheet[4, 5], sheet[5, 5]]);
 
         static Picture Checks() // red alternates, green is even, blue is below
         {

@@ -9,7 +9,8 @@ public sealed class MarkTests : IDisposable
 
     private void WriteRubric(string more)
     {
-        raycaster.Write("ball.json", File.ReadAllText(ProjectFolder.PathOf("scenes/first.json")).Replace("\"target\"", "\"width\": 60, \"height\": 40, \"target\""));
+        raycaster.Write("ball.json", File.ReadAllText(ProjectFolder.PathOf("scenes/first.json"))
+            .Replace("\"target\"", "\"width\": 60, \"height\": 40, \"target\""));
         raycaster.Write("rubric.json", $$"""
             { "title": "A ball", "scenes": ["ball.json"], {{more}} "items": [
                 { "name": "ball", "points": 3, "mistakes": ["far-root"], "undone": ["sphere"] },
@@ -30,7 +31,8 @@ public sealed class MarkTests : IDisposable
     {
         WriteRubric("");
         raycaster.Run("ball.json", "-q", "-o", Folder("anna") + "ball.png");
-        raycaster.Write("empty.json", File.ReadAllText(raycaster.PathOf("ball.json")).Replace("\"sphere\", \"center\": [0, 0, 1]", "\"sphere\", \"center\": [90, 0, 1]"));
+        raycaster.Write("empty.json", File.ReadAllText(raycaster.PathOf("ball.json"))
+            .Replace("\"sphere\", \"center\": [0, 0, 1]", "\"sphere\", \"center\": [90, 0, 1]"));
         raycaster.Run("empty.json", "-q", "-o", Folder("=boris") + "ball.ppm");
         Folder("clara");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "--junit", "marks.xml");
@@ -117,6 +119,7 @@ public sealed class MarkTests : IDisposable
     public void HelpGroupsTheCommands()
     {
         raycaster.Run("help");
-        Assert.Matches("(?s)For students:.*diagnose.*For teachers:.*handout.*mark.*vary.*check.*For large pictures and many:.*stitch", raycaster.OutputText);
+        Assert.Matches("(?s)For students:.*diagnose.*For teachers:.*handout.*mark.*vary.*check.*For large pictures and many:.*stitch",
+            raycaster.OutputText);
     }
 }

@@ -45,12 +45,14 @@ public sealed class MistakeOptionTests : IDisposable
     [Fact]
     public void CheckAnswersForTheShapesOfAWeekAndForWhatIsRequired()
     {
-        raycaster.Write("small.json", File.ReadAllText(room).Replace("\"width\": 500", "\"width\": 100").Replace("\"height\": 500", "\"height\": 100"));
+        raycaster.Write(
+            "small.json", File.ReadAllText(room).Replace("\"width\": 500", "\"width\": 100").Replace("\"height\": 500", "\"height\": 100"));
         raycaster.Run("check", "small.json", "--json", "--for", "plane,sphere", "--require", "rows,aspect-inv");
         Assert.Equal(1, raycaster.ExitCode);
         using var json = JsonDocument.Parse(raycaster.Output);
         Assert.Equal(["aspect-inv"], json.RootElement.GetProperty("requiredButHidden").EnumerateArray().Select(id => id.GetString()));
-        Assert.DoesNotContain(json.RootElement.GetProperty("hidden").EnumerateArray(), mistake => mistake.GetProperty("id").GetString()!.StartsWith("tri-", StringComparison.Ordinal));
+        Assert.DoesNotContain(json.RootElement.GetProperty("hidden").EnumerateArray(),
+            mistake => mistake.GetProperty("id").GetString()!.StartsWith("tri-", StringComparison.Ordinal));
         Assert.Equal(0, raycaster.Run("check", "small.json", "-q", "--require", "rows,bgr").ExitCode);
     }
 }

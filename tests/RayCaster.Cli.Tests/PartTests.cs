@@ -78,7 +78,8 @@ public sealed class PartTests : IDisposable
         raycaster.Run("a.json", "--rows", "1/2").Run("b.json", "--rows", "2/2").Run("stitch", "a.part*", "b.part*", "-o", "room.png");
         Assert.Equal(1, raycaster.ExitCode);
         Assert.StartsWith(
-            "raycaster: these are not the parts of one picture:\n  b.part-0250-0499.png shows another scene than a.part-0000-0249.png: ", raycaster.Error);
+            "raycaster: these are not the parts of one picture:\n  b.part-0250-0499.png shows another scene than a.part-0000-0249.png: ",
+                raycaster.Error);
         Assert.Equal("the old picture", File.ReadAllText(raycaster.PathOf("room.png")));
     }
 
@@ -92,11 +93,14 @@ public sealed class PartTests : IDisposable
     [InlineData("no picture format for 'a.gif'", "stitch", ".", "-o", "a.gif")]
     [InlineData("option '--rows' is not one of stitch's\n", "stitch", ".", "--rows", "0..1")]
     [InlineData("option '--missing' belongs to a command: say which\n", "a.json", "--missing")]
-    [InlineData("'5' says no lines: write the first and the last as in 0..249, lines counted from the top, 0 first, or as in 3/8 the third of eight parts\n", "a.json", "--rows", "5")]
+    [InlineData("'5' says no lines: write the first and the last as in 0..249, lines counted from the top, 0 first, " +
+        "or as in 3/8 the third of eight parts\n", "a.json", "--rows", "5")]
     [InlineData("'9/8' says no lines", "a.json", "--rows", "9/8")]
-    [InlineData("what --rows and --resume draw is a PNG, which can say what it is part of; choose another name or format\n", "a.json", "--rows", "0..1", "-o", "a.ppm")]
+    [InlineData("what --rows and --resume draw is a PNG, which can say what it is part of; choose another name or format\n", "a.json", "--rows",
+        "0..1", "-o", "a.ppm")]
     [InlineData("what --rows and --resume draw is a PNG", "a.json", "--resume", "--format", "ppm")]
-    [InlineData("--resume looks whether the picture is there already, but what was written to standard output is gone\n", "a.json", "--resume", "-o", "-")]
+    [InlineData(
+        "--resume looks whether the picture is there already, but what was written to standard output is gone\n", "a.json", "--resume", "-o", "-")]
     public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)
     {
         raycaster.Run(arguments);
@@ -151,7 +155,8 @@ public sealed class PartTests : IDisposable
 
         var said = "";
         foreach (var rows in (string[])["0..9", "10..2989", "2990..2999"]) said += raycaster.Run([.. size, "--rows", rows, "--resume"]).Error;
-        Assert.Matches(@"^room\.part-0000-0009\.png: there already\nroom\.part-0010-2989\.png: lines .*\nroom\.part-2990-2999\.png: there already\n$", said);
+        Assert.Matches(
+            @"^room\.part-0000-0009\.png: there already\nroom\.part-0010-2989\.png: lines .*\nroom\.part-2990-2999\.png: there already\n$", said);
         Assert.Equal(0, raycaster.Run("stitch", ".", "--missing").ExitCode);
     }
 

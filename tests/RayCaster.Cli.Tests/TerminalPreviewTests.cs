@@ -6,7 +6,8 @@ public class TerminalPreviewTests
 
     [Fact]
     public void ABlockShowsTwoPixelsUponEachOther() =>
-        Assert.Equal("\e[38;2;255;0;0m\e[48;2;0;0;255m▀\e[38;2;255;255;255m\e[48;2;0;0;0m▀\e[0m\n", Text(ColorDepth.Full, 2, 2, Red, White, Blue, Black));
+        Assert.Equal(
+            "\e[38;2;255;0;0m\e[48;2;0;0;255m▀\e[38;2;255;255;255m\e[48;2;0;0;0m▀\e[0m\n", Text(ColorDepth.Full, 2, 2, Red, White, Blue, Black));
 
     [Fact]
     public void AColourIsNamedOnlyWhereItChanges() =>

@@ -19,7 +19,8 @@ public partial class FloorTests
     {
         var sources = Sources();
         Assert.Equal(floors.SelectMany(floor => floor).Order(), sources.Select(source => source.Folder).Distinct().Order());
-        var owners = sources.SelectMany(source => source.Declared.Select(name => (Name: name, source.Folder))).ToLookup(owner => owner.Name, owner => owner.Folder);
+        var owners = sources.SelectMany(source => source.Declared.Select(name => (Name: name, source.Folder)))
+            .ToLookup(owner => owner.Name, owner => owner.Folder);
         var found = new List<string>();
         foreach (var source in sources)
         {
@@ -35,7 +36,9 @@ public partial class FloorTests
 
     [Fact]
     public void AWordInACommentOrAStringNamesNothing() =>
-        Assert.Equal("  class A  \n\n{ _ = ; }", CommentOrString().Replace("/* B */ class A // C\n\n{ _ = \"D\"; }", match => match.Value[0] == '/' ? " " : ""));
+        Assert.Equal(
+            "  class A  \n\n{ _ = ; }",
+            CommentOrString().Replace("/* B */ class A // C\n\n{ _ = \"D\"; }", match => match.Value[0] == '/' ? " " : ""));
 
     private static int FloorOf(string folder) => Array.FindIndex(floors, floor => floor.Contains(folder));
 
@@ -47,7 +50,8 @@ public partial class FloorTests
         {
             var folder = Path.GetRelativePath(root, Path.GetDirectoryName(file)!);
             if (folder.Split(Path.DirectorySeparatorChar)[0] is "bin" or "obj") continue;
-            var code = CommentOrString().Replace(File.ReadAllText(file), match => new string('\n', match.Value.Count(c => c == '\n'))); // lines stay where they are
+            // lines stay where they are
+            var code = CommentOrString().Replace(File.ReadAllText(file), match => new string('\n', match.Value.Count(c => c == '\n')));
             sources.Add((Path.GetRelativePath(root, file), folder, code, [.. Declaration().Matches(code).Select(match => match.Groups[1].Value)]));
         }
         return sources;
@@ -57,7 +61,8 @@ public partial class FloorTests
     private static partial Regex CommentOrString();
 
     /// <summary>Not the nested ones: those are indented.</summary>
-    [GeneratedRegex(@"^(?:public |internal )?(?:abstract |sealed |static |readonly |ref |partial )*(?:class|interface|enum|record struct|struct|record) (\w+)", RegexOptions.Multiline)]
+    [GeneratedRegex(@"^(?:public |internal )?(?:abstract |sealed |static |readonly |ref |partial )*" +
+        @"(?:class|interface|enum|record struct|struct|record) (\w+)", RegexOptions.Multiline)]
     private static partial Regex Declaration();
 
     [GeneratedRegex(@"(?<!\.)\b[A-Z]\w*\b")]

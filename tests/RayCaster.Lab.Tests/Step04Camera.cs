@@ -42,7 +42,8 @@ public class Step04Camera(ITestOutputHelper output)
             RayAssert.Equal($"w {which}", Slide, right.PlaneWidth, mine.w);
             var (c, r) = (chance.Length() * width / 4, chance.Length() * height / 4);
             var d = right.Direction<Scalar>(c, r);
-            RayAssert.Equal(FormattableString.Invariant($"d for c = {c:0.##}, r = {r:0.##} {which}"), PixelSlide, new(d.X, d.Y, d.Z), mine.Direction(c, r));
+            RayAssert.Equal(
+                FormattableString.Invariant($"d for c = {c:0.##}, r = {r:0.##} {which}"), PixelSlide, new(d.X, d.Y, d.Z), mine.Direction(c, r));
         }
     }
 
@@ -56,7 +57,8 @@ public class Step04Camera(ITestOutputHelper output)
         scene.Models.Add(new Plane(new(5, 0, 0), new(1, 0, 0)) { Color = new(0, 1, 0) });
         scene.Models.Add(new Plane(new(-9, 0, 0), new(1, 0, 0)) { Color = new(1, 0, 0) });
         var color = scene.CastRay(5, 5);
-        Assert.True(color.G > 0 && color.R == 0, "of three planes behind each other the nearest shows, not the first or the last.\n  Slide \"Ray Casting\"");
+        Assert.True(
+            color.G > 0 && color.R == 0, "of three planes behind each other the nearest shows, not the first or the last.\n  Slide \"Ray Casting\"");
     }
 
     [Fact]

@@ -34,7 +34,8 @@ public class Step05Shading(ITestOutputHelper output)
         {
             var (P, T, t, red) = (chance.Point(), chance.Point(), chance.Length(40), chance.Length(1));
             var expected = Math.Max(0, 1 - t / (2 * (T - P).Length)) * red;
-            RayAssert.Equal(FormattableString.Invariant($"red of {red:0.####} at t = {t:0.####} for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}"),
+            RayAssert.Equal(
+                FormattableString.Invariant($"red of {red:0.####} at t = {t:0.####} for P = {RayAssert.Text(P)}, T = {RayAssert.Text(T)}"),
                 Slide, expected, Red(P, T, t, red));
         }
     }

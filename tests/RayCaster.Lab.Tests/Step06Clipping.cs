@@ -1,3 +1,4 @@
+using System.Globalization;
 using RayCaster;
 using Xunit.Abstractions;
 
@@ -9,11 +10,13 @@ public class Step06Clipping(ITestOutputHelper output)
 {
     private readonly Chance chance = new(output);
 
-    private static void AssertCounts(bool expected, double t, double bias = 1e-6, double zNear = 0.01, double zFar = 100, double zPerT = 1, string slide = "zNear & zFar")
+    private static void AssertCounts(
+        bool expected, double t, double bias = 1e-6, double zNear = 0.01, double zFar = 100, double zPerT = 1, string slide = "zNear & zFar")
     {
         var ray = new Ray(Vector3.Zero, new(1, 0, 0)) { Bias = bias, ZNear = zNear, ZFar = zFar, ZPerT = zPerT };
-        Assert.True(ray.Counts(t) == expected, FormattableString.Invariant(
-            $"Counts({t}): expected {expected}, but got {!expected}, for Bias = {bias}, ZNear = {zNear}, ZFar = {zFar}, ZPerT = {zPerT}.\n  Slide \"{slide}\"\n  {Chance.Again}"));
+        Assert.True(ray.Counts(t) == expected, string.Create(CultureInfo.InvariantCulture,
+            $"Counts({t}): expected {expected}, but got {!expected}, for Bias = {bias}, ZNear = {zNear}, ZFar = {zFar}, " +
+            $"ZPerT = {zPerT}.\n  Slide \"{slide}\"\n  {Chance.Again}"));
     }
 
     [Fact]

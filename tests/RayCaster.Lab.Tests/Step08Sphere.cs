@@ -14,7 +14,8 @@ public class Step08Sphere(ITestOutputHelper output)
     private static Library.Model SphereOf(Library.Vector3 C, double R) => Library.Model.Of(new Library.Sphere(C, R));
 
     private static Action<Model, Ray> By(string way) =>
-        way.Contains("Analytical") ? (sphere, ray) => ((Sphere)sphere).AnalyticalSolution(ray) : (sphere, ray) => ((Sphere)sphere).GeometricSolution(ray);
+        way.Contains("Analytical") ? (sphere, ray) => ((Sphere)sphere).AnalyticalSolution(ray)
+            : (sphere, ray) => ((Sphere)sphere).GeometricSolution(ray);
 
     [Theory]
     [MemberData(nameof(Ways))]

@@ -13,7 +13,8 @@ public class Step10Triangle(ITestOutputHelper output)
 
     private readonly Chance chance = new(output);
 
-    private static Library.Model TriangleOf(Library.Vector3 A, Library.Vector3 B, Library.Vector3 C) => Library.Model.Of(new Library.Triangle(A, B, C));
+    private static Library.Model TriangleOf(Library.Vector3 A, Library.Vector3 B, Library.Vector3 C) =>
+        Library.Model.Of(new Library.Triangle(A, B, C));
 
     [Theory]
     [InlineData(1, 1, true)]
@@ -65,5 +66,6 @@ public class Step10Triangle(ITestOutputHelper output)
     public void ATriangleBehindIsNotHit() => RayAssert.Hits(Slide, triangle, new(5, 1, 1), new(1, 0, 0), null);
 
     [Fact]
-    public void ThePictures() => PictureAssert.EqualAt(10, "triangle", "windings", "room", "mistakes/portrait", "mistakes/inside", "mistakes/generic");
+    public void ThePictures() =>
+        PictureAssert.EqualAt(10, "triangle", "windings", "room", "mistakes/portrait", "mistakes/inside", "mistakes/generic");
 }

@@ -34,7 +34,8 @@ public class AttackTests
         Assert.Contains("samesite=strict", cookie);
         Assert.Contains("httponly", cookie);
         Assert.Equal(HttpStatusCode.OK, (await SendAsync(page, "/main.js")).StatusCode);
-        Assert.Equal(HttpStatusCode.Forbidden, (await SendAsync(page, "/?token=" + page.Token, ("Cookie", ""), ("Host", "evil.example"))).StatusCode);
+        Assert.Equal(
+            HttpStatusCode.Forbidden, (await SendAsync(page, "/?token=" + page.Token, ("Cookie", ""), ("Host", "evil.example"))).StatusCode);
     }
 
     [Theory]
@@ -74,7 +75,8 @@ public class AttackTests
     public async Task NoFileOfTheDiskIsServed(string path)
     {
         await using var page = await LivePage.OpenAsync();
-        var answer = await RawAsync(page, $"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{page.Server.Port}\r\nCookie: {page.Cookie}\r\nConnection: close\r\n\r\n");
+        var answer = await RawAsync(
+            page, $"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{page.Server.Port}\r\nCookie: {page.Cookie}\r\nConnection: close\r\n\r\n");
         Assert.Matches("^HTTP/1.1 (404|400) ", answer);
     }
 
@@ -97,7 +99,8 @@ public class AttackTests
     public async Task ItListensOnNoOtherAddressOfThisMachine()
     {
         await using var page = await LivePage.OpenAsync();
-        foreach (var address in (await Dns.GetHostAddressesAsync(Dns.GetHostName())).Where(address => !IPAddress.IsLoopback(address) && address.AddressFamily == AddressFamily.InterNetwork))
+        foreach (var address in (await Dns.GetHostAddressesAsync(Dns.GetHostName()))
+            .Where(address => !IPAddress.IsLoopback(address) && address.AddressFamily == AddressFamily.InterNetwork))
         {
             using var socket = new Socket(SocketType.Stream, ProtocolType.Tcp);
             await Assert.ThrowsAnyAsync<SocketException>(() => socket.ConnectAsync(address, page.Server.Port));

@@ -31,7 +31,8 @@ public class BrowserTests(Chromium chromium) : IClassFixture<Chromium>
         File.WriteAllText(live.Scene, LivePage.Ball.Replace("1, 0.5, 0.1", "0.1, 0.5, 1"));
         await page.WaitForSelectorAsync("#problems", new() { State = WaitForSelectorState.Hidden });
         var right = ScalarRenderer.Render(SceneReader.Read(live.Scene).Scene!)[20, 14];
-        await page.WaitForFunctionAsync($"() => document.getElementById('picture').getContext('2d').getImageData(20, 14, 1, 1).data[2] === {right.B}");
+        await page.WaitForFunctionAsync("() => document.getElementById('picture').getContext('2d')." +
+            $"getImageData(20, 14, 1, 1).data[2] === {right.B}");
         Assert.Empty(complaints);
     }
 
@@ -90,7 +91,8 @@ public class BrowserTests(Chromium chromium) : IClassFixture<Chromium>
         foreach (var control in await page.QuerySelectorAllAsync("button, input, select, summary, a"))
             Assert.NotEqual("", await control.EvaluateAsync<string>(
                 "e => (e.getAttribute('aria-label') || [...(e.labels ?? [])].map(l => l.textContent).join('') || e.textContent).trim()"));
-        Assert.Contains("40 by 30 pixels", await page.GetByRole(AriaRole.Img, new() { Name = "The picture of" }).First.GetAttributeAsync("aria-label"));
+        Assert.Contains(
+            "40 by 30 pixels", await page.GetByRole(AriaRole.Img, new() { Name = "The picture of" }).First.GetAttributeAsync("aria-label"));
         Assert.Empty(complaints);
     }
 
@@ -115,7 +117,8 @@ public class BrowserTests(Chromium chromium) : IClassFixture<Chromium>
     public async Task APhonesWidthNeedsNoScrollingSideways()
     {
         await using var live = await LivePage.OpenAsync();
-        var (page, complaints) = await chromium.OpenAsync(live, new() { ViewportSize = new() { Width = 360, Height = 740 }, ColorScheme = ColorScheme.Dark });
+        var (page, complaints) = await chromium.OpenAsync(
+            live, new() { ViewportSize = new() { Width = 360, Height = 740 }, ColorScheme = ColorScheme.Dark });
         await page.FocusAsync("#stage");
         await page.Keyboard.PressAsync("Enter");
         await page.WaitForSelectorAsync("#pixel-bytes");
@@ -140,5 +143,6 @@ public class BrowserTests(Chromium chromium) : IClassFixture<Chromium>
     }
 
     private static Task<string> PixelAsync(IPage page, int x, int y) =>
-        page.EvaluateAsync<string>($"() => [...document.getElementById('picture').getContext('2d').getImageData({x}, {y}, 1, 1).data].slice(0, 3).join()");
+        page.EvaluateAsync<string>(
+            $"() => [...document.getElementById('picture').getContext('2d').getImageData({x}, {y}, 1, 1).data].slice(0, 3).join()");
 }

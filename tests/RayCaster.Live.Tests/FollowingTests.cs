@@ -58,7 +58,9 @@ public class FollowingTests
     [Fact]
     public async Task ASavedMeshIsANewPicture()
     {
-        const string Scene = """{ "camera": { "position": [3, 0, 0], "target": [0, 0, 0], "width": 20, "height": 20 }, "models": [ { "type": "mesh", "file": "m.obj" } ] }""";
+        const string Scene =
+            """{ "camera": { "position": [3, 0, 0], "target": [0, 0, 0], "width": 20, "height": 20 }, """ +
+            """ "models": [ { "type": "mesh", "file": "m.obj" } ] }""";
         await using var page = await LivePage.OpenAsync(Scene, prepare: folder => folder.Write("m.obj", "v 0 -1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"));
         await page.ConnectAsync();
         await page.FrameAsync();
@@ -69,7 +71,8 @@ public class FollowingTests
     [Fact]
     public async Task AHugePictureIsShownSmallerAndAbandonedWhenTheSceneChanges()
     {
-        await using var page = await LivePage.OpenAsync(LivePage.Ball.Replace("\"width\": 40, \"height\": 30", "\"width\": 10000, \"height\": 10000"));
+        await using var page = await LivePage.OpenAsync(
+            LivePage.Ball.Replace("\"width\": 40, \"height\": 30", "\"width\": 10000, \"height\": 10000"));
         await page.ConnectAsync();
         var said = await page.MessageAsync("scene");
         Assert.True(said.GetProperty("shownWidth").GetInt32() * said.GetProperty("shownHeight").GetInt32() <= View.MostPixels);
@@ -146,7 +149,8 @@ public class FollowingTests
     [Fact]
     public async Task AWatchedPictureIsComparedEachTimeItIsWritten()
     {
-        await using var page = await LivePage.OpenAsync(mine: "mine.png", prepare: folder => PictureFile.Write(folder["mine.png"], new Picture(40, 30)));
+        await using var page = await LivePage.OpenAsync(
+            mine: "mine.png", prepare: folder => PictureFile.Write(folder["mine.png"], new Picture(40, 30)));
         await page.ConnectAsync();
         var wrong = await page.MessageAsync("comparison", message => message.GetProperty("verdict").GetString() is not null);
         Assert.Equal("wrong", wrong.GetProperty("verdict").GetString());

@@ -11,7 +11,8 @@ internal static class RandomScene
         var up = Math.Abs((target - position).Normalized.Z) > 0.99 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
         var zNear = random.Next(3) == 0 ? 4 * random.NextDouble() : 0;
         var camera = new Camera(position, target, up, 10 + 120 * random.NextDouble(), random.Next(1, 90), random.Next(1, 40),
-            zNear, random.Next(3) == 0 ? zNear + 15 * random.NextDouble() : 1000, random.Next(2) * 1e-6, (Clip)random.Next(2), (Sample)random.Next(2));
+            zNear, random.Next(3) == 0 ? zNear + 15 * random.NextDouble() : 1000,
+            random.Next(2) * 1e-6, (Clip)random.Next(2), (Sample)random.Next(2));
 
         var models = new List<Model>();
         for (var i = random.Next(0, 8); i >= 0; i--)
@@ -34,7 +35,8 @@ internal static class RandomScene
             case 2:
                 var (a, b) = (random.Next(5) == 0 ? position : Some(random, 6), Some(random, 6));
                 return Model.Of(new Aabb(
-                    new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)), new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z))));
+                    new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)),
+                    new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z))));
             case 3: return Model.Of(new Circle(Some(random, 6), Some(random, 1) + new Vector3(0, 0, 0.01), 3 * random.NextDouble() + 0.1));
             case 4: return Model.Of(new Triangle(Some(random, 6), Some(random, 6), Some(random, 6)));
             case 5: return Lattice(random, random.Next(3) == 0 ? position : Some(random, 5), 0.5 + 4 * random.NextDouble());

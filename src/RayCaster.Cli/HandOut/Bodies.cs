@@ -37,7 +37,8 @@ internal sealed partial class Bodies
             if (line.StartsWith("// BEGIN SOLUTION"))
             {
                 if (open is var (_, before)) throw Problem(i, $"a body begins here, but that of line {before + 1} has no // END SOLUTION");
-                if (BeginMarker().Match(line) is not { Success: true } match) throw Problem(i, "after // BEGIN SOLUTION stands the slide's title in quotes");
+                if (BeginMarker().Match(line) is not { Success: true } match)
+                    throw Problem(i, "after // BEGIN SOLUTION stands the slide's title in quotes");
                 var slide = match.Groups[1].Value;
                 if (Teaching.LabSteps.StepOf(slide) == 0) throw Problem(i, $"no step has the slide \"{slide}\"");
                 open = (slide, i);

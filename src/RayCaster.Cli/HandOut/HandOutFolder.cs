@@ -48,7 +48,8 @@ internal static class HandOutFolder
         Directory.CreateDirectory(folder);
         var file = Path.Combine(AppContext.BaseDirectory, name + ".dll");
         if (!File.Exists(file))
-            throw new ProblemException($"raycaster: {name}.dll is not beside this program, so a hand-out cannot have it\n  Publish raycaster as separate files, not as one.");
+            throw new ProblemException($"raycaster: {name}.dll is not beside this program, " +
+                "so a hand-out cannot have it\n  Publish raycaster as separate files, not as one.");
         File.Copy(file, Path.Combine(folder, name + ".dll"));
     }
 

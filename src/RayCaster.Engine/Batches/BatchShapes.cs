@@ -37,6 +37,7 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
 
 /// <inheritdoc/>
 /// <typeparam name="P">The kind of shape.</typeparam>
+/// <typeparam name="N">The kind of packet.</typeparam>
 /// <param name="clip">Which hits count.</param>
 /// <param name="most">How many models the scene has.</param>
 internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>

@@ -50,11 +50,13 @@ internal sealed class EightParts(Camera camera)
 
     private void Aim()
     {
-        Span<double> left = stackalloc double[Count], right = stackalloc double[Count], bottom = stackalloc double[Count], top = stackalloc double[Count];
+        Span<double> left = stackalloc double[Count], right = stackalloc double[Count], bottom = stackalloc double[Count],
+            top = stackalloc double[Count];
         for (var i = 0; i < Count; i++)
         {
             (left[i], bottom[i]) = (tiles[i].Column, tiles[i].Row);
-            (right[i], top[i]) = (Math.Max(tiles[i].EndColumn - 1, tiles[i].Column), Math.Max(tiles[i].EndRow - 1, tiles[i].Row)); // of an empty one, any
+            // of an empty one, any
+            (right[i], top[i]) = (Math.Max(tiles[i].EndColumn - 1, tiles[i].Column), Math.Max(tiles[i].EndRow - 1, tiles[i].Row));
         }
         var direction = camera.Direction(Range(left, right), Range(bottom, top));
         rays = new(camera.Position, direction);

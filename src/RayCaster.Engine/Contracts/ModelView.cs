@@ -14,7 +14,8 @@ internal abstract class ModelView<N> where N : struct, IPacket<N>
     public virtual double Nearest => 0;
 
     /// <summary>A view for the use of one thread at a time; the same one where a view keeps nothing between calls.</summary>
-    public virtual ModelView<N> ForThread() => this;
+    /// <param name="tools">What the thread's views share; new ones if left out.</param>
+    public virtual ModelView<N> ForThread(ThreadTools? tools = null) => this;
 
     /// <summary>Goes to a tile, before <see cref="Meet"/> is called for rows in it, and returns between which t the model's hits lie.</summary>
     /// <param name="tile">The tile.</param>

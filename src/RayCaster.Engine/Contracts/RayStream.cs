@@ -158,7 +158,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public void KeepNoted<N>(int first, int end, int modelIndex) where N : struct, IPacket<N>
     {
-        for (var i = first; i < end; i += N.Count) Keep(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), Lanes.Broadcast<N>(modelIndex));
+        for (var i = first; i < end; i += N.Count)
+            Keep(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), Lanes.Broadcast<N>(modelIndex));
     }
 
     /// <summary>The first of the crossings that counts, in each lane, or NaN.</summary>
@@ -184,7 +185,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         for (var i = 0; i < Length; i++)
         {
             var ray = new Ray(origin, DirectionAt(i)) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
-            if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i]))) continue;
+            if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i])))
+                continue;
             t[i] = hit;
             model[i] = modelIndex;
         }

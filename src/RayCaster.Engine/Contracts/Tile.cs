@@ -74,7 +74,8 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
             int Pixel(double u, double beyond)
             {
                 var c = (u / planeSize + 0.5) * pixels - camera.SampleOffset;
-                return double.IsNaN(c) ? beyond < 0 ? 0 : pixels : (int)Math.Clamp(beyond < 0 ? Math.Ceiling(c + beyond) : Math.Floor(c + beyond), 0, pixels);
+                if (double.IsNaN(c)) return beyond < 0 ? 0 : pixels;
+                return (int)Math.Clamp(beyond < 0 ? Math.Ceiling(c + beyond) : Math.Floor(c + beyond), 0, pixels);
             }
         }
     }

@@ -12,15 +12,18 @@ internal static class ArrayVectors
 {
     /// <summary>The numbers from a place on, as many as fill 16 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector128<T> Load128<T>(this T[] numbers, int place) where T : struct => Vector128.LoadUnsafe(ref At(numbers, place, Vector128<T>.Count));
+    public static Vector128<T> Load128<T>(this T[] numbers, int place) where T : struct =>
+        Vector128.LoadUnsafe(ref At(numbers, place, Vector128<T>.Count));
 
     /// <summary>As many as fill 32 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<T> Load256<T>(this T[] numbers, int place) where T : struct => Vector256.LoadUnsafe(ref At(numbers, place, Vector256<T>.Count));
+    public static Vector256<T> Load256<T>(this T[] numbers, int place) where T : struct =>
+        Vector256.LoadUnsafe(ref At(numbers, place, Vector256<T>.Count));
 
     /// <summary>As many as fill 64 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector512<T> Load512<T>(this T[] numbers, int place) where T : struct => Vector512.LoadUnsafe(ref At(numbers, place, Vector512<T>.Count));
+    public static Vector512<T> Load512<T>(this T[] numbers, int place) where T : struct =>
+        Vector512.LoadUnsafe(ref At(numbers, place, Vector512<T>.Count));
 
     /// <summary>Writes numbers into an array, from a place on.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

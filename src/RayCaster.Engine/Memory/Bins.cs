@@ -11,25 +11,29 @@ namespace RayCaster.Engine;
 internal sealed class Bins<T> where T : struct
 {
     private readonly int[] starts;
+    private readonly int first; // no place before it holds anything: most meshes show in a small part of a picture
     private T[] sorted;
 
-    /// <param name="count">How many places there are.</param>
     /// <param name="lists">What to sort; the lists are emptied.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public Bins(int count, PooledList<(int Place, T Thing)>[] lists)
+    public Bins(PooledList<(int Place, T Thing)>[] lists)
     {
-        starts = new int[count + 2]; // while it is filled, place p's next free slot is at p + 1
-        var total = 0;
+        var (total, last) = (0, -1);
+        first = int.MaxValue;
         foreach (var list in lists)
         {
-            foreach (ref readonly var item in list.Items) starts[item.Place + 2]++;
+            foreach (ref readonly var item in list.Items) (first, last) = (Math.Min(first, item.Place), Math.Max(last, item.Place));
             total += list.Count;
         }
+        starts = new int[Math.Max(0, last - first + 1) + 2]; // while it is filled, place p's next free slot is at p + 1, p counted from the first
+        foreach (var list in lists)
+            foreach (ref readonly var item in list.Items)
+                starts[item.Place - first + 2]++;
         for (var i = 2; i < starts.Length; i++) starts[i] += starts[i - 1];
         sorted = total > 0 ? ArrayPool<T>.Shared.Rent(total) : [];
         foreach (var list in lists)
         {
-            foreach (ref readonly var item in list.Items) sorted[starts[item.Place + 1]++] = item.Thing;
+            foreach (ref readonly var item in list.Items) sorted[starts[item.Place - first + 1]++] = item.Thing;
             list.Free();
         }
     }
@@ -42,5 +46,12 @@ internal sealed class Bins<T> where T : struct
     }
 
     /// <summary>The things of a place.</summary>
-    public ReadOnlySpan<T> this[int place] => sorted.AsSpan(starts[place], starts[place + 1] - starts[place]);
+    public ReadOnlySpan<T> this[int place]
+    {
+        get
+        {
+            var p = (long)place - first;
+            return p >= 0 && p < starts.Length - 2 ? sorted.AsSpan(starts[p], starts[p + 1] - starts[p]) : [];
+        }
+    }
 }

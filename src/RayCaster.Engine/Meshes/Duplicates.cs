@@ -11,8 +11,17 @@ namespace RayCaster.Engine;
 /// </remarks>
 internal sealed class Duplicates(Vector3[] vertices, int[] indices)
 {
+    private Vector3[] vertices = vertices;
+    private int[] indices = indices;
     private readonly (int Round, int Triangle)[] table = new (int, int)[1 << 10];
     private int round = 1;
+
+    /// <summary>Goes to another mesh, and forgets all.</summary>
+    public void Show(Vector3[] vertices, int[] indices)
+    {
+        (this.vertices, this.indices) = (vertices, indices);
+        Clear();
+    }
 
     /// <summary>Forgets all.</summary>
     public void Clear() => round++;

@@ -3,11 +3,16 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>Asks the triangles' formula where each ray of a packet hits its own triangle.</summary>
-internal sealed class ExactHits<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) where N : struct, IPacket<N>
+internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket<N>
 {
     private readonly double[] columns = new double[N.Count], rows = new double[N.Count], hits = new double[N.Count], nearness = new double[N.Count];
     private readonly int[] triangles = new int[N.Count], places = new int[N.Count];
+    private Vector3[] vertices = [];
+    private int[] indices = [];
     private int count;
+
+    /// <summary>Goes to another mesh.</summary>
+    public void Show(Vector3[] vertices, int[] indices) => (this.vertices, this.indices) = (vertices, indices);
 
     /// <summary>Where rays cross triangles, a lane for each pair.</summary>
     /// <param name="rays">The rays.</param>

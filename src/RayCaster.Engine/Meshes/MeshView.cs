@@ -13,8 +13,10 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     private readonly int[] indices;
     private readonly ScreenTriangles<N>[] sets = []; // the triangles, and the pieces of those that had to be clipped
     private readonly TriangleTree? hard;             // over those for which the filter knows nothing
-    private readonly TileFilter<N>? filter;          // one thread's
-    private MeshPainter? painter;
+    private readonly TileFilters<N>? filters;        // one thread's, for all meshes
+    private TileFilter<N>? filter;                   // the one that knows this mesh's pixels, until another mesh takes it
+    private Tile entered;
+    private bool shows;                              // whether a triangle may show in that tile
 
     /// <param name="vertices">The corners.</param>
     /// <param name="indices">Three for each triangle.</param>
@@ -43,30 +45,31 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         Extent = hard is null ? ExtentOf(whole.Extent, clipped.Extent) : Tile.Everywhere;
     }
 
-    private MeshView(MeshView<N> shared)
+    private MeshView(MeshView<N> shared, TileFilters<N> filters)
     {
         (screen, vertices, indices, sets, hard, Extent) = (shared.screen, shared.vertices, shared.indices, shared.sets, shared.hard, shared.Extent);
-        filter = new TileFilter<N>(screen, vertices, indices);
+        this.filters = filters;
     }
 
     /// <inheritdoc/>
     public override Tile Extent { get; }
 
     /// <inheritdoc/>
-    public override ModelView<N> ForThread() => new MeshView<N>(this);
+    public override ModelView<N> ForThread(ThreadTools? tools = null) => new MeshView<N>(this, (tools ?? new()).Of<TileFilters<N>>());
 
     /// <inheritdoc/>
     public override HitRange Enter(in Tile tile, HitRange known)
     {
         if (sets.Length == 0) return known;
-        var range = filter!.Enter(tile, sets);
+        entered = tile;
+        var range = Enter();
         return hard is null ? range : range with { Least = 0 };
     }
 
     /// <inheritdoc/>
     public override void Meet(RayStream rays, int index)
     {
-        if (sets.Length > 0) filter!.Meet(rays, index);
+        if (shows) OwnFilter().Meet(rays, index);
         if (hard is null) return;
         for (var i = 0; i < rays.Length; i += N.Count) rays.Keep(i, hard.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
     }
@@ -81,9 +84,25 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     public bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
     {
         if (hard is not null) return false;
-        painter ??= new(screen, scene, index);
-        if (painter.IsSupported) filter!.Paint(painter, rgb, first, step);
+        var painter = filters!.PainterOf(screen, scene, index);
+        if (painter.IsSupported) OwnFilter().Paint(painter, rgb, first, step);
         return painter.IsSupported;
+    }
+
+    private HitRange Enter()
+    {
+        filter = filters!.Take(screen, entered);
+        filter.Show(this, vertices, indices);
+        var range = filter.Enter(entered, sets);
+        shows = filter.Owner == this;
+        return range;
+    }
+
+    /// <summary>The filter that knows this mesh's pixels in the entered tile. If another mesh has taken it, the tile is entered anew.</summary>
+    private TileFilter<N> OwnFilter()
+    {
+        if (filter!.Owner != this || filter.Tile != entered) Enter();
+        return filter;
     }
 
     private static Tile ExtentOf((int Left, int Right, int Bottom, int Top) a, (int Left, int Right, int Bottom, int Top) b)

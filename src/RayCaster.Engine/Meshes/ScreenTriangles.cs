@@ -32,9 +32,8 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
             else groupers[i].Add(First(i), First(i + 1));
         });
 
-        var places = 2 * tilesAcross * Tile.TilesOf(screen.Camera.Height);
-        triangles = new(places, Array.ConvertAll(sorters, sorter => sorter.Triangles));
-        groups = new(places, Array.ConvertAll(groupers, grouper => grouper.Clusters));
+        triangles = new(Array.ConvertAll(sorters, sorter => sorter.Triangles));
+        groups = new(Array.ConvertAll(groupers, grouper => grouper.Clusters));
         foreach (var sorter in sorters)
         {
             Large.AddRange(sorter.Large);

@@ -15,7 +15,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private const int ClustersAtOnce = 256, Ahead = 4;
 
     private readonly ScreenSpace screen;
-    private readonly TilePixels pixels;
+    private readonly TilePixels pixels = new();
     private readonly TileHits<N> hits;
     private readonly TriangleRasterizer cover;
     private readonly CoarseDepth coarse = new();
@@ -24,11 +24,29 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private Tile tile;
     private bool isEmpty;
 
-    public TileFilter(ScreenSpace screen, Vector3[] vertices, int[] indices)
+    /// <param name="screen">The camera.</param>
+    public TileFilter(ScreenSpace screen)
     {
-        (this.screen, pixels) = (screen, new(vertices, indices));
-        hits = new(screen, vertices, indices, pixels);
+        this.screen = screen;
+        hits = new(screen, pixels);
         cover = new(screen, pixels, hits.Decide);
+    }
+
+    /// <summary>The view whose pixels it knows; null where it knows none.</summary>
+    public MeshView<N>? Owner { get; private set; }
+
+    /// <summary>The tile that was entered last.</summary>
+    public Tile Tile => tile;
+
+    /// <summary>Goes to another mesh.</summary>
+    /// <param name="owner">The view that uses it from now on.</param>
+    /// <param name="vertices">The mesh's corners.</param>
+    /// <param name="indices">Three for each triangle.</param>
+    public void Show(MeshView<N> owner, Vector3[] vertices, int[] indices)
+    {
+        Owner = owner;
+        pixels.Show(vertices, indices);
+        hits.Show(vertices, indices);
     }
 
     /// <summary>Finds the pixels' triangles.</summary>
@@ -51,7 +69,11 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             Add(set, set.ClustersOf(tile, 1 - nearer));
             Add(set, set.Of(tile, 1 - nearer));
         }
-        if (isEmpty) return HitRange.None;
+        if (isEmpty)
+        {
+            Owner = null; // nothing is known that the view could need
+            return HitRange.None;
+        }
         hits.Decide();
         coarse.Update(pixels.Covered);
         var least = coarse.Least;
@@ -59,10 +81,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     }
 
     /// <summary>Keeps the hits of a part of a row of the tile.</summary>
-    public void Meet(RayStream rays, int index)
-    {
-        if (!isEmpty) hits.Meet(rays, index);
-    }
+    public void Meet(RayStream rays, int index) => hits.Meet(rays, index);
 
     /// <inheritdoc cref="TileHits{N}.Paint"/>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => hits.Paint(painter, rgb, first, step);

@@ -6,12 +6,15 @@ namespace RayCaster.Engine;
 /// <summary>One thread's tool: computes by the triangles' formula where the rays of a tile hit the triangles that the filter proposes.</summary>
 /// <typeparam name="N">The kind of packet to compute with.</typeparam>
 /// <param name="screen">The camera.</param>
-/// <param name="vertices">The corners of the mesh.</param>
-/// <param name="indices">Three for each triangle.</param>
 /// <param name="pixels">What the filter knows.</param>
-internal sealed class TileHits<N>(ScreenSpace screen, Vector3[] vertices, int[] indices, TilePixels pixels) where N : struct, IPacket<N>
+internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N : struct, IPacket<N>
 {
-    private readonly ExactHits<N> exact = new(screen, vertices, indices);
+    private readonly ExactHits<N> exact = new(screen);
+
+    /// <summary>Goes to another mesh.</summary>
+    /// <param name="vertices">Its corners.</param>
+    /// <param name="indices">Three for each triangle.</param>
+    public void Show(Vector3[] vertices, int[] indices) => exact.Show(vertices, indices);
 
     /// <summary>Computes the hits that wait and may still be in front.</summary>
     public void Decide()

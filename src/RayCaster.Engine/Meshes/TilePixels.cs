@@ -1,6 +1,5 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
@@ -9,7 +8,7 @@ namespace RayCaster.Engine;
 /// surely
 /// behind it; where two are too close to each other or a sample too close to a side, the second one waits in a queue for its formula.
 /// </summary>
-internal sealed class TilePixels(Vector3[] vertices, int[] indices)
+internal sealed class TilePixels
 {
     /// <summary>From a pixel to the one above it. What a packet at the end of a row holds of the next one stays as it is.</summary>
     public const int Stride = Tile.MaxSide;
@@ -20,7 +19,7 @@ internal sealed class TilePixels(Vector3[] vertices, int[] indices)
 
     private const int QueueLength = 1 << 14;
 
-    private readonly Duplicates twins = new(vertices, indices);
+    private readonly Duplicates twins = new([], []);
 
     /// <summary>A hit with at least this w is sure; 0 for none.</summary>
     public float[] Covered { get; } = new float[Size];
@@ -46,6 +45,9 @@ internal sealed class TilePixels(Vector3[] vertices, int[] indices)
 
     /// <summary>The tile.</summary>
     public Tile Tile { get; private set; }
+
+    /// <summary>Goes to another mesh.</summary>
+    public void Show(Vector3[] vertices, int[] indices) => twins.Show(vertices, indices);
 
     /// <summary>Forgets all; beyond the tile's pixels everything is covered, so that they do not count where the least is looked for.</summary>
     public void Enter(in Tile tile)

@@ -93,23 +93,4 @@ public sealed class TriangleTree
         }
         return hit;
     }
-
-    /// <summary>A line through a point, and where it enters bounds.</summary>
-    private readonly struct Line(Vector3 origin, Vector3 direction)
-    {
-        private readonly Vector3 inverse = new(1 / direction.X, 1 / direction.Y, 1 / direction.Z);
-
-        /// <summary>The t at which the line enters bounds, behind its origin too; +∞ if it passes them by.</summary>
-        /// <remarks>In a face's plane 0 · ∞ is NaN, of which nothing is known: −∞.</remarks>
-        public double Enters(Bounds bounds)
-        {
-            var (min, max) = bounds.PaddedFrom(origin);
-            var (x0, x1) = (min.X * inverse.X, max.X * inverse.X);
-            var (y0, y1) = (min.Y * inverse.Y, max.Y * inverse.Y);
-            var (z0, z1) = (min.Z * inverse.Z, max.Z * inverse.Z);
-            var enters = Math.Max(Math.Min(x0, x1), Math.Max(Math.Min(y0, y1), Math.Min(z0, z1)));
-            var leaves = Math.Min(Math.Max(x0, x1), Math.Min(Math.Max(y0, y1), Math.Max(z0, z1)));
-            return enters > leaves ? double.PositiveInfinity : double.IsNaN(enters) ? double.NegativeInfinity : enters;
-        }
-    }
 }

@@ -31,7 +31,8 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
     /// <summary>Doubles that are rounded to floats.</summary>
     public static ErrorBound From(double lo, double hi) => Result(lo, hi, 0);
 
-    public static implicit operator ErrorBound(double value) => Math.Abs(value) >= double.MaxValue ? new(value, value, 0) : From(value, value); // infinite in both
+    // infinite in both
+    public static implicit operator ErrorBound(double value) => Math.Abs(value) >= double.MaxValue ? new(value, value, 0) : From(value, value);
 
     public static ErrorBound operator +(ErrorBound a, ErrorBound b) => Result(a.Lo + b.Lo, a.Hi + b.Hi, a.Error + b.Error);
 

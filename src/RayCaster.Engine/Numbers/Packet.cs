@@ -82,7 +82,8 @@ internal struct Packet : IPacket<Packet>
     public static uint Bits(Packet mask) => mask.Lanes.ExtractMostSignificantBits();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet MultiplyAddEstimate(Packet a, Packet b, Packet c) => new() { Lanes = Vector256.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
+    public static Packet MultiplyAddEstimate(Packet a, Packet b, Packet c) =>
+        new() { Lanes = Vector256.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(Packet a)

@@ -60,7 +60,8 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Max(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Max(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) => new() { Lanes = Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
+    public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) =>
+        new() { Lanes = Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
     public static WidePacket If(WidePacket mask, WidePacket value) => Select(mask, value, double.NaN);
@@ -86,7 +87,8 @@ internal struct WidePacket : IPacket<WidePacket>
     public static uint Bits(WidePacket mask) => (uint)mask.Lanes.ExtractMostSignificantBits();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket MultiplyAddEstimate(WidePacket a, WidePacket b, WidePacket c) => new() { Lanes = Vector512.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
+    public static WidePacket MultiplyAddEstimate(WidePacket a, WidePacket b, WidePacket c) =>
+        new() { Lanes = Vector512.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(WidePacket a) => Packet.Greatest(new() { Lanes = Vector256.Max(a.Lanes.GetLower(), a.Lanes.GetUpper()) });

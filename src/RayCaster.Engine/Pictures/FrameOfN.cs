@@ -36,7 +36,8 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     public PrimitiveBatch<N>? PrimitiveBatch { get; }
 
     /// <inheritdoc/>
-    public override IStripCaster NewCaster(bool isPlain) => isPlain && !IsLong && PrimitiveBatch is null ? new PlainCaster<N>(this) : NewTileCaster();
+    public override IStripCaster NewCaster(bool isPlain) =>
+        isPlain && !IsLong && PrimitiveBatch is null ? new PlainCaster<N>(this) : NewTileCaster();
 
     /// <inheritdoc/>
     public override IHitConsumer HitsInto(HitMap map) => new HitMapConsumer<N>(map, Scene.Camera);

@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool for scenes of few models: every ray meets every model that may show near its pixel. What a <see cref="TileCaster"/> does to
+/// One thread's tool for scenes of few models: every ray meets every model that may show near its pixel. What a <see cref="TileCaster{N}"/> does to
 /// spare work would take longer to compile than
 /// all of that work takes.
 /// </summary>

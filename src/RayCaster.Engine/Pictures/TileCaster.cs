@@ -32,7 +32,8 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     public TileCaster(Frame<N> frame)
     {
         this.frame = frame;
-        views = Array.ConvertAll(frame.Views, view => view.ForThread());
+        var tools = new ThreadTools();
+        views = Array.ConvertAll(frame.Views, view => view.ForThread(tools));
         (extents, places) = (frame.Extents, frame.Places);
         if (frame.PrimitiveBatch is not null) batch = new(frame.PrimitiveBatch, frame.Scene.Camera);
         rays = new(frame.Scene.Camera, RayStream.MaxArea);

@@ -115,8 +115,10 @@ internal sealed class FloatPainter : IShapeVisitor
     private void Paint<P, T>(P shape, bool isNear, Color color, double error, T target) where P : struct, IPrimitive where T : struct, IFloatTarget
     {
         Vector3<FloatPacket> origin = camera.Position;
-        var (red, green, blue) = (new FloatLevel(color.R, camera.Reach, error), new FloatLevel(color.G, camera.Reach, error), new FloatLevel(color.B, camera.Reach, error));
-        var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / FloatPacket.Count); // locals stay in registers
+        var (red, green, blue) = (new FloatLevel(color.R, camera.Reach, error), new FloatLevel(color.G, camera.Reach, error),
+            new FloatLevel(color.B, camera.Reach, error));
+        // locals stay in registers
+        var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / FloatPacket.Count);
         for (var row = 0; row < part.Height; row += 2)
         {
             var upwards = rays.Upwards.Two(part.Row - rays.Strip.Row + row);
@@ -132,9 +134,11 @@ internal sealed class FloatPainter : IShapeVisitor
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static Vector512<int> Least(Vector512<float> t, FloatLevel r, FloatLevel g, FloatLevel b) => FloatBytes.Packed(r.Least(t), g.Least(t), b.Least(t));
+        static Vector512<int> Least(Vector512<float> t, FloatLevel r, FloatLevel g, FloatLevel b) =>
+            FloatBytes.Packed(r.Least(t), g.Least(t), b.Least(t));
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static Vector512<int> Most(Vector512<float> t, FloatLevel r, FloatLevel g, FloatLevel b) => FloatBytes.Packed(r.Most(t), g.Most(t), b.Most(t));
+        static Vector512<int> Most(Vector512<float> t, FloatLevel r, FloatLevel g, FloatLevel b) =>
+            FloatBytes.Packed(r.Most(t), g.Most(t), b.Most(t));
     }
 }

@@ -22,9 +22,11 @@ internal sealed class FloatRays(Camera camera)
         if (strip == Strip) return false;
         Strip = strip;
         for (var i = 0; i < strip.Width; i += FloatPacket.Count)
-            Across.Set(i, camera.Across(WidePacket.Sequence(strip.Column + i)), camera.Across(WidePacket.Sequence(strip.Column + i + WidePacket.Count)));
+            Across.Set(
+                i, camera.Across(WidePacket.Sequence(strip.Column + i)), camera.Across(WidePacket.Sequence(strip.Column + i + WidePacket.Count)));
         for (var i = 0; i < strip.Height; i += FloatPacket.Count)
-            Upwards.Set(i, camera.Upwards(WidePacket.Sequence(strip.Row + i)), camera.Upwards(WidePacket.Sequence(strip.Row + i + WidePacket.Count)));
+            Upwards.Set(
+                i, camera.Upwards(WidePacket.Sequence(strip.Row + i)), camera.Upwards(WidePacket.Sequence(strip.Row + i + WidePacket.Count)));
         return true;
     }
 
@@ -35,7 +37,8 @@ internal sealed class FloatRays(Camera camera)
         var upwards = camera.Upwards(new ErrorBound(part.Row, part.EndRow - 1, 0));
         return camera.Direction(InDoubles(across), InDoubles(upwards));
 
-        static Vector3<ErrorBound> InDoubles(Vector3<ErrorBound> v) => new(ErrorBound.From(v.X.Lo, v.X.Hi), ErrorBound.From(v.Y.Lo, v.Y.Hi), ErrorBound.From(v.Z.Lo, v.Z.Hi));
+        static Vector3<ErrorBound> InDoubles(Vector3<ErrorBound> v) =>
+            new(ErrorBound.From(v.X.Lo, v.X.Hi), ErrorBound.From(v.Y.Lo, v.Y.Hi), ErrorBound.From(v.Z.Lo, v.Z.Hi));
     }
 
     /// <summary>Vectors, the numbers of each axis side by side.</summary>

@@ -44,7 +44,8 @@ internal sealed class FloatShader
             {
                 var j = Math.Min(i + FloatPacket.Count, rays.Length - FloatPacket.Count); // the last sixteen twice, if they have no partner
                 var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
-                var isMiss = new FloatPacket(Vector512.Equals(lower, Vector512<int>.Zero).AsSingle(), Vector512.Equals(upper, Vector512<int>.Zero).AsSingle());
+                var isMiss = new FloatPacket(
+                    Vector512.Equals(lower, Vector512<int>.Zero).AsSingle(), Vector512.Equals(upper, Vector512<int>.Zero).AsSingle());
                 var light = scene.Attenuation(new FloatPacket(NearestAt(rays, i), NearestAt(rays, j)));
                 light = FloatPacket.Select(isMiss, 1, light) * colors.Step; // 1 leaves the background as it is
                 var (a, b) = (colors.At(packed, lower), colors.At(packed, upper));

@@ -30,7 +30,8 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
     }
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
+    // a picture is often drawn before the runtime would optimise by itself
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public bool Visit<P>(P shape) where P : struct, IPrimitive
     {
         columns.Enter<N>(part.Column, part.Width);
@@ -42,7 +43,8 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
             var upwards = camera.Upwards(Lanes.Broadcast<N>(row));
             for (var next = 0; next < width; next += N.Count)
             {
-                var i = Math.Min(next, width - N.Count); // the last packet may overlap the one before: a call for what is left would cost the loop its registers
+                // the last packet may overlap the one before: a call for what is left would cost the loop its registers
+                var i = Math.Min(next, width - N.Count);
                 var direction = camera.Direction(columns.At<N>(i), upwards);
                 var crossings = shape.Intersect(new Ray<N>(origin, direction));
                 var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));

@@ -15,7 +15,8 @@ internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeVie
     protected override void Intersect(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Intersect(parts.Rays);
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // a picture is often drawn before the runtime would optimise by itself
+    // a picture is often drawn before the runtime would optimise by itself
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     protected override void Intersect(RayStream rays, int first, int end)
     {
         var shape = primitive; // a local, so that its constants stay in registers

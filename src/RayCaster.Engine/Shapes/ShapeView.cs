@@ -29,7 +29,8 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
         var nearCounts = clip.Counts(crossings.Near, parts.ZPerT);
         var hit = clip.First(crossings, parts.ZPerT, nearCounts);
         return new(
-            WidePacket.Select(hit.IsNothing, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)), // a hit that counts is not behind the eye
+            // a hit that counts is not behind the eye
+            WidePacket.Select(hit.IsNothing, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)),
             WidePacket.Select(hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
             nearCounts.Lo);
     }

@@ -102,7 +102,8 @@ internal static class ThreadTeam
 
     private static void StayAwakeWhile(ref int count, bool isZero)
     {
-        for (var end = Stopwatch.GetTimestamp() + awake; Volatile.Read(ref count) == 0 == isZero && Stopwatch.GetTimestamp() < end;) Thread.SpinWait(8);
+        for (var end = Stopwatch.GetTimestamp() + awake; Volatile.Read(ref count) == 0 == isZero && Stopwatch.GetTimestamp() < end;)
+            Thread.SpinWait(8);
     }
 
     /// <summary>The pieces of one call.</summary>

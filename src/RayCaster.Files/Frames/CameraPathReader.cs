@@ -51,7 +51,8 @@ public static class CameraPathReader
     private static CameraPath? ReadPath(SceneObject o, Camera camera)
     {
         o.OptionalText("$schema", "Not used by the program.");
-        var isSmooth = o.OptionalChoice("interpolation", "How the camera goes from key to key: in a curve or straight.", "smooth", "linear") == "smooth";
+        var isSmooth = o.OptionalChoice(
+            "interpolation", "How the camera goes from key to key: in a curve or straight.", "smooth", "linear") == "smooth";
         var keys = new List<CameraKey>();
         foreach (var element in o.Objects("keys", "Where the camera is and when, an array of at least two."))
         {
@@ -59,14 +60,16 @@ public static class CameraPathReader
                 element.Number("time", "When; each key later than the one before."),
                 element.Vector("position", "P, where the camera is."),
                 element.Vector("target", "T, where it looks; the scene's target where it is left out.", camera.Target),
-                element.Number("fovY", "The vertical field of view in degrees; the scene's where it is left out.", Limits.Between(0, 180), camera.FovY));
+                element.Number(
+                    "fovY", "The vertical field of view in degrees; the scene's where it is left out.", Limits.Between(0, 180), camera.FovY));
             element.Close();
             if (keys.Count > 0 && key.Time <= keys[^1].Time)
                 element.Refuse("time", $" must be later than that of the key before, which is {keys[^1].Time}, but is {key.Time}");
             if (key.Position == key.Target) element.Refuse("position", $" must differ from the target, but both are {key.Target}");
             keys.Add(key);
         }
-        if (o.Has("keys") && keys.Count < 2 && o.IsSound) o.Refuse("keys", $" must be at least two, but there {(keys.Count == 1 ? "is one" : "is none")}");
+        if (o.Has("keys") && keys.Count < 2 && o.IsSound)
+            o.Refuse("keys", $" must be at least two, but there {(keys.Count == 1 ? "is one" : "is none")}");
         o.Close();
         return o.IsSound ? new(keys, isSmooth) : null;
     }

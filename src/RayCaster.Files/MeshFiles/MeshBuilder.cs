@@ -29,7 +29,8 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
     public void Expect(long triangles)
     {
         var needed = indexCount + 3 * triangles;
-        if (triangles > 1 && needed > indices.Length && needed <= Array.MaxLength) Array.Resize(ref indices, (int)Math.Max(needed, Math.Min(2L * indices.Length, Array.MaxLength)));
+        if (triangles > 1 && needed > indices.Length && needed <= Array.MaxLength)
+            Array.Resize(ref indices, (int)Math.Max(needed, Math.Min(2L * indices.Length, Array.MaxLength)));
     }
 
     /// <summary>Adds a corner to the face; from the third on each makes a triangle with the first corner and the one before.</summary>

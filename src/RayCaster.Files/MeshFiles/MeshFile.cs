@@ -73,5 +73,6 @@ public static class MeshFile
         return copy;
     }
 
-    private static string? FullPath(string path) => Path.IsPathFullyQualified(path) ? null : $"; looked for {PrintableText.Of(Path.GetFullPath(path))}";
+    private static string? FullPath(string path) =>
+        Path.IsPathFullyQualified(path) ? null : $"; looked for {PrintableText.Of(Path.GetFullPath(path))}";
 }

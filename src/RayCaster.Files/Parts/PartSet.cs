@@ -18,9 +18,11 @@ public sealed class PartSet
         {
             using var part = PartFile.Open(path);
             if (part is not null) parts.Add((path, part.Facts));
-            else if (isChosen is null || isChosen(path)) problems.Add($"{path} is a picture, but does not say which part of which; --rows draws parts");
+            else if (isChosen is null || isChosen(path))
+                problems.Add($"{path} is a picture, but does not say which part of which; --rows draws parts");
         }
-        parts.Sort((a, b) => a.Facts.Lines.First.CompareTo(b.Facts.Lines.First) is var order and not 0 ? order : string.CompareOrdinal(a.Path, b.Path));
+        parts.Sort(
+            (a, b) => a.Facts.Lines.First.CompareTo(b.Facts.Lines.First) is var order and not 0 ? order : string.CompareOrdinal(a.Path, b.Path));
         if (parts.Count == 0) return;
         FindStrangers();
         if (problems.Count == 0) FindOverlaps();
@@ -90,7 +92,8 @@ public sealed class PartSet
         foreach (var (next, facts) in parts)
         {
             var lines = facts.Lines;
-            if (lines.First <= reach) problems.Add($"the lines {new LineRange(lines.First, Math.Min(reach, lines.Last))} are in {path} and in {next}");
+            if (lines.First <= reach)
+                problems.Add($"the lines {new LineRange(lines.First, Math.Min(reach, lines.Last))} are in {path} and in {next}");
             if (lines.Last > reach) (path, reach) = (next, lines.Last);
         }
     }

@@ -40,7 +40,8 @@ internal sealed class PngChunkReader
         Left = BinaryPrimitives.ReadUInt32BigEndian(frame);
         foreach (var letter in frame.AsSpan(4))
             if (!char.IsAsciiLetter((char)letter))
-                throw new PictureFileException($"its chunk at byte {start:N0} is of the type {PictureFile.Printable(frame.AsSpan(4))}, which is not four letters");
+                throw new PictureFileException($"its chunk at byte {start:N0} is of the type {PictureFile.Printable(frame.AsSpan(4))}, " +
+                    "which is not four letters");
         Type = Encoding.ASCII.GetString(frame.AsSpan(4));
         if (Left > follow)
             throw new PictureFileException(

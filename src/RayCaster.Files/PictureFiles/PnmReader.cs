@@ -152,5 +152,6 @@ internal sealed class PnmReader
     private PictureFileException CutShort(long there) => new($"the file is cut short: {width:N0} × {height:N0} pixels need "
         + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
 
-    private PictureFileException Unexpected(string due) => new($"'{PictureFile.Printable([(byte)file.Peek()])}' at byte {file.Place}, where {due} is due");
+    private PictureFileException Unexpected(string due) =>
+        new($"'{PictureFile.Printable([(byte)file.Peek()])}' at byte {file.Place}, where {due} is due");
 }

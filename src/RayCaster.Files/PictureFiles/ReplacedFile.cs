@@ -28,7 +28,8 @@ public sealed class ReplacedFile : Stream
                 throw Failure("it is a folder; name a file in it");
             if (folder == "/dev") throw Failure("its folder is for devices, not for files"); // root would lose /dev/null
             if (!Directory.Exists(folder)) throw Failure("its folder does not exist", $"\n  make the folder {PrintableText.Of(folder)} first");
-            if (!FileKind.MayBeReplaced(target)) throw Failure("it is a device, a pipe or a socket, or a link to something else than a file; name a file");
+            if (!FileKind.MayBeReplaced(target))
+                throw Failure("it is a device, a pipe or a socket, or a link to something else than a file; name a file");
             if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly))
                 throw Failure("the old file is read-only");
             file = WrittenFiles.Begin(() => TemporaryFile.Create(target));

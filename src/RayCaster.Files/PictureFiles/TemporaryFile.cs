@@ -45,7 +45,8 @@ internal static class TemporaryFile
     private static FileStreamOptions Options(string target)
     {
         var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write, Share = Sharing, BufferSize = 1 << 16 };
-        if (!OperatingSystem.IsWindows() && File.Exists(target)) options.UnixCreateMode = File.GetUnixFileMode(target) & Rights | UnixFileMode.UserWrite;
+        if (!OperatingSystem.IsWindows() && File.Exists(target))
+            options.UnixCreateMode = File.GetUnixFileMode(target) & Rights | UnixFileMode.UserWrite;
         return options;
     }
 
@@ -53,7 +54,8 @@ internal static class TemporaryFile
     private static string Beginning(string target)
     {
         var name = Path.GetFileName(target);
-        if (Encoding.UTF8.GetByteCount(name) is var bytes && (bytes <= LongestName - Ending.Length || bytes > LongestName)) return target; // the latter is refused whatever is done
+        // the latter is refused whatever is done
+        if (Encoding.UTF8.GetByteCount(name) is var bytes && (bytes <= LongestName - Ending.Length || bytes > LongestName)) return target;
         var length = name.Length;
         while (Encoding.UTF8.GetByteCount(name.AsSpan(0, length)) > LongestName - Ending.Length || char.IsHighSurrogate(name[length - 1])) length--;
         return target[..(target.Length - name.Length + length)];

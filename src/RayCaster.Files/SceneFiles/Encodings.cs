@@ -17,7 +17,8 @@ internal static class Encodings
     {
         if (text is [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] or [0, not 0, ..] or [not 0, 0, ..] or [0, 0, 0xFE, 0xFF, ..])
             return new(0, 0, "the file is in UTF-16 or UTF-32; save it as UTF-8");
-        if (text is [0x89, (byte)'P', (byte)'N', (byte)'G', ..] or [(byte)'P', >= (byte)'1' and <= (byte)'6', (byte)'\n' or (byte)'\r' or (byte)' ', ..])
+        if (text is [0x89, (byte)'P', (byte)'N', (byte)'G', ..]
+            or [(byte)'P', >= (byte)'1' and <= (byte)'6', (byte)'\n' or (byte)'\r' or (byte)' ', ..])
             return new(0, 0, "this is a picture, not a scene; where both are wanted the scene comes first");
         if (Utf8.IsValid(text)) return null;
         var at = 0;

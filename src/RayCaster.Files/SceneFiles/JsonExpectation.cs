@@ -198,7 +198,8 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 return null;
             }
             if (c is (byte)'\r' or (byte)'\n') return new(at, end, "this text is not closed in its line; a double quote is missing");
-            if (c < 0x20) return new(end, end + 1, c == '\t' ? "a tab in a text is written \\t" : $"a text cannot hold the control character {c:X4}");
+            if (c < 0x20)
+                return new(end, end + 1, c == '\t' ? "a tab in a text is written \\t" : $"a text cannot hold the control character {c:X4}");
             if (c != '\\') continue;
             if (end + 1 == utf8.Length) return CutOff();
             if (utf8[end + 1] == 'u')

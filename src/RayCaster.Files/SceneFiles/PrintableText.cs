@@ -13,5 +13,6 @@ public static class PrintableText
     /// <summary>Whether a character is neither a control character nor one that ends a line or tells a text's direction (Unicode's
     /// Bidi_Control).</summary>
     public static bool IsPrintable(char c) =>
-        !char.IsControl(c) && c is not ('\u061C' or '\u200E' or '\u200F' or '\u2028' or '\u2029' or (>= '\u202A' and <= '\u202E') or (>= '\u2066' and <= '\u2069'));
+        !char.IsControl(c)
+        && c is not ('\u061C' or '\u200E' or '\u200F' or '\u2028' or '\u2029' or (>= '\u202A' and <= '\u202E') or (>= '\u2066' and <= '\u2069'));
 }

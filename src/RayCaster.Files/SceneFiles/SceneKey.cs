@@ -43,7 +43,11 @@ internal sealed record Limits(double Least, double Most, bool IsOpen)
     public static readonly Limits None = new(double.NegativeInfinity, double.PositiveInfinity, false) { Words = "a number" };
     public static readonly Limits Positive = new(0, double.PositiveInfinity, true) { Words = "greater than 0" };
     public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false) { Words = "at least 0" };
-    public static readonly Limits NotZero = new(double.NegativeInfinity, double.PositiveInfinity, false) { Words = "other than 0", IsZeroRefused = true };
+    public static readonly Limits NotZero = new(double.NegativeInfinity, double.PositiveInfinity, false)
+    {
+        Words = "other than 0",
+        IsZeroRefused = true,
+    };
 
     /// <summary>Numbers between two that are refused themselves.</summary>
     public static Limits Between(double least, double most) => new(least, most, true);
@@ -54,7 +58,8 @@ internal sealed record Limits(double Least, double Most, bool IsOpen)
     /// <summary>How a message says it: "must be …".</summary>
     public string Words
     {
-        get => field ?? FormattableString.Invariant(IsOpen ? $"greater than {Least} and less than {Most}" : (FormattableString)$"from {Least} to {Most}");
+        get => field
+            ?? FormattableString.Invariant(IsOpen ? $"greater than {Least} and less than {Most}" : (FormattableString)$"from {Least} to {Most}");
         private init;
     }
 

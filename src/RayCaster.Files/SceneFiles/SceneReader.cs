@@ -78,7 +78,8 @@ public static class SceneReader
     /// <param name="problems">All errors and warnings.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     /// <returns>What was read, or null if there is an error.</returns>
-    internal static T? Parse<T>(ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,
+    internal static T? Parse<T>(
+        ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,
         int? threads = null) where T : class
     {
         var hasMark = utf8.Span.StartsWith(Encodings.Utf8Mark);
@@ -119,7 +120,8 @@ public static class SceneReader
     {
         var position = o.Vector("position", "P, where the rays start.");
         var target = o.Vector("target",
-            "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: at twice its distance all is black.");
+            "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
+                "at twice its distance all is black.");
         var up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", new(0, 0, 1));
         var fovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), 45);
         var width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, 500);
@@ -164,7 +166,8 @@ public static class SceneReader
         if (!o.Has("zFar"))
             o.Refuse("zNear", $" must be less than {o.PathOf("zFar")}, which is {zFar} where it is not given, but is {zNear}");
         else
-            o.Refuse("zFar", $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
+            o.Refuse("zFar",
+                $" must be greater than {o.PathOf("zNear")}, which is {zNear}{(o.Has("zNear") ? "" : " where it is not given")}, but is {zFar}");
     }
 
     private static void RefuseSize(SceneObject o, int width, int height) =>

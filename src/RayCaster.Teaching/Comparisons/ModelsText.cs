@@ -24,7 +24,8 @@ internal static class ModelsText
         if (comparison.Recognition is not null || comparison.Mine.IsOneColor) return;
         foreach (var sentence in Sentences(comparison.Scene!, scene)) text.Append(sentence).Append('\n');
         if (scene.ReferenceToOwn.Wrong > 0)
-            text.Append($"The reference itself differs from the picture of this scene in {ComparisonText.Count(scene.ReferenceToOwn.Wrong, "pixel")}.\n");
+            text.Append("The reference itself differs from the picture of this scene in " +
+                $"{ComparisonText.Count(scene.ReferenceToOwn.Wrong, "pixel")}.\n");
         AppendTable(text, scene);
     }
 
@@ -58,7 +59,8 @@ internal static class ModelsText
             return ["No single model explains it. Is the camera another one, or its target, which sets the light?"];
         var meant = Meant(all);
         var edges = all.Models.Sum(model => model.Wrong) - meant.Sum(model => model.Wrong);
-        var agree = meant.Count != 1 ? "" : edges == 0 ? "; all others agree" : $"; all others agree, but for {ComparisonText.Count(edges, "pixel")}";
+        var agree = meant.Count != 1 ? ""
+            : edges == 0 ? "; all others agree" : $"; all others agree, but for {ComparisonText.Count(edges, "pixel")}";
         return meant.Select(model => Sentence(scene, model) ?? (meant.Count == 1 ? $"{PartOf(model)} are wrong" : null))
             .OfType<string>().Take(MostSentences).Select(sentence => $"{sentence}{agree}.");
     }

@@ -297,10 +297,10 @@ internal sealed class Lab
 
     private double? HitOf(Model model, Vector3 d) => model switch
     {
-        Mesh mesh => TriangleTree.Of(mesh).Nearest(this, d),
+        Mesh mesh => MeshHits.Nearest(this, mesh, d),
         // Most rays pass a triangle by, which its bounds say sooner than its formula.
         Model<Triangle> { Primitive: var triangle } when !TrianglesReachOut
-            && TriangleTree.Misses(triangle.Bounds, this, TriangleTree.Inverse(d)) => null,
+            && new Line(P, d).Misses(triangle.Bounds) => null,
         _ => CrossingsOf(model, d) is { } crossed ? First.Do(crossed, d) : model.Intersect(WholeRay(d)),
     };
 

@@ -23,5 +23,6 @@ internal static class ColorExplanation
             .Where(step => step.Name != "attenuation")];
     }
 
-    private static Derivation Level(Derivation channel, string name) => Color.Level(channel).As($"{name} level", $"min(max({name}, 0), 1) * 255 + 0.5");
+    private static Derivation Level(Derivation channel, string name) =>
+        Color.Level(channel).As($"{name} level", $"min(max({name}, 0), 1) * 255 + 0.5");
 }

@@ -28,7 +28,8 @@ internal sealed class ExplanationText
     {
         var camera = pixel.Scene.Camera;
         var (r, g, b) = pixel.Bytes;
-        Line(0, $"Column {pixel.Column}, line {pixel.Line} from the top (row r = {pixel.Row} from the bottom) of {camera.Width} × {camera.Height} pixels:");
+        Line(0, $"Column {pixel.Column}, line {pixel.Line} from the top (row r = {pixel.Row} from the bottom) of {camera.Width} × " +
+            $"{camera.Height} pixels:");
         Line(0, $"{pixel.NameOf(pixel.Winner)}{(pixel.Winner is null ? "" : $" at t = {Digits.Of(pixel.Ray.HitParameter)}")}, bytes {r} {g} {b}");
         foreach (var note in pixel.Notes) Line(0, $"Note: {note}.");
     }
@@ -104,7 +105,9 @@ internal sealed class ExplanationText
 
     private void Color(PixelExplanation pixel)
     {
-        Section("Colour", pixel.Winner is { } index ? $"of {pixel.NameOf(index)}, {Digits.Of(Channels(pixel.Scene.Models[index].Color))}" : "of the background");
+        Section("Colour", pixel.Winner is { } index
+            ? $"of {pixel.NameOf(index)}, {Digits.Of(Channels(pixel.Scene.Models[index].Color))}"
+            : "of the background");
         Steps(2, pixel.AttenuationSteps);
         Steps(2, pixel.ColorSteps);
         var (r, g, b) = pixel.Bytes;
@@ -117,7 +120,8 @@ internal sealed class ExplanationText
         var ((r, g, b), difference) = (reference.Bytes, reference.Difference);
         var verdict = difference == (0, 0, 0) ? "the same" : reference.Agrees ? "the same but for rounding" : "different";
         Line(2, $"It has {r} {g} {b} here: {verdict}");
-        if (difference != (0, 0, 0)) Line(2, $"difference (its bytes less these): {Signed(difference.R)} {Signed(difference.G)} {Signed(difference.B)}");
+        if (difference != (0, 0, 0))
+            Line(2, $"difference (its bytes less these): {Signed(difference.R)} {Signed(difference.G)} {Signed(difference.B)}");
         if (reference.Agrees) return;
         foreach (var cause in reference.Causes) Line(2, $"Perhaps: {cause}.");
         if (reference.Causes.Count == 0) Line(2, "No crossing of this ray gives that colour.");
@@ -144,7 +148,9 @@ internal sealed class ExplanationText
         Add(mesh.BeforeNear, "nearer than zNear");
         Add(mesh.BeyondFar, "beyond zFar");
         Add(mesh.Counting, "hit");
-        var which = mesh.Triangle is { } triangle ? $"; number {triangle}, from 0, is {(mesh.Counting > 0 ? "the nearest" : "the one that comes nearest")}:" : "";
+        var which = mesh.Triangle is { } triangle
+            ? $"; number {triangle}, from 0, is {(mesh.Counting > 0 ? "the nearest" : "the one that comes nearest")}:"
+            : "";
         return $"{mesh.Triangles} {(mesh.Triangles == 1 ? "triangle" : "triangles")} tried: {string.Join(", ", parts)}{which}";
 
         void Add(int count, string what)

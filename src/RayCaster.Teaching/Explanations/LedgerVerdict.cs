@@ -54,15 +54,18 @@ internal static class LedgerVerdict
             case Outcome.BeforeNear:
                 var greatest = double.NegativeInfinity;
                 foreach (var entry in group) greatest = Math.Max(greatest, entry.GreatestBeforeNear);
-                return Text($"zNear is {camera.ZNear:G7}, but their crossings lie at z = {greatest:G7} and less. Make zNear smaller, or move the camera back.");
+                return Text($"zNear is {camera.ZNear:G7}, but their crossings lie at z = {greatest:G7} and less. Make zNear smaller, ") +
+                    "or move the camera back.";
             case Outcome.BeyondFar:
                 var least = double.PositiveInfinity;
                 foreach (var entry in group) least = Math.Min(least, entry.LeastBeyondFar);
                 return Text($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {least:G7} and more. Make zFar greater.");
             case Outcome.Outside:
                 return HitsOf(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
-                    ? Text($"They lie beside the picture: aim target at them (it is {camera.Target}), or make fovY greater (it is {camera.FovY:G7} degrees).")
-                    : Text($"The camera looks past them: it stands at {camera.Position} and looks towards {camera.Target}. Is target where the models are?");
+                    ? Text($"They lie beside the picture: aim target at them (it is {camera.Target}), ") +
+                        Text($"or make fovY greater (it is {camera.FovY:G7} degrees).")
+                    : Text($"The camera looks past them: it stands at {camera.Position} and looks towards {camera.Target}. ") +
+                        "Is target where the models are?";
             default:
                 return null;
         }
@@ -73,7 +76,8 @@ internal static class LedgerVerdict
     {
         var (position, target) = (scene.Camera.Position, scene.Camera.Target);
         if (HitsOf(scene, target, position, scene.Camera.FovY) is > 0 and var swapped)
-            return Text($"Are position and target swapped? From {target} towards {position} {swapped * 100.0 / (Side * Side):0} % of the rays hit something.");
+            return Text($"Are position and target swapped? From {target} towards {position} {swapped * 100.0 / (Side * Side):0} % of the rays ") +
+                "hit something.";
         var other = 2 * position - target;
         return HitsOf(scene, position, other, scene.Camera.FovY) is > 0 and var turned
             ? Text($"The camera looks away from them: towards target = {other} {turned * 100.0 / (Side * Side):0} % of the rays hit something.")
@@ -100,14 +104,18 @@ internal static class LedgerVerdict
         if (ledger.Unlit > ledger.Hits / 2)
         {
             var share = ledger.Unlit == ledger.Hits ? Text($"All {ledger.Hits:N0} hits") : Text($"{ledger.Unlit:N0} of {ledger.Hits:N0} hits");
-            sentences.Add(Text($"{share} are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}."));
+            sentences.Add(Text($"{share} are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, ") +
+                Text($"and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}."));
             sentences.Add("target sets the light, which ends at twice its distance: move it away along the line of sight.");
         }
         else if (color is (0, 0, 0)) sentences.Add("All that is hit is black: the models' own color is [0, 0, 0], or nearly so.");
-        else if (color is (255, 255, 255)) sentences.Add("All that is hit is white: color times attenuation is 1 or more in each channel, and is clamped.");
+        else if (color is (255, 255, 255))
+            sentences.Add("All that is hit is white: color times attenuation is 1 or more in each channel, and is clamped.");
         else if (color is not null && ledger.Hits == ledger.Rays && camera.FovY < 3)
-            sentences.Add(Text($"All pixels have one colour: fovY is {camera.FovY:G7} degrees, so all rays go nearly the same way. In radians it would be {camera.FovY * 180 / Math.PI:0.##} degrees."));
-        else if (color is { } only && ledger.Hits == ledger.Rays) sentences.Add($"All pixels have the colour {only}: the camera sees a single surface, and from so near that its light does not change.");
+            sentences.Add(Text($"All pixels have one colour: fovY is {camera.FovY:G7} degrees, so all rays go nearly the same way. ") +
+                Text($"In radians it would be {camera.FovY * 180 / Math.PI:0.##} degrees."));
+        else if (color is { } only && ledger.Hits == ledger.Rays)
+            sentences.Add($"All pixels have the colour {only}: the camera sees a single surface, and from so near that its light does not change.");
         if (color is { } shown && ledger.Hits < ledger.Rays && shown == ledger.Scene.Background.ToBytes())
             sentences.Add("The background has the same colour: choose another one, and the models' outline shows.");
     }
@@ -119,7 +127,8 @@ internal static class LedgerVerdict
         {
             if (entry[Outcome.Shows] > 0 || missing++ >= MostNamed) continue;
             sentences.Add(entry.Hits > 0
-                ? Text($"{entry.Label} does not show: it is hit by {entry.Hits:N0} {(entry.Hits == 1 ? "ray" : "rays")}, but something nearer hides it there.")
+                ? Text($"{entry.Label} does not show: it is hit by {entry.Hits:N0} {(entry.Hits == 1 ? "ray" : "rays")}, ") +
+                    "but something nearer hides it there."
                 : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}.");
         }
         if (missing > MostNamed) sentences.Add(Text($"Nor do {missing - MostNamed:N0} more."));
@@ -129,7 +138,8 @@ internal static class LedgerVerdict
     {
         foreach (var entry in ledger.Models)
             if (entry[Outcome.NoNumber] > ledger.Rays / 2)
-                sentences.Add(Text($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of {ledger.Rays:N0} rays: are its numbers far out of range, or is infinity taken from infinity?"));
+                sentences.Add(Text($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of {ledger.Rays:N0} ") +
+                    "rays: are its numbers far out of range, or is infinity taken from infinity?");
     }
 
     private static string Phrase(Outcome reason, bool one) => reason switch

@@ -22,7 +22,8 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         {
             var corners = Corners(shape);
             var slabs = Slabs(shape, FormulaStep.LeadingTo(derived.Near));
-            var writer = new TermText(corners.SelectMany(step => step.Values).Concat(slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])).ToHashSet());
+            var writer = new TermText(
+                corners.SelectMany(step => step.Values).Concat(slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])).ToHashSet());
             steps = [.. corners, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
             crossings = Crossings(trial, shape, derived, steps, writer);
         }
@@ -106,7 +107,9 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         var refusal = trial.Hit is null ? cast.Clip.Refuse(t, cast.ZPerT) : Refusal.None;
         var (verdict, reason) = trial.Hit is { } hit ? Hit(trial, hit)
             : refusal is Refusal.NoNumber ? (Verdict.Missed, "its Intersect finds no crossing")
-            : (Verdict.Refused, refusal is Refusal.None ? "its Intersect gives no hit, though this t counts" : Reasons.Of(refusal, t, z, scene.Camera));
+            : (Verdict.Refused, refusal is Refusal.None
+                ? "its Intersect gives no hit, though this t counts"
+                : Reasons.Of(refusal, t, z, scene.Camera));
         return new(t, z, verdict, refusal, reason, "", null);
     }
 

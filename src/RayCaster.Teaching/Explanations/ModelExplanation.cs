@@ -48,7 +48,8 @@ public sealed record SlabExplanation(char Axis, double Lo, double Hi, double T0,
 /// <param name="BeforeNear">How many are nearer than zNear.</param>
 /// <param name="BeyondFar">How many are farther than zFar.</param>
 /// <param name="Counting">How many crossings count; the nearest is the mesh's.</param>
-public sealed record MeshExplanation(int Triangles, int? Triangle, int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
+public sealed record MeshExplanation(
+    int Triangles, int? Triangle, int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
 
 /// <summary>How the models fare that are not explained one by one.</summary>
 /// <param name="Hidden">How many are hit, but hidden.</param>

@@ -15,7 +15,8 @@ internal static class PixelNotes
     {
         var drawn = new Picture(1, 1);
         ScalarRenderer.Render(pixel.Scene, drawn, pixel.Column, pixel.Line);
-        if (drawn[0, 0] != pixel.Bytes) yield return $"ScalarRenderer draws {drawn[0, 0]} here: this build's course library was changed, and this does not explain how";
+        if (drawn[0, 0] != pixel.Bytes)
+            yield return $"ScalarRenderer draws {drawn[0, 0]} here: this build's course library was changed, and this does not explain how";
     }
 
     private static IEnumerable<string> Background(PixelExplanation pixel)
@@ -31,7 +32,8 @@ internal static class PixelNotes
     }
 
     private static string Place(Neighbour neighbour) =>
-        $"{(neighbour.Where is "left" or "right" ? $"to the {neighbour.Where}" : neighbour.Where)} (column {neighbour.Column}, line {neighbour.Line})";
+        $"{(neighbour.Where is "left" or "right" ? $"to the {neighbour.Where}" : neighbour.Where)} (column {neighbour.Column}, " +
+        $"line {neighbour.Line})";
 
     private static IEnumerable<string> Ties(PixelExplanation pixel)
     {
@@ -62,6 +64,7 @@ internal static class PixelNotes
             yield return $"all light is lost: {Reasons.Compare("t", pixel.Ray.HitParameter, "≥", "2 |T − P|", pixel.Scene.Camera.Reach)}" +
                 ", so the attenuation is 0";
         if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })
-            yield return $"a channel is more than 1 and is clamped: the colour is ({Digits.Of(pixel.Color.R)}, {Digits.Of(pixel.Color.G)}, {Digits.Of(pixel.Color.B)})";
+            yield return $"a channel is more than 1 and is clamped: the colour is ({Digits.Of(pixel.Color.R)}, {Digits.Of(pixel.Color.G)}, " +
+                $"{Digits.Of(pixel.Color.B)})";
     }
 }

@@ -27,7 +27,8 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
         foreach (var model in pixel.Models)
             foreach (var crossing in model.Crossings)
                 if (double.IsFinite(crossing.T))
-                    crossings.Add(new(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)], crossing.Verdict, crossing.Reason));
+                    crossings.Add(
+                        new(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)], crossing.Verdict, crossing.Reason));
 
         var shown = double.IsFinite(pixel.Ray.HitParameter) ? pixel.Ray.HitParameter : camera.Reach / 2;
         var length = crossings.Where(crossing => crossing.T > 0 && crossing.T <= 2 * shown).Select(crossing => crossing.T).Append(shown).Max();
@@ -35,7 +36,8 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
         var depth = -(camera.W * u);
         var isDepth = camera.Clip == Clip.Depth && depth > 0;
         return new([d * u, d * v], isDepth ? camera.ZNear / depth : null, isDepth ? camera.ZFar / depth : null,
-            SectionView.Of(length * (d * u), length * (d * v), length), [.. pixel.Models.Select(model => fan.Cut(pixel.Scene.Models[model.Index], model))], crossings);
+            SectionView.Of(length * (d * u), length * (d * v), length),
+            [.. pixel.Models.Select(model => fan.Cut(pixel.Scene.Models[model.Index], model))], crossings);
     }
 
     /// <summary>Rays from P in all directions of the plane: where they cross a shape, by its own formula, is its section.</summary>
@@ -66,7 +68,8 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
             foreach (var angle in angles)
             {
                 var (sin, cos) = Math.SinCos(angle);
-                if (model.Intersect(new Ray<Scalar>(origin, cos * u + sin * v)) is not { } crossings) break; // plain doubles and ifs: only the crossing is known
+                // plain doubles and ifs: only the crossing is known
+                if (model.Intersect(new Ray<Scalar>(origin, cos * u + sin * v)) is not { } crossings) break;
                 double a = crossings.Near, b = crossings.Far;
                 if (!IsDrawn(a) && !IsDrawn(b)) End();
                 if (IsDrawn(a)) near.Add([a * cos, a * sin]);

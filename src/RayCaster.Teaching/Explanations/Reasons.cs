@@ -49,7 +49,8 @@ internal static class Reasons
     public static FormulaStep? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name);
 
     /// <summary>The values of all steps of a name.</summary>
-    public static double[] Values(IReadOnlyList<FormulaStep> steps, string name) => [.. steps.Where(step => step.Name == name).Select(step => step.Value)];
+    public static double[] Values(IReadOnlyList<FormulaStep> steps, string name) =>
+        [.. steps.Where(step => step.Name == name).Select(step => step.Value)];
 
     /// <summary>Where a ray enters and leaves the slabs of a box: the lesser and the greater of t0 and t1; in a slab whose face it runs in it is
     /// for ever.</summary>

@@ -26,7 +26,8 @@ public sealed record ReferenceExplanation(
     {
         var scene = pixel.Scene;
         var background = scene.Background.ToBytes();
-        if (pixel.Winner is not null && AreNear(background, other)) yield return "the other picture's colour is the background's: there the ray hits nothing";
+        if (pixel.Winner is not null && AreNear(background, other))
+            yield return "the other picture's colour is the background's: there the ray hits nothing";
 
         var explainer = new ModelExplainer(scene, pixel.Ray, pixel.Winner);
         foreach (var trial in pixel.Trials)

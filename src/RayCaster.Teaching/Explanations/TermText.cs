@@ -28,7 +28,8 @@ internal sealed class TermText(IReadOnlySet<double>? known = null)
     private string Text(Three term, int rank, bool leads, bool isRoot = false)
     {
         term = term.Chosen;
-        if (term.IsOne && (term.IsLeaf || (!isRoot && (term.X.Size > LargestPart || known?.Contains(term.X.Value) == true)))) return Number(term.X.Value, leads);
+        if (term.IsOne && (term.IsLeaf || (!isRoot && (term.X.Size > LargestPart || known?.Contains(term.X.Value) == true))))
+            return Number(term.X.Value, leads);
         if (DotProduct(term) is var (a, b)) return Infix(a, " · ", b, Product, rank, leads);
         if (!term.IsOne && (term.IsLeaf || (!isRoot && term.IsLong))) return Digits.Of([term.X.Value, term.Y.Value, term.Z.Value]);
         if (!term.IsOfOneShape) return $"({Inner(new(term.X))}, {Inner(new(term.Y))}, {Inner(new(term.Z))})";

@@ -38,7 +38,9 @@ public static class LabSteps
         {
             Models = [.. scene.Models.Where(model => StepOf(model) <= step)],
             // The least bias there is: t > 0.
-            Camera = step >= Clipping ? c : new(c.Position, c.Target, c.Up, c.FovY, c.Width, c.Height, 0, double.MaxValue, double.Epsilon, c.Clip, c.Sample),
+            Camera = step >= Clipping
+                ? c
+                : new(c.Position, c.Target, c.Up, c.FovY, c.Width, c.Height, 0, double.MaxValue, double.Epsilon, c.Clip, c.Sample),
         };
     }
 

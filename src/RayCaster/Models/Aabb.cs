@@ -57,7 +57,8 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
     private (int Axis, int Sign) FaceOf(Vector3 X)
     {
         ReadOnlySpan<double> toFaces =
-            [Math.Abs(X.X - Min.X), Math.Abs(X.X - Max.X), Math.Abs(X.Y - Min.Y), Math.Abs(X.Y - Max.Y), Math.Abs(X.Z - Min.Z), Math.Abs(X.Z - Max.Z)];
+            [Math.Abs(X.X - Min.X), Math.Abs(X.X - Max.X), Math.Abs(X.Y - Min.Y), Math.Abs(X.Y - Max.Y), Math.Abs(X.Z - Min.Z),
+             Math.Abs(X.Z - Max.Z)];
         var nearest = 0;
         for (var i = 1; i < toFaces.Length; i++)
             if (toFaces[i] < toFaces[nearest])

@@ -26,7 +26,8 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => Intersect(new AlongRay<N>(ray));
 
     /// <summary>The same, for a caller that asks about many triangles and one ray.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)] // not inlined: in a caller grown too large operators, silently, become calls
+    // not inlined: in a caller grown too large operators, silently, become calls
+    [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     internal Crossings<N> Intersect<N>(in AlongRay<N> along) where N : struct, IReal<N> => Intersect(along, A, B, C);
 
     /// <summary>The same for corners over any kind of number: in a packet each lane has its own triangle.</summary>

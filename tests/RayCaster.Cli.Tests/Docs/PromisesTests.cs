@@ -17,8 +17,8 @@ public class PromisesTests
         foreach (Match name in named)
         {
             var test = $@"\[(Fact|Theory)\]\r?\n( *\[.*\r?\n)*    public [\w ]+ {name.Groups[2].Value}\(";
-            var file = Assert.Single(SourceFiles("tests"), path => Path.GetFileName(path) == name.Groups[1].Value + ".cs");
-            Assert.True(Regex.IsMatch(File.ReadAllText(file), test), $"{document} names {name.Value}, which is no test");
+            var files = SourceFiles("tests").Where(path => Path.GetFileName(path) == name.Groups[1].Value + ".cs"); // two projects may have one of a name
+            Assert.True(files.Any(file => Regex.IsMatch(File.ReadAllText(file), test)), $"{document} names {name.Value}, which is no test");
         }
     }
 
@@ -26,9 +26,13 @@ public class PromisesTests
     [MemberData(nameof(Documents))]
     public void EveryRowOfATableNamesATest(string document)
     {
+        var isPromised = false; // a table whose last column says what holds the promise
         foreach (var line in Read(document).Split('\n'))
-            if (line.StartsWith('|') && !line.StartsWith("|---") && !line.Contains("| held by |"))
-                Assert.Matches(@"`\w+Tests\.\w+`", line);
+        {
+            if (!line.StartsWith('|')) isPromised = false;
+            else if (line.Contains("| held by |")) isPromised = true;
+            else if (isPromised && !line.StartsWith("|---")) Assert.Matches(@"`\w+Tests\.\w+`", line);
+        }
     }
 
     [Theory]
@@ -50,10 +54,13 @@ public class PromisesTests
     [Fact]
     public void OnlyTheReplacedFileWrites() =>
         NowhereBut(["TemporaryFile.cs", "ReplacedFile.cs", "WrittenFiles.cs", "HandOutFolder.cs", "WorkFolder.cs"],
-            @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
+            @"FileMode\.(Create|Append|OpenOrCreate|Truncate)|\bFile\.(Write|Append|Create|Delete|Move|Copy|Replace|OpenWrite|Set)"
+            + @"|\bDirectory\.(Create|Delete|Move)|StreamWriter\(");
 
     [Fact]
-    public void NoNetworkAndNoOtherProgram() => NowhereBut([.. LivePage(), "LiveCommand.cs", "ProgramRunner.cs"], @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
+    public void NoNetworkAndNoOtherProgram() =>
+        NowhereBut([.. LivePage(), "LiveCommand.cs", "ProgramRunner.cs"],
+            @"System\.Net|HttpClient|Socket|Process\.Start|DllImport|LibraryImport|Assembly\.Load");
 
     [Fact]
     public void OnlyNamedVariablesAreRead()
@@ -66,7 +73,8 @@ public class PromisesTests
 
     /// <summary>What is promised of the live page is held by tests of its own.</summary>
     private static IEnumerable<string> LivePage() =>
-        SourceFiles().Where(path => path.Contains($"{Path.DirectorySeparatorChar}RayCaster.Live{Path.DirectorySeparatorChar}")).Select(path => Path.GetFileName(path));
+        SourceFiles().Where(path => path.Contains($"{Path.DirectorySeparatorChar}RayCaster.Live{Path.DirectorySeparatorChar}"))
+            .Select(path => Path.GetFileName(path));
 
     private static void NowhereBut(string[] files, string pattern)
     {

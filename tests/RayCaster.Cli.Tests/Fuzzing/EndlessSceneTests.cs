@@ -13,7 +13,8 @@ public class EndlessSceneTests
         using var raycaster = new RayCasterProcess();
         raycaster.RunInShell($"raycaster {scene} </dev/zero");
         Assert.Equal(2, raycaster.ExitCode);
-        Assert.EndsWith(": error: the scene file has more than 67,108,864 bytes, which is the limit; let mesh files hold what is large\n", raycaster.Error);
+        Assert.EndsWith(
+            ": error: the scene file has more than 67,108,864 bytes, which is the limit; let mesh files hold what is large\n", raycaster.Error);
         Assert.Empty(raycaster.Files);
     }
 }

@@ -7,7 +7,8 @@ public class OddCommandLineTests
 {
     [Fact]
     [Trait("kind", "campaign")]
-    public void OddCommandLinesDoNoHarm() => Campaign.Run("command-line", 5000, OddCommandLine.Next, input => Understand(OddCommandLine.Words(input)));
+    public void OddCommandLinesDoNoHarm() =>
+        Campaign.Run("command-line", 5000, OddCommandLine.Next, input => Understand(OddCommandLine.Words(input)));
 
     private static void Understand(string[] words)
     {

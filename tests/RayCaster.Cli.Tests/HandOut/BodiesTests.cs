@@ -1,5 +1,4 @@
 using System.Text;
-using RayCaster.Cli;
 
 namespace RayCaster.Cli.Tests.HandOut;
 
@@ -56,7 +55,8 @@ public class BodiesTests
     [Theory]
     [InlineData("// BEGIN SOLUTION \"Circle\"\nx\n", "Circle.cs(1): error: the body that begins here has no // END SOLUTION")]
     [InlineData("x\n// END SOLUTION\n", "Circle.cs(2): error: a body ends here that has no // BEGIN SOLUTION")]
-    [InlineData("// BEGIN SOLUTION \"Circle\"\n// BEGIN SOLUTION \"Ray\"\n", "Circle.cs(2): error: a body begins here, but that of line 1 has no // END SOLUTION")]
+    [InlineData("// BEGIN SOLUTION \"Circle\"\n// BEGIN SOLUTION \"Ray\"\n",
+        "Circle.cs(2): error: a body begins here, but that of line 1 has no // END SOLUTION")]
     [InlineData("// BEGIN SOLUTION Circle\n// END SOLUTION\n", "Circle.cs(1): error: after // BEGIN SOLUTION stands the slide's title in quotes")]
     [InlineData("// BEGIN SOLUTION \"Circel\"\n// END SOLUTION\n", "Circle.cs(1): error: no step has the slide \"Circel\"")]
     [InlineData("\n\n// STUB return 0;\n", "Circle.cs(3): error: a stub stands between // BEGIN SOLUTION and // END SOLUTION")]

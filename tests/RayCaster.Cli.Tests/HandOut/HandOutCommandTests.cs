@@ -15,15 +15,19 @@ public sealed class HandOutCommandTests : IDisposable
         Assert.Equal("lab1: steps 1 to 10 are open; README.md says how to begin\n", app.Error);
         Assert.Equal(ExitCode.Done, app.ExitCode);
         Assert.Equal(["lab1"], app.Files);
-        foreach (var file in (string[])["README.md", "Lab.sln", "src/Lab/Lab.csproj", "tests/Lab.Tests/Step07Box.cs", "scenes/room.json", "scenes/meshes/knot.ply",
-            "scenes/step07/room.png", "scenes/step10/mistakes/generic.png", ".github/workflows/classroom.yml", ".gitlab-ci.yml", ".gitignore", ".ci/restore.sh"])
+        foreach (var file in (string[])[
+            "README.md", "Lab.sln", "src/Lab/Lab.csproj", "tests/Lab.Tests/Step07Box.cs", "scenes/room.json", "scenes/meshes/knot.ply",
+            "scenes/step07/room.png", "scenes/step10/mistakes/generic.png", ".github/workflows/classroom.yml", ".gitlab-ci.yml", ".gitignore",
+            ".ci/restore.sh"])
             Assert.True(File.Exists(Path.Combine(app.PathOf("lab1"), file)), file);
         Assert.DoesNotContain(Directory.EnumerateFiles(app.PathOf("lab1"), "*", SearchOption.AllDirectories), file => file.Contains("OnlyHere"));
         foreach (var library in Directory.GetFiles(Path.Combine(app.PathOf("lab1"), "lib")))
-            Assert.False(File.ReadAllBytes(library).AsSpan().IndexOf(Encoding.UTF8.GetBytes("BEGIN SOLUTION")) >= 0, $"{library} has the solution in it");
+            Assert.False(
+                File.ReadAllBytes(library).AsSpan().IndexOf(Encoding.UTF8.GetBytes("BEGIN SOLUTION")) >= 0, $"{library} has the solution in it");
         // After the last step the picture is the scene's own.
         app.Run(ProjectFolder.PathOf("scenes/circle.json"), "-q", "-o", "circle.png");
-        var difference = new PictureDifference(PictureFile.Read(app.PathOf("lab1/scenes/step10/circle.png")), PictureFile.Read(app.PathOf("circle.png")));
+        var difference = new PictureDifference(
+            PictureFile.Read(app.PathOf("lab1/scenes/step10/circle.png")), PictureFile.Read(app.PathOf("circle.png")));
         Assert.Equal(0, difference.Largest);
 
         app.Run("handout", "lab1");

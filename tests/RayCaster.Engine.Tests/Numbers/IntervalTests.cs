@@ -30,8 +30,10 @@ public class IntervalTests
             {
                 var d = new Vector3(Inside(region.Direction.X), Inside(region.Direction.Y), Inside(region.Direction.Z));
                 var crossings = Primitives[shape].Intersect(new Ray<Scalar>(new Vector3(20, 0, 0), d));
-                Assert.True(Contains(bounds.Near, crossings.Near), $"near {crossings.Near} of the ray along {d} is not in {Lo(bounds.Near)} … {Hi(bounds.Near)}");
-                Assert.True(Contains(bounds.Far, crossings.Far), $"far {crossings.Far} of the ray along {d} is not in {Lo(bounds.Far)} … {Hi(bounds.Far)}");
+                Assert.True(Contains(bounds.Near, crossings.Near),
+                    $"near {crossings.Near} of the ray along {d} is not in {Lo(bounds.Near)} … {Hi(bounds.Near)}");
+                Assert.True(
+                    Contains(bounds.Far, crossings.Far), $"far {crossings.Far} of the ray along {d} is not in {Lo(bounds.Far)} … {Hi(bounds.Far)}");
             }
         }
 
@@ -89,7 +91,8 @@ public class IntervalTests
     }
 
     private static bool Contains(Range range, double x) =>
-        WidePacket.All(range.IsNothing) ? double.IsNaN(x) : double.IsNaN(x) ? WidePacket.All(range.MayBeNaN) : Lo(range) <= x && x <= Hi(range) && Math.Abs(x) >= Gap(range);
+        WidePacket.All(range.IsNothing) ? double.IsNaN(x)
+            : double.IsNaN(x) ? WidePacket.All(range.MayBeNaN) : Lo(range) <= x && x <= Hi(range) && Math.Abs(x) >= Gap(range);
 
     private static double Lo(Range range) => range.Lo.Lanes[0];
 

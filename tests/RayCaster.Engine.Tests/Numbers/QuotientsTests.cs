@@ -35,9 +35,11 @@ public class QuotientsTests
     {
         double[] special =
         [
-            0, -0.0, 1, -1, double.NaN, double.PositiveInfinity, double.NegativeInfinity, double.Epsilon, -double.Epsilon, double.MaxValue, 2.2250738585072014e-308,
+            0, -0.0, 1, -1, double.NaN, double.PositiveInfinity, double.NegativeInfinity, double.Epsilon, -double.Epsilon, double.MaxValue,
+            2.2250738585072014e-308,
             1e-150, 1e150, Math.BitDecrement(1e-150), Math.BitIncrement(1e150), 1e-200, 1e200, 1e-308, 1e308,
-            Math.ScaleB(1, -255), Math.BitDecrement(Math.ScaleB(1, -255)), Math.ScaleB(1, 257), Math.BitDecrement(Math.ScaleB(1, 257)), // where products end and begin
+            // where products end and begin
+            Math.ScaleB(1, -255), Math.BitDecrement(Math.ScaleB(1, -255)), Math.ScaleB(1, 257), Math.BitDecrement(Math.ScaleB(1, 257)),
         ];
         foreach (var a in special)
             foreach (var b in special)

@@ -25,7 +25,9 @@ public class EdgeOnTriangleTests
 
             found++;
             var between = Model.Of(new Sphere((0.5 * (t + distance) + 10) * d, 10));
-            var scene = new Scene(camera, [between, between, between, between, between, Model.Of(triangle), .. Enumerable.Repeat(Model.Of(new Sphere(-10 * d, 1)), companions)]);
+            var scene = new Scene(camera,
+                [between, between, between, between, between, Model.Of(triangle),
+                    .. Enumerable.Repeat(Model.Of(new Sphere(-10 * d, 1)), companions)]);
             Assert.Equal(ScalarRenderer.Cast(scene, 0, 0).HitParameter, new Renderer(scene, threads: 1).CastHits().T[0]);
 
             Vector3 Corner() => (1 + 4 * random.NextDouble()) * d + 4 * (random.NextDouble() - 0.5) * across;

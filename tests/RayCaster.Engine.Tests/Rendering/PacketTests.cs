@@ -13,18 +13,21 @@ public class PacketTests
 
     [Fact]
     public void SphereOverAPacketIsSphereOverADouble() =>
-        HoldsFor(2, s => new Sphere(s.Vector(), s.Positive()), p => [p.Center, p.Center + new Vector3(p.Radius, 0, 0), p.Center - new Vector3(0, 0, p.Radius)]);
+        HoldsFor(2, s => new Sphere(s.Vector(), s.Positive()),
+            p => [p.Center, p.Center + new Vector3(p.Radius, 0, 0), p.Center - new Vector3(0, 0, p.Radius)]);
 
     [Fact]
     public void BoxOverAPacketIsBoxOverADouble() => HoldsFor(3, s =>
     {
         var (a, b) = (s.Vector(), s.Vector());
-        return new Aabb(new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)), new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z)));
+        return new Aabb(
+            new(Math.Min(a.X, b.X), Math.Min(a.Y, b.Y), Math.Min(a.Z, b.Z)), new(Math.Max(a.X, b.X), Math.Max(a.Y, b.Y), Math.Max(a.Z, b.Z)));
     }, p => [p.Min, p.Max, new(p.Min.X, p.Max.Y, p.Min.Z)]);
 
     [Fact]
     public void CircleOverAPacketIsCircleOverADouble() =>
-        HoldsFor(4, s => new Circle(s.Vector(), s.Vector(), s.Positive()), p => [p.Center, p.Center + p.Radius * (p.Normal % new Vector3(0, 0, 1)).Normalized]);
+        HoldsFor(4, s => new Circle(s.Vector(), s.Vector(), s.Positive()),
+            p => [p.Center, p.Center + p.Radius * (p.Normal % new Vector3(0, 0, 1)).Normalized]);
 
     [Fact]
     public void TriangleOverAPacketIsTriangleOverADouble() =>

@@ -29,16 +29,23 @@ internal static class RandomCrowd
                 5 => random.Next(40) > 0 ? Sphere(center, r) : Model.Of(new Plane(unit * center, Some(1) + new Vector3(0, 0, 0.01))),
                 _ => random.Next(40) > 0 ? Box(center, new(r, r, r)) : new Ball(unit * center, unit * r),
             });
-            if (random.Next(10) == 0) models.Insert(random.Next(models.Count), models[^1] is Model<Sphere> { Primitive: var same } ? Model.Of(same) : Sphere(center, r));
+            if (random.Next(10) == 0)
+                models.Insert(random.Next(models.Count), models[^1] is Model<Sphere> { Primitive: var same } ? Model.Of(same) : Sphere(center, r));
         }
         for (var i = 0; i < models.Count; i++) models[i].Name = $"{i} ({models[i].GetType().Name})";
 
-        var position = offset + random.Next(4) switch { 0 => Some(1), 1 => spread * new Vector3(0.9, 0.1, 0.2) + new Vector3(0.01, 0, 0), _ => Some(9) };
+        var position = offset +
+            random.Next(4) switch { 0 => Some(1), 1 => spread * new Vector3(0.9, 0.1, 0.2) + new Vector3(0.01, 0, 0), _ => Some(9) };
         var target = random.Next(6) == 0 ? position + Some(1) + new Vector3(0.1, 0, 0) : offset + new Vector3(0.1, 0, 0);
         var up = Math.Abs((target - position).Normalized.Z) > 0.99 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
         var zNear = random.Next(3) == 0 ? 6 * random.NextDouble() : 0;
         var zFar = random.Next(3) == 0 ? zNear + 8 * random.NextDouble() + 0.01 : 1e6;
-        var (width, height) = random.Next(8) switch { 0 => (1, random.Next(1, 900)), 1 => (random.Next(1, 900), 1), _ => (random.Next(1, 150), random.Next(1, 110)) };
+        var (width, height) = random.Next(8) switch
+        {
+            0 => (1, random.Next(1, 900)),
+            1 => (random.Next(1, 900), 1),
+            _ => (random.Next(1, 150), random.Next(1, 110)),
+        };
         var fovY = random.Next(5) == 0 ? 1 + 175 * random.NextDouble() : 45;
         return new Scene(
             new Camera(unit * position, unit * target, up, fovY, width, height, unit * zNear, unit * zFar, unit * random.Next(2) * 1e-6,

@@ -161,7 +161,8 @@ public class RendererTests
     public void TheRoomComesOutToTheBit(double x, double y, double z, double fovY)
     {
         var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
-        AssertEqual(room with { Camera = room.Camera.WithView(new(x, y, z), Vector3.Zero, fovY).WithSize(700, 333), Background = new(0.2, 0.4, 2) }, "the room");
+        AssertEqual(room with { Camera = room.Camera.WithView(new(x, y, z), Vector3.Zero, fovY).WithSize(700, 333), Background = new(0.2, 0.4, 2) },
+            "the room");
     }
 
     /// <summary>
@@ -178,7 +179,8 @@ public class RendererTests
         {
             double Next(double range) => range * (2 * random.NextDouble() - 1);
             var models = new List<Model>();
-            while (models.Count < spheres) models.Add(Model.Of(new Sphere(new(Next(0.015), Next(0.015), Next(0.015)), 0.0002 + 0.001 * random.NextDouble())));
+            while (models.Count < spheres)
+                models.Add(Model.Of(new Sphere(new(Next(0.015), Next(0.015), Next(0.015)), 0.0002 + 0.001 * random.NextDouble())));
             var (position, target) = (new Vector3(Next(2), Next(2), 9 + Next(1)), Vector3.Zero);
             var up = (position - target).Normalized + 3e-12 * new Vector3(Next(1), Next(1), Next(1));
             var camera = new Camera(position, target, up, 0.2, 150, 150);

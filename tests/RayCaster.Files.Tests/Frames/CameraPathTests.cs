@@ -56,7 +56,8 @@ public class CameraPathTests
     public void ASmoothWayHasNoKnee()
     {
         var path = new CameraPath(Keys, isSmooth: true);
-        var (before, behind) = ((path.At(1).Position - path.At(1 - 1e-6).Position) / 1e-6, (path.At(1 + 1e-6).Position - path.At(1).Position) / 1e-6);
+        var (before, behind) = ((path.At(1).Position - path.At(1 - 1e-6).Position) / 1e-6,
+            (path.At(1 + 1e-6).Position - path.At(1).Position) / 1e-6);
         Assert.InRange((before - behind).Length, 0, 1e-4);
         AssertNear((Keys[2].Position - Keys[0].Position) / 3, before, 1e-4); // Catmull–Rom: as fast as from neighbour to neighbour
     }
@@ -64,14 +65,18 @@ public class CameraPathTests
     [Fact]
     public void ASmoothWayThroughKeysOnALineIsEven()
     {
-        var path = new CameraPath([new(0, new(1, 0, 0), default, 40), new(2, new(5, 0, 0), default, 40), new(3, new(7, 0, 0), default, 40)], isSmooth: true);
+        var path = new CameraPath(
+            [new(0, new(1, 0, 0), default, 40), new(2, new(5, 0, 0), default, 40), new(3, new(7, 0, 0), default, 40)], isSmooth: true);
         for (var time = 0.0; time <= 3; time += 0.125) AssertNear(new(1 + 2 * time, 0, 0), path.At(time).Position);
     }
 
     [Fact]
     public void AFileLeavesOutWhatIsTheScenes()
     {
-        var path = Read("""{ "keys": [ { "time": 0, "position": [9, 0, 0] }, { "time": 2, "position": [0, 9, 0], "target": [0, 0, 1], "fovY": 60 }, ] } // both""", out var report)!;
+        var path = Read(
+            """{ "keys": [ { "time": 0, "position": [9, 0, 0] }, """ +
+            """{ "time": 2, "position": [0, 9, 0], "target": [0, 0, 1], "fovY": 60 }, ] } // both""",
+            out var report)!;
         Assert.Empty(report);
         Assert.Equal(new(0, new(9, 0, 0), Scene.Target, Scene.FovY), path.At(0));
         Assert.Equal(new(2, new(0, 9, 0), new(0, 0, 1), 60), path.At(2));
@@ -84,7 +89,8 @@ public class CameraPathTests
         "keys[1].time must be later than that of the key before, which is 1, but is 1")]
     [InlineData("""{ "keys": [ { "time": 0, "position": [1, 2, 3] }, { "time": 1, "position": [8, 0, 0] } ] }""",
         "keys[0].position must differ from the target, but both are [1, 2, 3]")]
-    [InlineData("""{ "keys": [ { "time": 0, "position": [9, 0, 0], "fov": 3 }, { "time": 1, "position": [8, 0, 0] } ] }""", "keys[0].fov is an unknown key; did you mean \"fovY\"?")]
+    [InlineData("""{ "keys": [ { "time": 0, "position": [9, 0, 0], "fov": 3 }, { "time": 1, "position": [8, 0, 0] } ] }""",
+        "keys[0].fov is an unknown key; did you mean \"fovY\"?")]
     [InlineData("""{ "interpolation": "curve", "keys": [] }""", "interpolation must be \"smooth\" or \"linear\", but is \"curve\"")]
     [InlineData("""[]""", "the camera's way must be an object in braces { }, but is ")]
     [InlineData("""{ "keys": """, "way.json(1,")]
@@ -116,7 +122,8 @@ public class CameraPathTests
     private static CameraKey[] Keys =>
         [new(0, Vector3.Zero, new(1, 1, 0), 40), new(1, new(3, 0, 0), new(1, 1, 1), 50), new(3, new(3, 6, 0), new(0, 1, 1), 45)];
 
-    private static CameraPath? Read(string json, out string report) => CameraPathReader.Parse(Encoding.UTF8.GetBytes(json), "way.json", Scene, out report);
+    private static CameraPath? Read(string json, out string report) =>
+        CameraPathReader.Parse(Encoding.UTF8.GetBytes(json), "way.json", Scene, out report);
 
     private static void AssertNear(Vector3 expected, Vector3 actual, double tolerance = 1e-12) =>
         Assert.True((expected - actual).Length <= tolerance, $"{expected} expected, but it is {actual}");

@@ -5,7 +5,8 @@ namespace RayCaster.Files.Tests.Fuzzing;
 /// <summary>Whatever a file holds, it is read or refused in words: no crash, no hang, no memory beyond what is stated.</summary>
 public class FuzzingTests
 {
-    public static TheoryData<string> KeptFiles => [.. Corpus.KeptFiles(".json", ".obj", ".ply", ".stl", ".png", ".pbm", ".pgm", ".ppm").Select(file => file.Name)];
+    public static TheoryData<string> KeptFiles =>
+        [.. Corpus.KeptFiles(".json", ".obj", ".ply", ".stl", ".png", ".pbm", ".pgm", ".ppm").Select(file => file.Name)];
 
     [Fact]
     [Trait("kind", "campaign")]

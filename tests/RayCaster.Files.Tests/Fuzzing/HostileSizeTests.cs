@@ -1,4 +1,3 @@
-using RayCaster.Testing.Fuzzing;
 using System.Diagnostics;
 using System.IO.Compression;
 using System.Text;
@@ -23,7 +22,8 @@ public sealed class HostileSizeTests : IDisposable
     {
         var file = $"ply\nformat {format} 1.0\nelement vertex 4294967296\nproperty float x\nproperty float y\nproperty float z\n"
             + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n";
-        Assert.Equal("a.ply(3): the header promises 4294967296 rows, more than the rest of the file can hold", RefusedMesh("a.ply", Encoding.ASCII.GetBytes(file)));
+        Assert.Equal("a.ply(3): the header promises 4294967296 rows, more than the rest of the file can hold",
+            RefusedMesh("a.ply", Encoding.ASCII.GetBytes(file)));
     }
 
     [Fact]
@@ -147,9 +147,11 @@ public sealed class HostileSizeTests : IDisposable
         return file.ToArray();
     }
 
-    private static string RefusedMesh(string name, byte[] file) => Frugally(() => Assert.Throws<MeshFileException>(() => MeshFile.Parse(name, file)).Message);
+    private static string RefusedMesh(string name, byte[] file) =>
+        Frugally(() => Assert.Throws<MeshFileException>(() => MeshFile.Parse(name, file)).Message);
 
-    private static string RefusedPicture(byte[] file) => Frugally(() => Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(file))).Message);
+    private static string RefusedPicture(byte[] file) =>
+        Frugally(() => Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(file))).Message);
 
     private static string Frugally(Func<string> message)
     {

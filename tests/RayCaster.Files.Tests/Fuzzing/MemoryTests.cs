@@ -1,6 +1,6 @@
 using System.IO.Compression;
-using RayCaster.Testing.Fuzzing;
 using System.Text;
+using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Files.Tests.Fuzzing;
 
@@ -10,9 +10,11 @@ public class MemoryTests
     private const int Size = 1 << 20;
 
     public static TheoryData<string> Scenes => new(
-        "{\"models\":[|{},|]}", "{\"models\":[|[],|]}", "{\"models\":[|1,|]}", "{\"models\":[|{\"a\":1},|]}", "{\"models\":[|{\"type\":\"mesh\"},|]}",
+        "{\"models\":[|{},|]}", "{\"models\":[|[],|]}", "{\"models\":[|1,|]}", "{\"models\":[|{\"a\":1},|]}",
+        "{\"models\":[|{\"type\":\"mesh\"},|]}",
         "{\"models\":[|{\"type\":\"mesh\",\"file\":\"no.obj\"},|]}", "{\"models\":[|{\"type\":\"sphere\",\"center\":[0,0,0],\"radius\":1},|]}",
-        "{\"camera\":{\"position\":[|0,|]}}", "{\"camera\":{|\"fovy\":1,|}}", "{|\"a\\n\":1,|}", "[|[],|]", "|\n|", "|/**/|", "[|//\n|]", "|[|", "|/|", "|\"|", "\"|\\n|\"",
+        "{\"camera\":{\"position\":[|0,|]}}", "{\"camera\":{|\"fovy\":1,|}}", "{|\"a\\n\":1,|}", "[|[],|]", "|\n|", "|/**/|", "[|//\n|]", "|[|",
+        "|/|", "|\"|", "\"|\\n|\"",
         "[|1|]", "{\"camera\":{\"fovY\":|9|}}", "{\"camera\":{\"fovY\":0.|0|1}}", "{\"|\\u0061|\":1}", "|é|", "|\u001b|", "| |");
 
     [Theory]
@@ -34,7 +36,8 @@ public class MemoryTests
         { "a.obj", "v 0 0 0\n|f 1 1 1\n|f 1 1 9" },
         { "a.obj", "v 0 0 0\nf| 1| 9" },
         { "a.obj", "|v 0 0 0\n|f 1 2 999999999" },
-        { "a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty char z\nelement face 1\nproperty list uint char vertex_indices\nend_header\n\0\0\0\0\0\u000f\0|\0|\u0009" },
+        { "a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty char z\nelement face 1\n" +
+            "property list uint char vertex_indices\nend_header\n\0\0\0\0\0\u000f\0|\0|\u0009" },
         { "a.obj", "v 0 0 0\nf| 1|" },
         { "a.obj", "v 0 0 0\nf| -1|" },
         { "a.obj", "v 0 0 |0|\nf 1 1 1" },
@@ -50,16 +53,21 @@ public class MemoryTests
         { "a.ply", "ply\nformat ascii 1.0\nelement vertex 1\n|property char a\n|end_header\n" },
         { "a.ply", "ply\n|comment\n|" },
         { "a.ply", "ply\nformat |x|" },
-        { "a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 100000\nproperty char x\nproperty char y\nproperty char z\nelement face 150000\nproperty list uchar char vertex_indices\nend_header\n|\0\0\0\u0003\u0003\0\0\0|" },
-        { "a.ply", "ply\nformat ascii 1.0\nelement vertex 100000\nproperty char x\nproperty char y\nproperty char z\nelement face 1\nproperty list uchar char vertex_indices\nend_header\n|0 0 0\n|" },
-        { "a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty char z\nelement face 1\nproperty list uint char vertex_indices\nend_header\n\0\0\0\0\0\u000f\0|\0|" },
+        { "a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 100000\nproperty char x\nproperty char y\nproperty char z\n" +
+            "element face 150000\nproperty list uchar char vertex_indices\nend_header\n|\0\0\0\u0003\u0003\0\0\0|" },
+        { "a.ply", "ply\nformat ascii 1.0\nelement vertex 100000\nproperty char x\nproperty char y\nproperty char z\nelement face 1\n" +
+            "property list uchar char vertex_indices\nend_header\n|0 0 0\n|" },
+        { "a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\nproperty char z\nelement face 1\n" +
+            "property list uint char vertex_indices\nend_header\n\0\0\0\0\0\u000f\0|\0|" },
     };
 
     [Theory]
     [MemberData(nameof(Meshes))]
     public void AMeshTakesNoMoreThanIsSaid(string name, string shape) => Reading.OfMesh(new(name, Filled(shape)));
 
-    public static TheoryData<string> Pictures => new("P1 1000 1000 |0|", "P1 1 1000000 |1|", "P2 1000 500 9 |1 |", "P3 1000 170 9 |1 |", "P5 1000 1000 255 |x|", "P6 1|0|", "P3 |#\n|", "P2 |9|");
+    public static TheoryData<string> Pictures =>
+        new("P1 1000 1000 |0|", "P1 1 1000000 |1|", "P2 1000 500 9 |1 |", "P3 1000 170 9 |1 |", "P5 1000 1000 255 |x|", "P6 1|0|",
+            "P3 |#\n|", "P2 |9|");
 
     [Theory]
     [MemberData(nameof(Pictures))]

@@ -78,7 +78,8 @@ internal static class Reading
             Picture? picture = null;
             // What a picture takes is known when it has been read; one that is refused may have said the most that there can be.
             var before = GC.GetAllocatedBytesForCurrentThread();
-            Promise.Within(MemoryLimit.OfPicture(file.Bytes.Length, 1 << 10, 1 << 18), () => picture = PictureFile.Read(new MemoryStream(file.Bytes)));
+            Promise.Within(
+                MemoryLimit.OfPicture(file.Bytes.Length, 1 << 10, 1 << 18), () => picture = PictureFile.Read(new MemoryStream(file.Bytes)));
             var taken = GC.GetAllocatedBytesForCurrentThread() - before;
             Assert.InRange(taken, 0, MemoryLimit.OfPicture(file.Bytes.Length, picture!.Width, picture.Height));
             Assert.Equal(3L * picture!.Width * picture.Height, picture.Rgb.Length);

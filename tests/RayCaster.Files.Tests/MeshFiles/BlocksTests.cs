@@ -25,7 +25,8 @@ public sealed class BlocksTests : IDisposable
         { "a.stl", $"solid a\n{facet}{facet.Replace("endloop", "vertex 1 1 1\nendloop")}{facet}endsolid a\n".Replace("\n", " \r\n\t") },
         { "a.stl", $"solid a\n{facet}{facet}endsolid a\n".ToUpperInvariant().Replace('\n', '\r') },
         { "a.stl", $"solid a\n{facet}{facet}endsolid a\n".Replace('\n', ' ') },
-        { "a.stl", $"solid a\n{facet}{facet.Replace("0 0 1\nouter", "0\nendloop\nendfacet\nouter")}{facet}endsolid a\n" }, // three words, whatever they are
+        // three words, whatever they are
+        { "a.stl", $"solid a\n{facet}{facet.Replace("0 0 1\nouter", "0\nendloop\nendfacet\nouter")}{facet}endsolid a\n" },
     };
 
     public static TheoryData<string, string> Mistakes => new()
@@ -60,7 +61,8 @@ public sealed class BlocksTests : IDisposable
 
     [Theory]
     [MemberData(nameof(Mistakes))]
-    public void FirstMistakeIsRefusedAlikeWhereverTheTextIsCut(string path, string text) => AssertAlike(path, Encoding.UTF8.GetBytes(text), isSound: false);
+    public void FirstMistakeIsRefusedAlikeWhereverTheTextIsCut(string path, string text) =>
+        AssertAlike(path, Encoding.UTF8.GetBytes(text), isSound: false);
 
     [Fact]
     public void BinaryFileIsReadAlikeWhereverItIsCut()

@@ -17,7 +17,8 @@ public class CommittedMeshesTests
     {
         var path = PathOf(name);
         var made = Make(name);
-        Assert.True(made.AsSpan().SequenceEqual(File.ReadAllBytes(path)), $"{path} is not what the generator makes; accept it by RAYCASTER_ACCEPT=1");
+        Assert.True(
+            made.AsSpan().SequenceEqual(File.ReadAllBytes(path)), $"{path} is not what the generator makes; accept it by RAYCASTER_ACCEPT=1");
     }
 
     [Theory]

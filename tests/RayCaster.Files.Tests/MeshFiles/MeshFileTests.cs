@@ -18,7 +18,9 @@ public sealed class MeshFileTests : IDisposable
 
     [Fact]
     public void FileThatIsNotThereIsNamedWithTheFullPathThatWasTried() =>
-        Assert.Equal($"no-folder/box.obj: file not found; looked for {Path.GetFullPath("no-folder/box.obj")}; there is no folder {Path.GetFullPath("no-folder")}",
+        Assert.Equal(
+            $"no-folder/box.obj: file not found; looked for {Path.GetFullPath("no-folder/box.obj")}; " +
+            $"there is no folder {Path.GetFullPath("no-folder")}",
             Assert.Throws<MeshFileException>(() => MeshFile.Read("no-folder/box.obj")).Message);
 
     [Fact]

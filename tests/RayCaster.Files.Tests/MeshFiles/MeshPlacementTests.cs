@@ -52,7 +52,8 @@ public class MeshPlacementTests
     [Fact]
     public void AreaIsLookedForWhereTheMeshIsPlaced()
     {
-        var mesh = new MeshPlacement(new(1, 1e-14, 1), default, default).Place(new([new(0, 0, 0), new(1, 0, 0), new(0, 1, 0)], [0, 1, 2]), out var dropped);
+        var mesh = new MeshPlacement(new(1, 1e-14, 1), default, default)
+            .Place(new([new(0, 0, 0), new(1, 0, 0), new(0, 1, 0)], [0, 1, 2]), out var dropped);
         Assert.Equal((1, 0), (dropped, mesh.TriangleCount));
     }
 

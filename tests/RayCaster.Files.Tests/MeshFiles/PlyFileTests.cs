@@ -20,7 +20,8 @@ public class PlyFileTests
     {
         var mesh = Read("ply\ncomment made by hand\nformat ascii 1.0\nobj_info none\n"
             + "element camera 1\nproperty float view_px\nproperty list uint8 float64 more\nelement nothing 4000000000\n"
-            + "element vertex 3\nproperty list char short before\nproperty double z\nproperty uchar red\nproperty float y\nproperty float x\nproperty float nx\n"
+            + "element vertex 3\nproperty list char short before\nproperty double z\nproperty uchar red\nproperty float y\nproperty float x\n" +
+            "property float nx\n"
             + "element edge 2\nproperty int32 vertex1\nproperty int32 vertex2\n"
             + "element face 1\nproperty ushort flags\nproperty list uint uint vertex_indices\nproperty list uchar float texcoord\nend_header\n"
             + "1.5 2 nan nan\n"
@@ -50,8 +51,10 @@ public class PlyFileTests
                     : [1, .. new byte[size - 1]];
                 if (type == "float64") one = BitConverter.GetBytes(1d);
                 if (bigEndian) Array.Reverse(one);
-                var header = $"ply\nformat binary_{(bigEndian ? "big" : "little")}_endian 1.0\nelement vertex 1\nproperty list uchar {type} skipped\n"
-                    + $"property {type} x\nproperty {type} y\nproperty {type} z\nelement face 1\nproperty list uchar {type} vertex_index\nend_header\n";
+                var header =
+                    $"ply\nformat binary_{(bigEndian ? "big" : "little")}_endian 1.0\nelement vertex 1\nproperty list uchar {type} skipped\n"
+                    + $"property {type} x\nproperty {type} y\nproperty {type} z\nelement face 1\nproperty list uchar {type} " +
+                    "vertex_index\nend_header\n";
                 byte[] bytes = [.. Encoding.ASCII.GetBytes(header), 3, .. new byte[3 * size], .. one, .. one, .. one, 3, .. new byte[3 * size]];
                 FormatsTests.AssertSame(new([new(1, 1, 1)], [0, 0, 0]), MeshFile.Parse("one.ply", bytes));
             }
@@ -85,22 +88,27 @@ public class PlyFileTests
     [InlineData("ply\nformat ascii 2.0\n", "(2): the version of the format must be 1.0, but is '2.0'")]
     [InlineData("ply\n" + vertex + face + "end_header\n", "(8): the header has no format")]
     [InlineData("ply\nformat\n", "(2): the format must be ascii, binary_little_endian or binary_big_endian, but is the end of the line")]
-    [InlineData(start + "\u0001\u001b[31m\n", "(3): a header line must be format, element, property, comment, obj_info or end_header, but is '??[31m'")]
+    [InlineData(
+        start + "\u0001\u001b[31m\n", "(3): a header line must be format, element, property, comment, obj_info or end_header, but is '??[31m'")]
     [InlineData(start + "verts 7\n", "(3): a header line must be format, element, property, comment, obj_info or end_header, but is 'verts'")]
     [InlineData(start + vertex + face, "(8): the file ends within the header: end_header is missing")]
     [InlineData(start + "element vertex many\n", "(3): the count of an element must be a whole number from 0 on, but is 'many'")]
     [InlineData(start + "element vertex -1\n", "(3): the count of an element must be a whole number from 0 on, but is '-1'")]
     [InlineData(start + "element vertex 1.5\n", "(3): the count of an element must be a whole number from 0 on, but is '1.5'")]
-    [InlineData(start + "element vertex 99999999999999999999\n", "(3): the count of an element must be a whole number from 0 on, but is '99999999999999999999'")]
+    [InlineData(start +
+        "element vertex 99999999999999999999\n", "(3): the count of an element must be a whole number from 0 on, but is '99999999999999999999'")]
     [InlineData(start + "property float x\n", "(3): a property must come after its element")]
-    [InlineData(start + vertex + "property half w\n", "(7): 'half' is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64")]
+    [InlineData(start + vertex +
+        "property half w\n", "(7): 'half' is no type; types are char, uchar, short, ushort, int, uint, float, double, int8 … float64")]
     [InlineData(start + vertex + "property list float int w\n", "(7): the count of a list must be of a whole-number type")]
     [InlineData(start + vertex + "property float x\n", "(7): the element has this property twice")]
     [InlineData(start + vertex + vertex, "(7): the element vertex is there twice")]
     [InlineData(start + face + "end_header\n", ": the file has no element vertex")]
     [InlineData(start + vertex + "end_header\n" + corners, ": the file has no element face")]
-    [InlineData(start + "element vertex 4\nproperty float x\nproperty float y\n" + face + "end_header\n", "(3): the element vertex must have the property z")]
-    [InlineData(start + vertex + "element face 1\nproperty int vertex_indices\nend_header\n", "(7): the element face must have the property list vertex_indices")]
+    [InlineData(start + "element vertex 4\nproperty float x\nproperty float y\n" + face +
+        "end_header\n", "(3): the element vertex must have the property z")]
+    [InlineData(start + vertex +
+        "element face 1\nproperty int vertex_indices\nend_header\n", "(7): the element face must have the property list vertex_indices")]
     public void MistakeInTheHeaderIsNamedWithItsLine(string text, string message) => AssertRefused(text, message);
 
     [Theory]

@@ -5,7 +5,9 @@ namespace RayCaster.Files.Tests.MeshFiles;
 /// <summary>What stands behind the rows that a PLY's header promises was surely meant to be seen: it is an error, unless it is blank.</summary>
 public class PlyRestTests
 {
-    private const string Header = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    private const string Header =
+        "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n" +
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
     private const string Ascii = "ply\nformat ascii 1.0\n" + Header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
     [Theory]
@@ -18,7 +20,7 @@ public class PlyRestTests
     }
 
     [Fact]
-    public void ARowTooManyIsRefused() => Assert.Equal("a.ply(14): there is more in the file than the rows that its header promises",
+    public void ARowTooManyIsRefused() => Assert.Equal("a.ply(15): there is more in the file than the rows that its header promises",
         Assert.Throws<MeshFileException>(() => Read(Encoding.ASCII.GetBytes(Ascii + "\n3 0 1 2\n"))).Message);
 
     [Fact]

@@ -36,10 +36,12 @@ public class StlFileTests
     [InlineData("solid a\nfacet normal 0 0\nouter loop", "(3): expected 'outer', found 'loop'")]
     [InlineData("solid a\nfacet normal 0 0 1 outer\nvertex", "(3): expected 'loop', found 'vertex'")]
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 1 2 x", "(5): the vertex's z must be a finite number, but is 'x'")]
-    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex inf 2 3", "(5): the vertex's x must be a finite number, but is 'inf'")]
+    [InlineData(
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex inf 2 3", "(5): the vertex's x must be a finite number, but is 'inf'")]
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2\nvertex 1 2 3", "(4): the vertex's z is missing")]
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2", "(4): the vertex's z is missing")]
-    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 1 2 3\nendloop", "(6): a facet needs at least three vertices, but this one has 2")]
+    [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertex 1 2 3\nendloop",
+        "(6): a facet needs at least three vertices, but this one has 2")]
     [InlineData("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 2 3\nvertices", "(5): expected 'vertex' or 'endloop', found 'vertices'")]
     [InlineData("solid a\nendsolid a\n", ": the file has no face; a mesh needs at least one")]
     public void MistakeIsNamedWithItsLine(string text, string message) =>

@@ -46,7 +46,8 @@ public sealed class PartFileTests : IDisposable
     public void WhatItSaysMustBeTrue()
     {
         var path = Write(Facts, lines: 4);
-        Assert.Equal($"cannot read {path}: it says that it holds the lines 10..14, each of 7 pixels, but has 4 lines of 7: it was changed by another program",
+        Assert.Equal(
+            $"cannot read {path}: it says that it holds the lines 10..14, each of 7 pixels, but has 4 lines of 7: it was changed by another program",
             Assert.Throws<PictureFileException>(() => PartFile.Open(path)).Message);
     }
 
@@ -74,7 +75,8 @@ public sealed class PartFileTests : IDisposable
 
     public static TheoryData<PartFacts> Others =>
     [
-        Facts with { Width = 8 }, Facts with { Height = 91 }, Facts with { Lines = new(11, 15) }, Facts with { Digest = "0" }, Facts with { Version = "1.0.1" },
+        Facts with { Width = 8 }, Facts with { Height = 91 }, Facts with { Lines = new(11, 15) }, Facts with { Digest = "0" },
+        Facts with { Version = "1.0.1" },
     ];
 
     [Theory]

@@ -32,7 +32,8 @@ public sealed class PartSetTests : IDisposable
     public void APartWithinAnotherOverlaps()
     {
         var set = new PartSet([Part("a", 0, 8), Part("b", 2, 3), Part("c", 8, 9)]);
-        Assert.Equal([$"the lines 2..3 are in {folder["a"]} and in {folder["b"]}", $"the lines 8..8 are in {folder["a"]} and in {folder["c"]}"], set.Problems);
+        Assert.Equal([$"the lines 2..3 are in {folder["a"]} and in {folder["b"]}", $"the lines 8..8 are in {folder["a"]} and in {folder["c"]}"],
+            set.Problems);
     }
 
     [Fact]
@@ -43,7 +44,8 @@ public sealed class PartSetTests : IDisposable
     {
         var set = new PartSet(
         [
-            Part("a", 0, 2), Part("b", 3, 4, facts => facts with { Height = 11 }), Part("c", 5, 6, facts => facts with { Digest = "fedcba9876543210" }),
+            Part("a", 0, 2), Part("b", 3, 4, facts => facts with { Height = 11 }),
+            Part("c", 5, 6, facts => facts with { Digest = "fedcba9876543210" }),
             Part("d", 7, 9, facts => facts with { Version = "2.0.0" }),
         ]);
         Assert.Equal(
@@ -58,7 +60,8 @@ public sealed class PartSetTests : IDisposable
     public void OnlyAChosenPictureMustBeAPart()
     {
         var picture = ProjectFolder.PathOf("docs/room.png");
-        Assert.Equal([$"{picture} is a picture, but does not say which part of which; --rows draws parts"], new PartSet([Part("a", 0, 9), picture]).Problems);
+        Assert.Equal(
+            [$"{picture} is a picture, but does not say which part of which; --rows draws parts"], new PartSet([Part("a", 0, 9), picture]).Problems);
         Assert.Empty(new PartSet([Part("a", 0, 9), picture], path => path != picture).Problems);
     }
 

@@ -78,7 +78,8 @@ public class SceneDigestTests
         Assert.Equal(isSame, DigestOf("a.obj") == DigestOf("b.obj"));
 
         string DigestOf(string file) => SceneDigest.Of(SceneReader.Parse(Encoding.UTF8.GetBytes(
-            "{ \"camera\": { \"position\": [5, 0, 0], \"target\": [0, 0, 0] }, \"models\": [ { \"type\": \"mesh\", \"file\": \"" + file + "\" } ] }"),
+            "{ \"camera\": { \"position\": [5, 0, 0], \"target\": [0, 0, 0] }, \"models\": [ { \"type\": \"mesh\", \"file\": \"" + file +
+                "\" } ] }"),
             "scene", folder.Path).Scene!);
     }
 
@@ -94,7 +95,8 @@ public class SceneDigestTests
     public void AClassThatKeepsItsNumbersToItselfIsRefused()
     {
         var scene = new Scene(new(new(5, 0, 0), Vector3.Zero), [Model.Of(new Sphere(Vector3.Zero, 1)), new Silent()]);
-        Assert.Equal("models[1] is of the class Silent, which does not say what it is made of; have it override Numbers (docs/adding-a-primitive.md)",
+        Assert.Equal(
+            "models[1] is of the class Silent, which does not say what it is made of; have it override Numbers (docs/adding-a-primitive.md)",
             Assert.Throws<NotSupportedException>(() => SceneDigest.Of(scene)).Message);
     }
 

@@ -110,10 +110,12 @@ public sealed class ReplacedFileTests : IDisposable
     public void WhatIsNoFileIsNotReplaced(string make)
     {
         if (!OperatingSystem.IsLinux()) return;
-        using (var shell = System.Diagnostics.Process.Start(new System.Diagnostics.ProcessStartInfo("sh", ["-c", make + " 2>/dev/null"]) { WorkingDirectory = folder.Path })!)
+        using (var shell = System.Diagnostics.Process.Start(
+            new System.Diagnostics.ProcessStartInfo("sh", ["-c", make + " 2>/dev/null"]) { WorkingDirectory = folder.Path })!)
             shell.WaitForExit();
         if (folder.Names.Count() == 0) return; // one may not make it, or there is no such program
-        Refused(folder["room.png"], $"cannot write {folder["room.png"]}: it is a device, a pipe or a socket, or a link to something else than a file; name a file");
+        Refused(folder["room.png"],
+            $"cannot write {folder["room.png"]}: it is a device, a pipe or a socket, or a link to something else than a file; name a file");
     }
 
     [Fact]

@@ -28,7 +28,8 @@ public sealed class WronglyMadePngTests : IDisposable
     public void DataThatAreCut() => Refused("the file is cut short: its data end in line 0 of 10", Data(Zlib[..5]));
 
     [Fact]
-    public void DataInTwoRuns() => Refused("its chunks IDAT do not follow one another", [.. Data(Zlib[..5]), .. Chunk("tIME", []), .. Data(Zlib[5..])]);
+    public void DataInTwoRuns() =>
+        Refused("its chunks IDAT do not follow one another", [.. Data(Zlib[..5]), .. Chunk("tIME", []), .. Data(Zlib[5..])]);
 
     [Fact]
     public void APaletteAfterTheData() => Refused("its palette comes after its data", [.. Data(Zlib), .. Chunk("PLTE", [1, 2, 3])]);
@@ -37,7 +38,8 @@ public sealed class WronglyMadePngTests : IDisposable
     public void TwoPalettes() => Refused("it has two palettes", [.. Chunk("PLTE", [1, 2, 3]), .. Chunk("PLTE", [1, 2, 3]), .. Data(Zlib)]);
 
     [Fact]
-    public void ATypeThatIsNotOfLetters() => Refused("its chunk at byte 33 is of the type a1b2, which is not four letters", [.. Chunk("a1b2", []), .. Data(Zlib)]);
+    public void ATypeThatIsNotOfLetters() =>
+        Refused("its chunk at byte 33 is of the type a1b2, which is not four letters", [.. Chunk("a1b2", []), .. Data(Zlib)]);
 
     /// <summary>Their data would go into the animation as they are, and no program could show it.</summary>
     [Fact]
@@ -59,7 +61,8 @@ public sealed class WronglyMadePngTests : IDisposable
     public void APartOfSuchDataIsNotThere()
     {
         var facts = new PartFacts(10, 10, LineRange.Whole(10), "digest", "1.0.0");
-        var text = Chunk("tEXt", [.. System.Text.Encoding.ASCII.GetBytes(PartFacts.Keyword), 0, .. System.Text.Encoding.ASCII.GetBytes(facts.ToString())]);
+        var text = Chunk(
+            "tEXt", [.. System.Text.Encoding.ASCII.GetBytes(PartFacts.Keyword), 0, .. System.Text.Encoding.ASCII.GetBytes(facts.ToString())]);
         Assert.True(PartFile.Holds(folder.Write("good.png", Png([.. text, .. Data(Zlib)])), facts));
         Assert.False(PartFile.Holds(folder.Write("cut.png", Png([.. text, .. Data(Zlib[..^6])])), facts, out var reason));
         Assert.Contains("the file is cut short", reason);
@@ -95,5 +98,6 @@ public sealed class WronglyMadePngTests : IDisposable
 
     private static Picture Read(byte[] chunks) => PictureFile.Read(new MemoryStream(Png(chunks)));
 
-    private static void Refused(string message, byte[] chunks) => Assert.Equal(message, Assert.Throws<PictureFileException>(() => Read(chunks)).Message);
+    private static void Refused(string message, byte[] chunks) =>
+        Assert.Equal(message, Assert.Throws<PictureFileException>(() => Read(chunks)).Message);
 }

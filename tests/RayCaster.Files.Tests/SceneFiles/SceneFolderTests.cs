@@ -4,7 +4,8 @@ namespace RayCaster.Files.Tests.SceneFiles;
 public class SceneFolderTests
 {
     public static TheoryData<string> Scenes =>
-        [.. SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Concat(SceneFolder.Files("scenes/weeks")).Select(SceneFolder.NameOf)];
+        [.. SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Concat(SceneFolder.Files("scenes/weeks"))
+            .Select(SceneFolder.NameOf)];
 
     [Theory]
     [MemberData(nameof(Scenes))]

@@ -62,7 +62,11 @@ internal static class SceneSchema
         ["required"] = ArrayOf(["type"]),
         ["allOf"] = ArrayOf(PrimitiveList.All.Select(type => (JsonNode)new JsonObject
         {
-            ["if"] = new JsonObject { ["properties"] = new JsonObject { ["type"] = new JsonObject { ["const"] = type.Name } }, ["required"] = ArrayOf(["type"]) },
+            ["if"] = new JsonObject
+            {
+                ["properties"] = new JsonObject { ["type"] = new JsonObject { ["const"] = type.Name } },
+                ["required"] = ArrayOf(["type"])
+            },
             ["then"] = new JsonObject { ["$ref"] = $"#/definitions/{type.Name}" },
         })),
     };

@@ -31,7 +31,8 @@ internal sealed class SchemaValidator(string schema)
             "if" => !Accepts(said, value) || Accepts(schema.GetProperty("then"), value),
             "properties" => !IsObject(value) || value.EnumerateObject().All(p => !said.TryGetProperty(p.Name, out var of) || Accepts(of, p.Value)),
             "required" => !IsObject(value) || said.EnumerateArray().All(name => value.TryGetProperty(name.GetString()!, out _)),
-            "additionalProperties" => !IsObject(value) || value.EnumerateObject().All(p => schema.GetProperty("properties").TryGetProperty(p.Name, out _)),
+            "additionalProperties" => !IsObject(value)
+                || value.EnumerateObject().All(p => schema.GetProperty("properties").TryGetProperty(p.Name, out _)),
             "items" => !IsArray(value) || value.EnumerateArray().All(item => Accepts(said, item)),
             "minItems" => !IsArray(value) || value.GetArrayLength() >= said.GetInt32(),
             "maxItems" => !IsArray(value) || value.GetArrayLength() <= said.GetInt32(),

@@ -36,7 +36,8 @@ public sealed class WorkTests : IDisposable
     public void AMeshIsReadOnceInHoweverManyWaysItIsNamed()
     {
         folder.Write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"u8);
-        var models = string.Concat(Enumerable.Range(0, 100).Select(i => $$"""{"type":"mesh","file":"{{string.Concat(Enumerable.Repeat("./", i))}}a.obj"},"""));
+        var models = string.Concat(
+            Enumerable.Range(0, 100).Select(i => $$"""{"type":"mesh","file":"{{string.Concat(Enumerable.Repeat("./", i))}}a.obj"},"""));
         var text = $$"""{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0] }, "models": [{{models}}] }""";
         var reading = SceneReader.Parse(Encoding.ASCII.GetBytes(text), "a.json", folder.Path);
         Assert.Equal(100, reading.Scene!.Models.Count);

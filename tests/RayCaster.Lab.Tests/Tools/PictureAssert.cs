@@ -43,7 +43,8 @@ public static class PictureAssert
         var received = Path.Combine(folder.FullName, name + ".png");
         PictureFile.Write(received, mine);
         PictureFile.Write(Path.Combine(folder.FullName, name + ".expected.png"), references[0]);
-        Assert.Fail($"{Difference(mine, references[0])}\n  yours:    {received}\n  expected: {Path.ChangeExtension(received, ".expected.png")}\n{Hint(mine, scene, step)}");
+        Assert.Fail($"{Difference(mine, references[0])}\n  yours:    {received}\n  expected: " +
+            $"{Path.ChangeExtension(received, ".expected.png")}\n{Hint(mine, scene, step)}");
     }
 
     private static bool IsEqual(Picture mine, Picture reference, RayCaster.Scene scene, int levels, double share)
@@ -58,7 +59,8 @@ public static class PictureAssert
     {
         var difference = new PictureDifference(mine, reference);
         var where = difference.WrongMiddle is var (x, y)
-            ? $"in the widest wrong area at column {x}, line {y} from the top: expected {reference[x, y]}, but got {mine[x, y]}" : "by one level: round, do not cut";
+            ? $"in the widest wrong area at column {x}, line {y} from the top: expected {reference[x, y]}, but got {mine[x, y]}"
+            : "by one level: round, do not cut";
         return $"{difference.CountBeyond(0):N0} of {difference.Pixels:N0} pixels differ, {where}";
     }
 
@@ -66,7 +68,8 @@ public static class PictureAssert
     private static string Hint(Picture mine, RayCaster.Scene scene, int step)
     {
         var likely = Diagnosis.Of(scene, mine).Suspects.FirstOrDefault();
-        var mistakes = likely?.Mistakes.Where(mistake => step > LabSteps.FirstPicture || mistake.Id != "att-none").ToArray(); // not written yet is no mistake
+        // not written yet is no mistake
+        var mistakes = likely?.Mistakes.Where(mistake => step > LabSteps.FirstPicture || mistake.Id != "att-none").ToArray();
         if (mistakes is not { Length: > 0 }) return "None of the known mistakes makes this picture.";
         return string.Join("\n", mistakes.Select(mistake => Teacher.Hints switch
         {

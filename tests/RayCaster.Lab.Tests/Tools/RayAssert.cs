@@ -23,20 +23,23 @@ public static class RayAssert
     }
 
     /// <summary>Casts one ray whose hit is known: t, or null for none.</summary>
-    public static void Hits(string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? t, Action<Model, Ray> intersect = null) =>
+    public static void Hits(
+        string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? t, Action<Model, Ray> intersect = null) =>
         Check(slide, model, P, d, t, "", intersect);
 
     /// <summary>Numbers that are equal but for their last bits.</summary>
     public static void Equal(string what, string slide, double expected, double actual)
     {
-        if (!AreEqual(expected, actual)) Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(actual)}.\n  Slide \"{slide}\"\n  {Chance.Again}");
+        if (!AreEqual(expected, actual))
+            Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(actual)}.\n  Slide \"{slide}\"\n  {Chance.Again}");
     }
 
     /// <summary>The same coordinate by coordinate.</summary>
     public static void Equal(string what, string slide, RayCaster.Vector3 expected, Vector3 actual)
     {
         if (!AreEqual(expected.X, actual.X) || !AreEqual(expected.Y, actual.Y) || !AreEqual(expected.Z, actual.Z))
-            Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(new RayCaster.Vector3(actual.X, actual.Y, actual.Z))}.\n  Slide \"{slide}\"\n  {Chance.Again}");
+            Assert.Fail($"{what}: expected {Text(expected)}, but got {Text(new RayCaster.Vector3(actual.X, actual.Y, actual.Z))}." +
+                $"\n  Slide \"{slide}\"\n  {Chance.Again}");
     }
 
     /// <summary>The lab's vector of a vector of the library.</summary>

@@ -27,7 +27,8 @@ public class MeasuresTests
 
     [Theory]
     [MemberData(nameof(Names))]
-    public void TheMeanAbsoluteErrorIsThatOfImageMagick(string name) => Assert.Equal(expected[name][2], MeasuresOf(name).MeanAbsoluteError / 255, 1e-6);
+    public void TheMeanAbsoluteErrorIsThatOfImageMagick(string name) =>
+        Assert.Equal(expected[name][2], MeasuresOf(name).MeanAbsoluteError / 255, 1e-6);
 
     [Theory]
     [MemberData(nameof(Names))]

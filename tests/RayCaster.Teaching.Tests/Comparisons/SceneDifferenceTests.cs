@@ -39,7 +39,8 @@ public class SceneDifferenceTests
 
     [Fact]
     public void AModelWithoutANameIsNamedByItsPlaceAndType() =>
-        Assert.Contains("\nmodels[2] (sphere) is missing: 100 % of its pixels show `wall`; all others agree.\n", TextOf(Renderer.Render(Without(2))));
+        Assert.Contains(
+            "\nmodels[2] (sphere) is missing: 100 % of its pixels show `wall`; all others agree.\n", TextOf(Renderer.Render(Without(2))));
 
     [Fact]
     public void ModelsOfTheSameNameAreToldApartByTheirPlace()
@@ -52,7 +53,8 @@ public class SceneDifferenceTests
     public void AnotherColourIsTold()
     {
         var other = With(1, Named(new Aabb(new(-1, -3, -1), new(1, -1, 1.5)), "box", new(0.2, 0.5, 0.4)));
-        Assert.Contains("\n`box` has another colour: (0.2, 0.5, 0.4) instead of (0.9, 0.2, 0.1); all others agree.\n", TextOf(Renderer.Render(other)));
+        Assert.Contains(
+            "\n`box` has another colour: (0.2, 0.5, 0.4) instead of (0.9, 0.2, 0.1); all others agree.\n", TextOf(Renderer.Render(other)));
     }
 
     [Fact]

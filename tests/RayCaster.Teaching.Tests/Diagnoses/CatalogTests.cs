@@ -82,9 +82,6 @@ public class CatalogTests
     /// <summary>A quarter of the pixels show the same mistakes.</summary>
     private static Scene Half(Scene scene) => scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) };
 
-    private static string Pictures(params Mistake[] mistakes) =>
-        string.Join(' ', scenes.Values.Select(scene => Hash(new Lab(scene, mistakes).Render())));
-
     private static string Hash(Picture picture) =>
         $"{picture.Width} {Convert.ToHexString(System.Security.Cryptography.SHA256.HashData(picture.Rgb))}";
 }

@@ -89,13 +89,19 @@ internal sealed class ConfusionTable
     }
 
     /// <summary>The counts and shares, as the rows of a table.</summary>
-    public string Summary() => string.Create(CultureInfo.InvariantCulture, $"""
-        | planted | pictures | result |
-        | --- | --: | --- |
-        | one mistake, visible | {Singles} | the first name is right (or its twin) in {Percent(First, Singles)}, one of the first three in {Percent(FirstThree, Singles)} |
-        | two mistakes, each visible beside the other | {Pairs} | the first suspect has one of both in {Percent(OneOfPair, Pairs)}, both in {Percent(BothOfPair, Pairs)} |
-        | none | {Rights} | a mistake is named in {FalseNames} |
-        """).ReplaceLineEndings("\n");
+    public string Summary()
+    {
+        var single = $"the first name is right (or its twin) in {Percent(First, Singles)}, " +
+            $"one of the first three in {Percent(FirstThree, Singles)}";
+        var pair = $"the first suspect has one of both in {Percent(OneOfPair, Pairs)}, both in {Percent(BothOfPair, Pairs)}";
+        return string.Create(CultureInfo.InvariantCulture, $"""
+            | planted | pictures | result |
+            | --- | --: | --- |
+            | one mistake, visible | {Singles} | {single} |
+            | two mistakes, each visible beside the other | {Pairs} | {pair} |
+            | none | {Rights} | a mistake is named in {FalseNames} |
+            """).ReplaceLineEndings("\n");
+    }
 
     /// <summary>A part of all; all of nothing.</summary>
     public static double Share(int count, int all) => all == 0 ? 1 : (double)count / all;

@@ -22,7 +22,8 @@ public class ConfusionTests(ITestOutputHelper output)
     private static readonly string[] others = ["room", "first", "near-plane", "clip-distance", "tie", "background"];
 
     /// <summary>Two mistakes that are made in different places.</summary>
-    private static readonly string[] partners = ["rows", "cols", "bgr", "nohalf", "u-cross", "att-no2", "att-none", "tri-uv", "far-root", "circ-inf", "slab-tmax", "no-zfar"];
+    private static readonly string[] partners =
+        ["rows", "cols", "bgr", "nohalf", "u-cross", "att-no2", "att-none", "tri-uv", "far-root", "circ-inf", "slab-tmax", "no-zfar"];
 
     [Fact]
     public void ASampleIsNamedAsWellAsItWas()
@@ -57,7 +58,8 @@ public class ConfusionTests(ITestOutputHelper output)
             for (var k = 0; k < i; k++)
                 foreach (var name in (string[])["mistakes/generic", "room"])
                     table.Plant(Small(name, 2), manners[turn++ % manners.Length], Planted.Named(partners[i]), Planted.Named(partners[k]));
-        foreach (var name in SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Select(SceneFolder.NameOf).Except(["mesh", "mesh-formats"]))
+        foreach (var name in SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Select(SceneFolder.NameOf)
+            .Except(["mesh", "mesh-formats"]))
             foreach (var manner in manners.Where(manner => !manner.OtherSample)) table.Plant(Small(name, 2), manner);
         Print(table);
 

@@ -156,7 +156,8 @@ public class DiagnosisTests
     {
         var diagnosis = Diagnosis.Of(scene, Planted("rows"));
         var hint = diagnosis.Suspects[0].Mistakes[0].Hint;
-        string Told(HintLevel level) => DiagnosisReport.Text(diagnosis, "mine.png", "scene.json", level).ReplaceLineEndings(" ").Replace("            ", "");
+        string Told(HintLevel level) =>
+            DiagnosisReport.Text(diagnosis, "mine.png", "scene.json", level).ReplaceLineEndings(" ").Replace("            ", "");
         Assert.Equal((true, false, false), Holds(Told(HintLevel.Symptom)));
         Assert.Equal((true, true, false), Holds(Told(HintLevel.Question)));
         Assert.Equal((true, true, true), Holds(Told(HintLevel.Answer)));

@@ -39,8 +39,8 @@ internal static class Gallery
         var page = new StringBuilder($"""
             # {MistakeCatalog.All.Count} mistakes, and what they look like
 
-            Everybody who writes a ray caster makes some of these. Left in each picture is what the scene should look like, right what it looks like with the mistake.
-            Is one of them yours?
+            Everybody who writes a ray caster makes some of these. Left in each picture is what the scene should look like,
+            right what it looks like with the mistake. Is one of them yours?
 
             ![All mistakes, one small picture each](mistakes/all.png)
 
@@ -48,12 +48,15 @@ internal static class Gallery
 
                 dotnet run --project src/RayCaster.Cli -- diagnose scenes/mistakes/generic.json mine.png
 
-            says which of them makes `mine.png`, your own program's picture of a scene, and lets you choose how much it tells: `--hint symptom`, `question` or `answer`
-            ([how it finds out](diagnosis.md)). Here too the question and the answer are folded, so that you can look without being told. Draw the five scenes of
-            [scenes/mistakes](../scenes/mistakes) with your program: whoever draws all five right has made none of these. [How much of each scene a mistake changes](mistakes-table.md)
-            is in a table. Each title of a slide leads to [where its formula stands](slides-to-code.md).
+            says which of them makes `mine.png`, your own program's picture of a scene, and lets you choose how much it tells:
+            `--hint symptom`, `question` or `answer` ([how it finds out](diagnosis.md)).
+            Here too the question and the answer are folded, so that you can look without being told.
+            Draw the five scenes of [scenes/mistakes](../scenes/mistakes) with your program: whoever draws all five right has made none of these.
+            [How much of each scene a mistake changes](mistakes-table.md) is in a table.
+            Each title of a slide leads to [where its formula stands](slides-to-code.md).
 
-            This page is made from the [catalogue](../src/RayCaster.Teaching/Diagnoses/MistakeCatalog.cs), by `RAYCASTER_ACCEPT=1 dotnet test --filter GalleryTests`.
+            This page is made from the [catalogue](../src/RayCaster.Teaching/Diagnoses/MistakeCatalog.cs),
+            by `RAYCASTER_ACCEPT=1 dotnet test --filter GalleryTests`.
 
             ## Contents
 
@@ -94,9 +97,11 @@ internal static class Gallery
         var right = showcase.Tile();
         var isWithinRounding = Showcase.IsWithinRounding(right, showcase.Tile(mistake));
         page.AppendLine().AppendLine($"### {mistake.Id}").AppendLine()
-            .AppendLine($"![{(isWithinRounding ? "Right, and in which channels the wrong one differs" : "Right, and wrong")}](mistakes/{mistake.Id}.png)<br><sub>[{showcase.Name}](../scenes/mistakes/{showcase.Name}.json)</sub>").AppendLine()
+            .Append($"![{(isWithinRounding ? "Right, and in which channels the wrong one differs" : "Right, and wrong")}]")
+            .Append($"(mistakes/{mistake.Id}.png)<br><sub>[{showcase.Name}](../scenes/mistakes/{showcase.Name}.json)</sub>").AppendLine().AppendLine()
             .AppendLine($"**{Markdown(Sentence(mistake.Cause))}** {Markdown(mistake.Hint.Symptom)}");
-        if (isWithinRounding) page.AppendLine().AppendLine("The right half shows where a channel is off by its one level: the eye sees nothing of it.");
+        if (isWithinRounding)
+            page.AppendLine().AppendLine("The right half shows where a channel is off by its one level: the eye sees nothing of it.");
         if (resemblance.Alike.Count > 0)
             page.AppendLine().AppendLine($"Looks just like {List(resemblance.Alike)} in this scene.");
         if (resemblance.Near.Count > 0)
@@ -124,7 +129,8 @@ internal static class Gallery
     private static string Anchor(string title) => title.ToLowerInvariant().Replace(' ', '-');
 
     /// <summary>A capital letter where the cause begins with a word, not with a formula.</summary>
-    private static string Sentence(string cause) => (char.IsLetter(cause[1]) || cause.StartsWith("a ", StringComparison.Ordinal) ? char.ToUpperInvariant(cause[0]) + cause[1..] : cause) + ".";
+    private static string Sentence(string cause) =>
+        (char.IsLetter(cause[1]) || cause.StartsWith("a ", StringComparison.Ordinal) ? char.ToUpperInvariant(cause[0]) + cause[1..] : cause) + ".";
 
     private static string Markdown(string text) => text.Replace("|", "\\|").Replace("<", "&lt;").Replace("*", "\\*");
 

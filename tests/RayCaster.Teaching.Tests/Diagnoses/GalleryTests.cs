@@ -7,7 +7,8 @@ public class GalleryTests
 {
     private static readonly bool accepts = Environment.GetEnvironmentVariable("RAYCASTER_ACCEPT") == "1";
 
-    private const string Remedy = "RAYCASTER_ACCEPT=1 dotnet test --filter GalleryTests makes it anew (docs/adding-a-primitive.md has the command for Windows)";
+    private const string Remedy =
+        "RAYCASTER_ACCEPT=1 dotnet test --filter GalleryTests makes it anew (docs/adding-a-primitive.md has the command for Windows)";
 
     public static TheoryData<string> Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
 

@@ -1,5 +1,3 @@
-using RayCaster.Teaching.Tests.Mistakes;
-
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
 /// <summary>What a lab draws: the definition, and with mistakes what they say, one on top of the other.</summary>
@@ -19,7 +17,8 @@ public class LabTests
     [Fact]
     public void SinglePixelsAreThoseOfTheWholePictureOnAnyThread()
     {
-        var lab = new Lab(SceneFolder.Read(SceneFolder.FileOf("mistakes/portrait")), MistakeCatalog.Named("whswap")!, MistakeCatalog.Named("tri-uv")!);
+        var lab = new Lab(
+            SceneFolder.Read(SceneFolder.FileOf("mistakes/portrait")), MistakeCatalog.Named("whswap")!, MistakeCatalog.Named("tri-uv")!);
         var whole = lab.Render();
         Assert.Equal((lab.Width, lab.Height), (whole.Width, whole.Height));
         Parallel.For(0, 300, i =>

@@ -48,7 +48,8 @@ public class LikelyCauseTests
     {
         foreach (var id in new[] { "tri-uv", "aspect-none", "u-unnorm", "att-depth" })
         {
-            var rest = Diagnosis.Of(generic, SlideCaster.Render(generic, Mistakes.Mistake.Named(id))).Suspects.Skip(1).Select(suspect => suspect.Unexplained).ToArray();
+            var rest = Diagnosis.Of(generic, SlideCaster.Render(generic, Mistakes.Mistake.Named(id))).Suspects.Skip(1)
+                .Select(suspect => suspect.Unexplained).ToArray();
             Assert.Equal(rest.Order(), rest);
         }
     }

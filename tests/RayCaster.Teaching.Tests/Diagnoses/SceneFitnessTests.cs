@@ -1,5 +1,3 @@
-using RayCaster.Teaching.Tests.Mistakes;
-
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
 public class SceneFitnessTests
@@ -10,7 +8,8 @@ public class SceneFitnessTests
         var room = SceneFolder.Read(SceneFolder.FileOf("room"));
         var fitness = SceneFitness.Of([room with { Camera = room.Camera.WithSize(250, 250) }]);
         var hidden = fitness.Hidden.Select(mistake => mistake.Id).ToArray();
-        string[] expected = ["aspect-none", "aspect-int", "fov-horiz", "u-unnorm", "znear-t", "no-zfar", "near-root-only", "aspect-inv", "tca-positive"];
+        string[] expected = [
+            "aspect-none", "aspect-int", "fov-horiz", "u-unnorm", "znear-t", "no-zfar", "near-root-only", "aspect-inv", "tca-positive"];
         Assert.Empty(expected.Except(hidden));
         Assert.Contains(fitness.HiddenAtFirst, mistake => mistake.Id == "plane-cull"); // its planes face us, its disc does not
         Assert.Contains("the picture is square", FitnessReport.Text(fitness));

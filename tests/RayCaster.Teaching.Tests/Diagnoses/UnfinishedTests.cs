@@ -8,7 +8,8 @@ public class UnfinishedTests
 {
     private static readonly Scene scene = Small("mistakes/generic");
 
-    public static TheoryData<string> Subsets => ["circle,triangle", "aabb", "plane,sphere", "aabb,circle,triangle", "sphere,aabb,circle,triangle", "plane"];
+    public static TheoryData<string> Subsets =>
+        ["circle,triangle", "aabb", "plane,sphere", "aabb,circle,triangle", "sphere,aabb,circle,triangle", "plane"];
 
     [Theory]
     [MemberData(nameof(Subsets))]

@@ -21,7 +21,8 @@ public class DerivationTests
                     var expected = shape.Intersect(new Ray<Scalar>(scene.Camera.Position, plain))!.Value;
                     var crossings = shape.Intersect(new Ray<Derivation>(scene.Camera.Position, derived))!.Value;
                     AssertSame([expected.Near, expected.Far], [crossings.Near, crossings.Far]);
-                    AssertSame([scene.Camera.ClipRange.First(expected, scene.Camera.ZPerT(plain))], [scene.Camera.ClipRange.First(crossings, zPerT)]);
+                    AssertSame(
+                        [scene.Camera.ClipRange.First(expected, scene.Camera.ZPerT(plain))], [scene.Camera.ClipRange.First(crossings, zPerT)]);
                     AssertSame([scene.Attenuation(expected.Near)], [scene.Attenuation(crossings.Near)]);
                 }
         }

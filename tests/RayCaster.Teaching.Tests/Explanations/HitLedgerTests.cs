@@ -28,7 +28,8 @@ public class HitLedgerTests
             var scene = RandomScene.Make(new Random(seed));
             var ledger = HitLedger.Take(scene);
             for (var i = 0; i < scene.Models.Count; i++)
-                Assert.Equal(new Renderer(scene with { Models = [scene.Models[i]] }).CastHits().Model.Count(model => model >= 0), ledger.Models[i].Hits);
+                Assert.Equal(
+                    new Renderer(scene with { Models = [scene.Models[i]] }).CastHits().Model.Count(model => model >= 0), ledger.Models[i].Hits);
         }
     }
 
@@ -108,7 +109,8 @@ public class HitLedgerTests
     {
         foreach (var z in new[] { 0.0, 5 }) // in the plane, and beside it
         {
-            var scene = new Scene(Camera.WithSize(1, 2), [Model.Of(new Plane(new(0, 0, z), new(0, 0, 1))), Model.Of(new Circle(new(0, 0, z), new(0, 0, 1), 3))]);
+            var scene = new Scene(
+                Camera.WithSize(1, 2), [Model.Of(new Plane(new(0, 0, z), new(0, 0, 1))), Model.Of(new Circle(new(0, 0, z), new(0, 0, 1), 3))]);
             Assert.All(HitLedger.Take(scene).Models, entry => Assert.Equal(1, entry[Outcome.Along])); // row 1 of 2 looks along −x
         }
     }

@@ -22,7 +22,8 @@ public class LedgerReportTests
     }
 
     [Fact]
-    public void NothingOddIsSaidToo() => Assert.EndsWith("Nothing odd: every model shows.\n", Report(new Camera(new(10, 0, 0), Vector3.Zero, width: 30, height: 20)));
+    public void NothingOddIsSaidToo() =>
+        Assert.EndsWith("Nothing odd: every model shows.\n", Report(new Camera(new(10, 0, 0), Vector3.Zero, width: 30, height: 20)));
 
     [Theory]
     [InlineData(-10, -20, "0 of 600 rays hit anything: models[0] (sphere) lies behind the camera.")]
@@ -55,7 +56,8 @@ public class LedgerReportTests
     [Fact]
     public void ModelsBesideTheViewAreTold()
     {
-        Assert.Contains("They lie beside the picture: aim target at them (it is [9, 1, 0])", Report(new Camera(new(10, 0, 0), new(9, 1, 0), width: 30, height: 20)));
+        Assert.Contains("They lie beside the picture: aim target at them (it is [9, 1, 0])",
+            Report(new Camera(new(10, 0, 0), new(9, 1, 0), width: 30, height: 20)));
         Assert.Contains("The camera looks past them", Report(new Camera(new(10, 50, 0), new(-10, 50, 0), fovY: 120, width: 30, height: 20)));
     }
 

@@ -90,7 +90,8 @@ public class PixelExplanationTests
     [Fact]
     public void AMeshTellsWhichTriangleIsHitAndHowTheOthersFare()
     {
-        var mesh = new Mesh([new(-5, -9, -9), new(-5, 9, -9), new(-5, 0, 9), new(-4, 20, 20), new(-4, 21, 20), new(-4, 20, 21), new(3, -9, -9), new(3, 9, -9), new(3, 0, 9)],
+        var mesh = new Mesh([new(-5, -9, -9), new(-5, 9, -9), new(-5, 0, 9), new(-4, 20, 20), new(-4, 21, 20), new(-4, 20, 21), new(3, -9, -9),
+            new(3, 9, -9), new(3, 0, 9)],
             [3, 4, 5, 6, 7, 8, 0, 1, 2]);
         var model = Explain(mesh);
         Assert.Equal(new MeshExplanation(3, 2, 1, 1, 0, 0, 0, 1), model.Mesh);
@@ -155,7 +156,8 @@ public class PixelExplanationTests
         var explanation = ReferenceExplanation.Of(PixelExplanation.Of(scene, 0, 0), ScalarRenderer.Render(scene with { Models = [far] }));
         Assert.False(explanation.Agrees);
         Assert.Equal((-223, 191, 0), explanation.Difference);
-        Assert.Equal("the other picture's colour is what wall would give: its crossing at t = 10 is hidden by ball, whose t = 5 < 10", Assert.Single(explanation.Causes));
+        Assert.Equal("the other picture's colour is what wall would give: its crossing at t = 10 is hidden by ball, whose t = 5 < 10",
+            Assert.Single(explanation.Causes));
     }
 
     [Fact]

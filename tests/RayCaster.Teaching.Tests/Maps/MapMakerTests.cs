@@ -81,7 +81,8 @@ public class MapMakerTests
                     triangles++;
                     var i = 0;
                     while (mesh[i].Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)).Near != ray.HitParameter) i++;
-                    var (n, expected) = (new Vector3(map[x, y][0], map[x, y][1], map[x, y][2]), ((mesh[i].B - mesh[i].A) % (mesh[i].C - mesh[i].A)).Normalized);
+                    var (n, expected) = (
+                        new Vector3(map[x, y][0], map[x, y][1], map[x, y][2]), ((mesh[i].B - mesh[i].A) % (mesh[i].C - mesh[i].A)).Normalized);
                     Assert.Equal(1, Math.Abs(n * expected), 1e-6);
                 }
         }

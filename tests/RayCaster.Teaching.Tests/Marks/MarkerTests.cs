@@ -9,14 +9,16 @@ public class MarkerTests
     private static readonly Rubric rubric = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
 
     private static StudentMarks Mark(Func<Scene, Picture?> draw) => new Marker(rubric).Mark("somebody", "",
-        [.. rubric.Scenes.Select(scene => draw(scene.Scene) is { } picture ? new SubmittedPicture(scene, picture, null) : new(scene, null, "no picture"))]);
+        [.. rubric.Scenes.Select(
+            scene => draw(scene.Scene) is { } picture ? new SubmittedPicture(scene, picture, null) : new(scene, null, "no picture"))]);
 
     private static StudentMarks Mark(string mistake, string second = "ok", Undone undone = Undone.Nothing) => Mark(scene =>
         SlideCaster.Render(scene.Without(undone), Manner.OfTheSlides, Named(mistake), Named(second)));
 
     private static Planted Named(string id) => id == "ok" ? Planted.None : Planted.Named(id);
 
-    private static string[] Lost(StudentMarks marks) => [.. marks.Items.Where(item => item.Points < item.Of).Select(item => item.Name.Split(' ')[0])];
+    private static string[] Lost(StudentMarks marks) =>
+        [.. marks.Items.Where(item => item.Points < item.Of).Select(item => item.Name.Split(' ')[0])];
 
     [Fact]
     public void ARightProgramGetsAllPoints()

@@ -14,14 +14,16 @@ public sealed class ProgramRunnerTests : IDisposable
     public void Dispose() => folder.Dispose();
 
     private ProgramRun Run(bool isContained, string script, ProgramLimits? other = null) =>
-        new ProgramRunner(isContained ? Containment.Here : Containment.None).Run(["sh", "-c", script], folder.Path, other ?? limits, (other ?? limits).Time, default);
+        new ProgramRunner(isContained ? Containment.Here : Containment.None)
+            .Run(["sh", "-c", script], folder.Path, other ?? limits, (other ?? limits).Time, default);
 
     [Theory]
     [MemberData(nameof(Contained))]
     public void AnExitCodeAndWhatIsPrintedAreTold(bool isContained)
     {
         var generous = limits with { Time = TimeSpan.FromMinutes(1) };
-        Assert.Equal(new ProgramRun(ProgramEnd.Exited, 3, "so far\nand no further"), Run(isContained, "echo so far; echo and no further >&2; exit 3", generous));
+        Assert.Equal(new ProgramRun(ProgramEnd.Exited, 3, "so far\nand no further"),
+            Run(isContained, "echo so far; echo and no further >&2; exit 3", generous));
     }
 
     [Theory]
@@ -40,7 +42,9 @@ public sealed class ProgramRunnerTests : IDisposable
     [Theory]
     [MemberData(nameof(Contained))]
     public void AProgramThatPrintsWithoutEndIsEnded(bool isContained) =>
-        Assert.Equal(ProgramEnd.TooMuchOutput, Run(isContained, "while :; do echo aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa; done", limits with { Time = TimeSpan.FromMinutes(2) }).End);
+        Assert.Equal(ProgramEnd.TooMuchOutput,
+            Run(isContained, "while :; do echo aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa; done",
+                limits with { Time = TimeSpan.FromMinutes(2) }).End);
 
     /// <remarks>It multiplies to 256 processes at most, which end by themselves, lest a test that fails take the machine with it.</remarks>
     [Theory]
@@ -48,7 +52,9 @@ public sealed class ProgramRunnerTests : IDisposable
     public void AProgramThatMultipliesIsEnded(bool isContained)
     {
         if (!OperatingSystem.IsLinux()) return; // elsewhere the number is not known
-        var run = Run(isContained, "b() { if [ $1 -gt 0 ]; then b $(($1-1)) & b $(($1-1)) & fi; sleep 20; }; b 7", limits with { Time = TimeSpan.FromMinutes(1) });
+        var run = Run(isContained,
+            "b() { if [ $1 -gt 0 ]; then b $(($1-1)) & b $(($1-1)) & fi; sleep 20; }; b 7",
+            limits with { Time = TimeSpan.FromMinutes(1) });
         Assert.Equal(ProgramEnd.TooManyProcesses, run.End);
     }
 

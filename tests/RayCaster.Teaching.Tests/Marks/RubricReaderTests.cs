@@ -54,13 +54,15 @@ public sealed class RubricReaderTests : IDisposable
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["r-nosqr"] }] }""",
         "rubric.json(1,79): error: items[0].mistakes[0] must be the id of a known mistake, but is \"r-nosqr\"; did you mean \"r-nosq\"?")]
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "undone": ["spere"] }] }""",
-        "rubric.json(1,77): error: items[0].undone[0] must be one of plane, sphere, aabb, circle, triangle, attenuation, clipping, but is \"spere\"; did you mean \"sphere\"?")]
+        "rubric.json(1,77): error: items[0].undone[0] must be one of plane, sphere, aabb, circle, triangle, attenuation, clipping, " +
+            "but is \"spere\"; did you mean \"sphere\"?")]
     [InlineData("""{ "scenes": ["rom.json"], "items": [{ "name": "a", "points": 1 }] }""",
         "rubric.json(1,14): error: scenes[0] cannot be used: rom.json has errors")]
     [InlineData("""{ "scenes": ["room.json"], "items": [] }""", "rubric.json(1,37): error: items must hold at least one item")]
     [InlineData("""{ "scenes": ["room.json"], "run": ["draw", "{scene}"], "items": [{ "name": "a", "points": 1 }] }""",
         "rubric.json(1,35): error: run must say where {out} goes")]
-    [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["rad"] }, { "name": "b", "points": 1, "mistakes": ["rad"] }] }""",
+    [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["rad"] }, """ +
+        """{ "name": "b", "points": 1, "mistakes": ["rad"] }] }""",
         "rubric.json(1,130): error: items[1].mistakes[0] is rad, which costs points of \"a\" already: a mistake belongs to one item")]
     public void AnErrorIsToldWithItsPlaceAndTheWayOut(string text, string error) => Assert.Equal(error, ErrorOf(text));
 }

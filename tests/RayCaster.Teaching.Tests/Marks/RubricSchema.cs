@@ -7,7 +7,8 @@ namespace RayCaster.Teaching.Tests.Marks;
 /// <summary>Writes the schema of rubrics from what the reader says about its keys while it asks for them, as that of scenes is written.</summary>
 internal static class RubricSchema
 {
-    private static readonly JsonSerializerOptions style = new() { WriteIndented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+    private static readonly JsonSerializerOptions style =
+        new() { WriteIndented = true, NewLine = "\n", Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
     public static string Write()
     {

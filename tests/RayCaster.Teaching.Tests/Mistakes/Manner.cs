@@ -15,5 +15,6 @@ internal sealed record Manner(bool Truncates = false, bool OtherSample = false, 
     /// <summary>What it does differently, in a word or more.</summary>
     public override string ToString() => this == OfTheSlides
         ? "as the slides"
-        : string.Join(" ", new[] { Truncates ? "truncates" : "", OtherSample ? "other sample" : "", Float ? "float" : "" }.Where(word => word.Length > 0));
+        : string.Join(
+            " ", new[] { Truncates ? "truncates" : "", OtherSample ? "other sample" : "", Float ? "float" : "" }.Where(word => word.Length > 0));
 }

@@ -53,14 +53,16 @@ internal static class Campaign
                     throw Find(new TimeoutException($"it takes more than {MostTime.TotalSeconds} s"));
         }
         if (failure is not null) throw Find(failure);
-        if (Time > TimeSpan.Zero) File.AppendAllText(Path.Combine(Corpus.Kept, "campaign.received.txt"), $"{name}: {count:N0} inputs of seed {Seed}\n");
+        if (Time > TimeSpan.Zero)
+            File.AppendAllText(Path.Combine(Corpus.Kept, "campaign.received.txt"), $"{name}: {count:N0} inputs of seed {Seed}\n");
 
         Exception Find(Exception e)
         {
             var path = Path.Combine(Corpus.Kept, $"{name}-{Seed}-{count}.received{input.Extension}");
             File.WriteAllBytes(path, input.Bytes);
             return new InvalidOperationException(
-                $"{e.GetType().Name}: {e.Message}\nThe input is {path}; without \".received\" in its name it is a test for good.\n{e.StackTrace}", e);
+                $"{e.GetType().Name}: {e.Message}\nThe input is {path}; " +
+                    $"without \".received\" in its name it is a test for good.\n{e.StackTrace}", e);
         }
     }
 

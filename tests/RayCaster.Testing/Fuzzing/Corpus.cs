@@ -12,7 +12,8 @@ internal static class Corpus
     public static SeedFile[] Scenes { get; } =
     [
         // The good ones many times over: what starts broken is rarely read to its end.
-        .. Enumerable.Repeat(FilesIn("scenes", ".json").Concat(FilesIn("tests/RayCaster.Files.Tests/Good", ".json")).ToArray(), 10).SelectMany(files => files),
+        .. Enumerable.Repeat(FilesIn("scenes", ".json").Concat(FilesIn("tests/RayCaster.Files.Tests/Good", ".json")).ToArray(), 10)
+            .SelectMany(files => files),
         .. FilesIn("tests/RayCaster.Files.Tests/Broken", ".json"), .. KeptFiles(".json"),
     ];
 
@@ -40,7 +41,8 @@ internal static class Corpus
     {
         var mesh = MeshGenerator.Icosphere(1);
         yield return new("a.obj", MeshWriter.Obj(mesh));
-        yield return new("a.obj", "o cube\r\nv 0 0 0 1\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nvt 0 0\r\nvn 0 0 1\r\nf 1/1/1 2//1 3/1 \\\r\n 4\r\nf -1 -2 -3\r\n"u8.ToArray());
+        yield return new("a.obj",
+            "o cube\r\nv 0 0 0 1\r\nv 1 0 0\r\nv 1 1 0\r\nv 0 1 0\r\nvt 0 0\r\nvn 0 0 1\r\nf 1/1/1 2//1 3/1 \\\r\n 4\r\nf -1 -2 -3\r\n"u8.ToArray());
         yield return new("a.ply", MeshWriter.PlyAscii(mesh));
         yield return new("a.ply", MeshWriter.PlyBinary(mesh, bigEndian: false));
         yield return new("a.ply", MeshWriter.PlyBinary(mesh, bigEndian: true));

@@ -12,14 +12,18 @@ internal sealed class Mutation(Random random, SeedFile[] seeds)
     /// <summary>What stands in files, and what should not.</summary>
     private static readonly string[] words =
     [
-        .. "0 -0 1 -1 2 3 0.5 .5 5. +1 00 01 1e 1e400 -1e400 1e308 -1e308 1e-400 5e-324 1e-200 1e200 1e16 1e10000000000 0x10 NaN nan Infinity -inf".Split(' '),
+        .. "0 -0 1 -1 2 3 0.5 .5 5. +1 00 01 1e 1e400 -1e400 1e308 -1e308 1e-400 5e-324 1e-200 1e200 1e16".Split(' '),
+        .. "1e10000000000 0x10 NaN nan Infinity -inf".Split(' '),
         .. "127 128 255 256 65535 65536 1000000 1000001 16777217 2147483647 2147483648 -2147483648 4294967295 4294967296".Split(' '),
-        .. "9223372036854775807 9223372036854775808 -9223372036854775808 18446744073709551616 179.99999999999997 180 0.1 1.0000000000000002".Split(' '),
+        .. "9223372036854775807 9223372036854775808 -9223372036854775808 18446744073709551616".Split(' '),
+        .. "179.99999999999997 180 0.1 1.0000000000000002".Split(' '),
         .. "true false null { } [ ] , : \" \\ \\u0000 \\ud800 \\u001b // /* */ # ' ; = \u00fc \u2028 \ufeff \u001b[2J \0".Split(' '),
         .. "camera position target up fovY width height zNear zFar bias clip sample background models type color name $schema".Split(' '),
-        .. "plane sphere aabb circle triangle mesh point normal center radius min max a b c file scale rotate translate depth distance corner".Split(' '),
+        .. "plane sphere aabb circle triangle mesh".Split(' '),
+        .. "point normal center radius min max a b c file scale rotate translate depth distance corner".Split(' '),
         .. "tetrahedron.obj no.obj ../Good/flat.obj . .. / a\u0000.obj #ff8800 #gggggg {} [] [0,0,0] [1e308,-1e308,1e308] [1e-300,0,0]".Split(' '),
-        .. "ply format ascii binary_little_endian binary_big_endian 1.0 element property list vertex face edge vertex_indices vertex_index".Split(' '),
+        .. "ply format ascii binary_little_endian binary_big_endian 1.0".Split(' '),
+        .. "element property list vertex face edge vertex_indices vertex_index".Split(' '),
         .. "char uchar short ushort int uint float double int8 uint8 float64 x y z end_header comment obj_info".Split(' '),
         .. "v f vt vn o g usemtl 1/2/3 1//3 1/ / //1 -1 -4 solid endsolid facet endfacet outer loop endloop vertex".Split(' '),
         .. "P1 P2 P3 P4 P5 P6 P7 \r \n \r\n \t \v \f".Split(' '),
@@ -28,7 +32,8 @@ internal sealed class Mutation(Random random, SeedFile[] seeds)
 
     private static readonly long[] numbers =
     [
-        0, 1, -1, 2, 3, 127, 128, 255, 256, 0x7FFF, 0x8000, 0xFFFF, int.MaxValue, int.MinValue, uint.MaxValue, 1L << 32, long.MaxValue, long.MinValue,
+        0, 1, -1, 2, 3, 127, 128, 255, 256, 0x7FFF, 0x8000, 0xFFFF, int.MaxValue, int.MinValue, uint.MaxValue, 1L << 32, long.MaxValue,
+        long.MinValue,
         0x7F800000, 0xFF800000, 0x7FC00000, 0x00000001, 0x7F7FFFFF, 0x7FF0000000000000, 0x7FEFFFFFFFFFFFFF, 0x7FF8000000000000,
     ];
 

@@ -9,7 +9,8 @@ internal static class PngMutation
 {
     private static readonly string[] types = ["IHDR", "PLTE", "IDAT", "IEND", "tRNS", "gAMA", "tEXt", "ABCD", "\0\0\0\0", "idat"];
 
-    private static readonly uint[] sizes = [0, 1, 2, 3, 7, 8, 9, 255, 256, 65535, 65536, 1 << 24, 1 << 27, (1 << 27) + 1, int.MaxValue, 1u << 31, uint.MaxValue];
+    private static readonly uint[] sizes =
+        [0, 1, 2, 3, 7, 8, 9, 255, 256, 65535, 65536, 1 << 24, 1 << 27, (1 << 27) + 1, int.MaxValue, 1u << 31, uint.MaxValue];
 
     /// <param name="file">The file; what is no PNG is changed as any other.</param>
     /// <param name="random">What decides.</param>
@@ -48,7 +49,8 @@ internal static class PngMutation
                 chunks[0] = (chunks[0].Type, header);
                 break;
             default: // the pixels, before they are compressed
-                if (chunks.FindIndex(chunk => chunk.Type == "IDAT") is not (>= 0 and var pixels) || Decompressed(chunks[pixels].Data) is not { } lines) break;
+                if (chunks.FindIndex(chunk => chunk.Type == "IDAT") is not (>= 0 and var pixels)
+                    || Decompressed(chunks[pixels].Data) is not { } lines) break;
                 chunks[pixels] = ("IDAT", Compressed(inner(lines)));
                 break;
         }

@@ -64,7 +64,8 @@ public class ClipRangeTests
     [Fact]
     public void ACrossingIsRefusedExactlyWhereItDoesNotCount()
     {
-        double[] numbers = [double.NaN, double.NegativeInfinity, -5, -1e-300, -0.0, 0, 1e-300, 0.5, 1, 2, 5, 1e300, double.MaxValue, double.PositiveInfinity];
+        double[] numbers = [
+            double.NaN, double.NegativeInfinity, -5, -1e-300, -0.0, 0, 1e-300, 0.5, 1, 2, 5, 1e300, double.MaxValue, double.PositiveInfinity];
         ClipRange[] ranges = [ClipRange.Everything, new(0, 0, 5), new(0.5, 0, 5), new(1, 1, 2), new(0, 2, double.MaxValue)];
         foreach (var range in ranges)
             foreach (var t in numbers)

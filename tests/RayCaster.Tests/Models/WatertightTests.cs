@@ -86,7 +86,7 @@ public class WatertightTests(ITestOutputHelper output)
     public void ACubeOfTrianglesCoversWhatTheBoxCovers(double x, double y, double z)
     {
         var up = x == 0 && y == 0 ? new Vector3(0, 1, 0) : new(0, 0, 1);
-        var camera = new Camera(new(x, y, z), default, up, fovY: 60, width: 64, height: 64);
+        var camera = new Camera(new(x, y, z), default, up, fovY: 60, width: 128, height: 128);
         bool[] Covered(Model model) => [.. Pixels(camera).Select(pixel => Hits(camera, model, pixel))];
 
         var mesh = Covered(Solids.Cube());

@@ -9,7 +9,8 @@ public class ReferenceTests
 
     [Theory]
     [MemberData(nameof(WithoutMeshes))]
-    public void TheDefinitionsPictureIsTheOneThatPovRayDraws(string name) => PictureAssert.Equal(name, ScalarRenderer.Render(Reference.SceneOf(name)));
+    public void TheDefinitionsPictureIsTheOneThatPovRayDraws(string name) =>
+        PictureAssert.Equal(name, ScalarRenderer.Render(Reference.SceneOf(name)));
 
     [Fact]
     public void EverySceneHasAReferenceOrAReasonForNone()

@@ -14,7 +14,8 @@ public class GroupTests
         var (vertices, indices) = Specks(TriangleCluster.Length, turn);
         var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
         var corners = new MeshCorners<Packet>(screen, vertices, indices);
-        var inGroups = new ScreenTriangles<Packet>(screen, corners, null, each => new ClusterSorter<Packet>(screen, vertices, indices, each), null, 1);
+        var inGroups = new ScreenTriangles<Packet>(
+            screen, corners, null, each => new ClusterSorter<Packet>(screen, vertices, indices, each), null, 1);
         var oneByOne = new ScreenTriangles<Packet>(screen, corners, null, null, null, 1);
         int[] sides = [0, 1];
         Assert.Equal(TriangleCluster.Length, sides.Max(side => oneByOne.Of(tile, side).Length));

@@ -104,7 +104,8 @@ public class MarginTests
         {
             var (column, row) = (random.Next(600, 990) + 1e-6 * (2 * random.NextDouble() - 1), random.Next(5, 60));
             Vector3 At(double c, double r) => camera.Position
-                + 3 * (camera.PlaneWidth * (c / camera.Width - 0.5) * camera.U + camera.PlaneHeight * (r / camera.Height - 0.5) * camera.V - camera.W);
+                + 3 * (camera.PlaneWidth * (c / camera.Width - 0.5) * camera.U
+                    + camera.PlaneHeight * (r / camera.Height - 0.5) * camera.V - camera.W);
             var slant = random.NextDouble();
             vertices.AddRange([At(column - 0.7 * slant, row - 0.7), At(column + 0.6 * slant, row + 0.6), At(column - 0.8, row + 0.1)]);
         }

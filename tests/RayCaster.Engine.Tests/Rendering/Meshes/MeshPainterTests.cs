@@ -12,9 +12,15 @@ public class MeshPainterTests
     {
         var random = new Random(seed);
         var mesh = MeshGenerator.BumpySphere(4 + seed / 2);
-        var position = (seed == 4 ? 0.3 : 2 + random.NextDouble()) * new Vector3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, 0.7).Normalized;
-        var camera = new Camera(position, new(0.1, 0.2, 0), width: 1003, height: 517, zNear: 0.5, zFar: 0.5 + 2 * random.NextDouble(), clip: (Clip)(seed % 2));
-        var models = new Model[] { new Mesh(mesh.Vertices, mesh.Indices) { Color = new(random.NextDouble(), 1, 1.5) }, Model.Of(new Sphere(new(0.9, 0.5, 0.5), 0.4)) };
+        var position = (seed == 4 ? 0.3 : 2 + random.NextDouble())
+            * new Vector3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, 0.7).Normalized;
+        var camera = new Camera(
+            position, new(0.1, 0.2, 0), width: 1003, height: 517, zNear: 0.5, zFar: 0.5 + 2 * random.NextDouble(), clip: (Clip)(seed % 2));
+        var models = new Model[]
+        {
+            new Mesh(mesh.Vertices, mesh.Indices) { Color = new(random.NextDouble(), 1, 1.5) },
+            Model.Of(new Sphere(new(0.9, 0.5, 0.5), 0.4)),
+        };
         var scene = new Scene(camera, models[..(1 + seed % 2)], new(0.1, 0.5, 3));
         Picture exact = new(camera.Width, camera.Height), painted = new(camera.Width, camera.Height);
         new Renderer(scene, 2).DrawInto(exact);

@@ -29,7 +29,8 @@ public class MeshViewTests
         {
             var (a, b) = (0.01 * random.Next(-100, 100), 0.01 * random.Next(-100, 100));
             Vector3 At(double x, double s) => camera.Position + (x + 5) * new Vector3(1, s * a, s * b);
-            vertices.AddRange([At(random.NextDouble(), 0.3), At(random.NextDouble(), 0.1), At(random.NextDouble(), 0.3 + 1e-9 * random.NextDouble())]);
+            vertices.AddRange(
+                [At(random.NextDouble(), 0.3), At(random.NextDouble(), 0.1), At(random.NextDouble(), 0.3 + 1e-9 * random.NextDouble())]);
         }
         vertices.AddRange([new(0.5, -9, -9), new(0.5, 9, -9), new(0.5, 0, 9)]);
         RendererTests.AssertEqual(new(camera, [new Mesh([.. vertices], [.. Enumerable.Range(0, vertices.Count)])]), $"seed {seed}");
@@ -41,5 +42,20 @@ public class MeshViewTests
         var camera = new Camera(new(-5, 0, 0), Vector3.Zero, width: 12, height: 9);
         Vector3[] corners = [new(0, -1, -1), new(0, 1, -1), new(0.1, 0, 1)];
         RendererTests.AssertEqual(new(camera, [new Mesh(corners, [.. Enumerable.Range(0, 30_000).Select(i => (i + i / 3) % 3)])]), "duplicates");
+    }
+    /// <summary>There are fewer filters than meshes, and so meshes take them from each other.</summary>
+    [Fact]
+    public void AHundredMeshesInATileComeOutToTheBit()
+    {
+        var random = new Random(1);
+        var ball = MeshGenerator.Icosphere(0);
+        double Next() => 2 * random.NextDouble() - 1;
+        var models = new Model[100];
+        for (var i = 0; i < models.Length; i++)
+        {
+            var center = new Vector3(Next(), Next(), Next());
+            models[i] = new Mesh([.. ball.Vertices.Select(vertex => center + 0.15 * vertex)], ball.Indices) { Color = new(i / 100.0, 1, 0) };
+        }
+        RendererTests.AssertEqual(new(new(new(-5, 0, 0), Vector3.Zero, fovY: 25, width: 70, height: 50), models), "a hundred meshes");
     }
 }

@@ -31,10 +31,18 @@ internal static class RandomMesh
         if (!((target - position).Length > 1e-9)) target = position + new Vector3(1, 0, 0);
         var up = Math.Abs((target - position).Normalized.Z) > 0.99 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
         var fovY = random.Next(6) switch { 0 => Math.Pow(10, -12 * random.NextDouble()), 1 => 170, 2 => 90, _ => 10 + 80 * random.NextDouble() };
-        var (width, height) = random.Next(12) switch { 0 => (1, 200), 1 => (200, 1), 2 => (1, 1), 3 => (130, 70), _ => (random.Next(2, 60), random.Next(2, 60)) };
+        var (width, height) = random.Next(12) switch
+        {
+            0 => (1, 200),
+            1 => (200, 1),
+            2 => (1, 1),
+            3 => (130, 70),
+            _ => (random.Next(2, 60), random.Next(2, 60)),
+        };
         var zNear = random.Next(3) == 0 ? 4 * random.NextDouble() : random.Next(2) * 0.01;
         var camera = new Camera(unit * position, unit * target, up, fovY, width, height,
-            unit * zNear, unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)), random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
+            unit * zNear, unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)),
+            random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
             (Clip)random.Next(2), (Sample)random.Next(2));
         return (camera, new(Array.ConvertAll(mesh.Vertices, p => unit * p), mesh.Indices));
     }
@@ -48,12 +56,14 @@ internal static class RandomMesh
             case 2: return MeshGenerator.Cube(1);
             case 3: return MeshGenerator.TorusKnot(2, 3, 1, 0.4, 0.2, 40, 6);
             case 4: return Crowd(random, 200, Point);
-            case 5: return Crowd(random, 200, (r, _) => new(r.Next(-3, 4), r.Next(-3, 4), r.Next(-3, 4))); // coplanar ones, edge-on ones, duplicates, no area
+            // coplanar ones, edge-on ones, duplicates, no area
+            case 5: return Crowd(random, 200, (r, _) => new(r.Next(-3, 4), r.Next(-3, 4), r.Next(-3, 4)));
             case 6:
                 // Needles: two corners next to each other, the third far off.
                 var needles = Crowd(random, 100, Point);
                 for (var i = 0; i < needles.Indices.Length; i += 3)
-                    needles.Vertices[needles.Indices[i + 1]] = needles.Vertices[needles.Indices[i]] + Point(random, Math.Pow(10, -12 * random.NextDouble()));
+                    needles.Vertices[needles.Indices[i + 1]] = needles.Vertices[needles.Indices[i]] +
+                        Point(random, Math.Pow(10, -12 * random.NextDouble()));
                 return needles;
             default:
                 // From tiny to huge, in one mesh.
