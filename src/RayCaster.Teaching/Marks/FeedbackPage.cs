@@ -61,8 +61,7 @@ internal static class FeedbackPage
                 FormattableString.Invariant($"{100 * scene.WrongShare:0.##} % of the pixels differ. ") +
                 "Left of the line is yours, right of it what it should be; move the line:", "small");
             page.Html($"""
-                <div class="slid"><div class="pair">{Page.Image(picture.ToPng(), "your picture")}{
-                    Page.Image(right.ToPng(), "the right picture")}</div>
+                <div class="slid"><div class="pair">{Page.Image(picture.ToPng(), "your picture")}{Page.Image(right.ToPng(), "the right picture")}</div>
                 <input type="range" min="0" max="100" value="50" aria-label="how much is yours"
                     oninput="this.previousElementSibling.style.setProperty('--at', this.value + '%')"></div>
                 """);
