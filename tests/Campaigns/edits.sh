@@ -22,7 +22,9 @@ edit() { # name, file, sed expression
     sed -i "$3" "$2"
     if cmp -s "$2" kept.cs; then echo "FAILED $1: the edit changes nothing in $2"; failed=$((failed + 1)); return; fi
     local message
-    message=$(draw) || true
+    if ! message=$(draw); then
+        echo "FAILED $1: $message"; failed=$((failed + 1)); cp kept.cs "$2"; return
+    fi
     if [ -n "$message" ] || ! cmp -s new.png right.png; then
         passed=$((passed + 1)); echo "ok     $1 ${message:+($message)}"
     else
@@ -50,7 +52,7 @@ edit "h without the 2"           $course/Camera/Camera.cs            's/PlaneHei
 edit "the ray of a pixel"        $course/Camera/Camera.cs            's/Direction<Scalar>(column, row);/Direction<Scalar>(column, row + 1);/'
 edit "the clip range"            $course/Camera/ClipRange.cs         's/(z >= zNear) &/(z <= zNear) \&/'
 edit "dot product"               $course/Mathematics/Vector3OfN.cs   's/a.X \* b.X + a.Y \* b.Y/a.X * b.X - a.Y * b.Y/'
-edit "cross product"             $course/Mathematics/Vector3.cs      's/a.Y \* b.Z - a.Z \* b.Y/a.Y * b.Z + a.Z * b.Y/'
+edit "cross product"             $course/Mathematics/Vector3.cs      's/a.Z \* b.X - a.X \* b.Z/a.X * b.Z - a.Z * b.X/'
 edit "plane"                     $course/Models/Plane.cs             's/(Point - ray.Origin) \* Normal/(ray.Origin - Point) * Normal/'
 edit "sphere"                    $course/Models/Sphere.cs            's/Radius \* Radius - D \* D/Radius - D * D/'
 edit "box"                       $course/Models/Aabb.cs              's/var hit = tMin <= tMax/var hit = tMin >= tMax/'
