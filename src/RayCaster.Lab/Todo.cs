@@ -43,7 +43,7 @@ public static class Todo
             () => camera = new(v, Vector3.Zero, new(0, 0, 1), 45, 1, 1), () => camera.Direction(0, 0), () => camera.Shade(ray),
             () => new Scene(camera, new(0, 0, 0)).CastRay(0, 0),
             () => _ = v + v, () => _ = v - v, () => _ = 2 * v, () => _ = v * v, () => _ = v % v, () => _ = v.Length,
-            () => ray.Hit(1, null), () => ray.At(1), () => ray.Counts(1), () => ray.HitModel.Intersect(ray),
+            () => ray.Hit(1, null), () => ray.At(1), () => ray.Counts(1), () => new Plane(v, v).Intersect(ray),
             () => new Aabb(v, v).Intersect(ray), () => Aabb.Slab(0, 1, 0, 1),
             () => new Sphere(v, 1).GeometricSolution(ray), () => new Sphere(v, 1).AnalyticalSolution(ray),
             () => new Circle(v, v, 1).Intersect(ray), () => new Triangle(v, v, v).Intersect(ray),
