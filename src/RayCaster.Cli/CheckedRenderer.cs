@@ -1,9 +1,8 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Draws the fast way; where the course's library was changed, as long as that agrees with the definition. Once it does not, or from the start if
-/// so asked,
-/// the definition draws.
+/// Draws the fast way; where the course's library was changed, as long as that agrees with the definition. Once it does not, or from the start
+/// with <c>--plain</c>, the definition draws.
 /// </summary>
 /// <param name="scene">What to draw.</param>
 /// <param name="threads">How many threads cast rays; null for one per core.</param>

@@ -50,13 +50,13 @@ internal sealed class MarkCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         if (line.Operands.Count is 0 or > 2) throw ProblemException.Usage("mark takes <rubric> and <submissions>");
-        var (rubric, report) = Abandonable.Run(() => (RubricReader.Read(line.Operands[0], out var report), report), cancellation);
+        var rubric = RubricReader.Read(line.Operands[0], out var report);
         StandardFile.WriteError(report);
         if (rubric is null) return ExitCode.No;
         var quiet = line.Has(Option.Quiet);
         if (line.Operands.Count == 1)
         {
-            StandardFile.WriteOutput(Abandonable.Run(() => RubricReport.Text(rubric), cancellation));
+            StandardFile.WriteOutput(RubricReport.Text(rubric));
             return ExitCode.Done;
         }
 

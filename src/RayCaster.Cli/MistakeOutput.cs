@@ -20,7 +20,7 @@ internal static class MistakeOutput
         PictureOutput.KeepOffTerminal(output);
         if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
-        var picture = Abandonable.Run(() => WrongPicture.Draw(scene, mistakes, threads), cancellation);
+        var picture = WrongPicture.Draw(scene, mistakes, threads);
         PictureOutput.Write(output, cancellation, stream =>
         {
             using var writer = PictureWriter.Create(format, stream, picture.Width, picture.Height, null);

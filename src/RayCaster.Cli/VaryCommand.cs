@@ -39,7 +39,7 @@ internal sealed class VaryCommand : Command
         InputFiles.Note([path]);
         InputFiles.Keep(output);
         byte[] text = [];
-        var reading = Abandonable.Run(() => SceneReader.Read(path, look: bytes => text = bytes.ToArray()), cancellation);
+        var reading = SceneReader.Read(path, look: bytes => text = bytes.ToArray());
         StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene) return text.Length == 0 ? ExitCode.CouldNot : ExitCode.No;
 
@@ -47,7 +47,7 @@ internal sealed class VaryCommand : Command
         if (scene.Models.Any(model => model is Mesh) && Path.GetDirectoryName(Path.GetFullPath(output)) != folder)
             throw new ProblemException($"raycaster: {path} names mesh files, whose paths start at its folder: " +
                 $"write {Path.GetFileName(output)} to {folder}");
-        if (Abandonable.Run(() => SceneVariation.Of(text, folder, seed), cancellation) is not { } varied)
+        if (SceneVariation.Of(text, folder, seed) is not { } varied)
         {
             StandardFile.WriteError($"{path}: no variation of it shows all the mistakes that it shows; try another seed{Environment.NewLine}");
             return ExitCode.No;
