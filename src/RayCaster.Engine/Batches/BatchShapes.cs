@@ -55,7 +55,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<
     }
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares)
     {
         var all = shapes.Items;
@@ -93,7 +93,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<
     }
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void Arrange(Span<BatchItem> members, int group)
     {
         arranged.Resize(shapes.Count);
@@ -116,7 +116,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<
     public override void Free() => arranged.Free();
 
     /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void Meet(BatchTile<N> part, int first, int end, bool isClear)
     {
         var (range, rays) = (clip, part.Rays);

@@ -53,7 +53,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     public bool Hides(double nearest) => Visible(nearest) == 0;
 
     /// <summary>Forgets the packets that are listed, and finds out how far the hits reach now that they have been asked.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Refresh()
     {
         for (; touched != 0; touched &= touched - 1) Measure(BitOperations.TrailingZeroCount(touched));
@@ -61,7 +61,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     }
 
     /// <summary>Finds out how far the hits reach everywhere.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void RefreshAll()
     {
         for (var block = 0; block < Blocks; block++) Measure(block);
@@ -70,7 +70,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
 
     /// <summary>Lists the packets in a member's rectangle where not all hits so far are nearer than it.</summary>
     /// <returns>Where in the list they end.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public int List(in BatchItem member)
     {
         var (nearest, place) = (member.Nearest, member.Place);

@@ -27,7 +27,7 @@ internal sealed class DepthOrder
     public PooledList<(int First, int End)> Ranges { get; } = new();
 
     /// <summary>Sorts those members of the ranges that may show in a part.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Sort(ReadOnlySpan<BatchItem> members, in Tile part)
     {
         count = 0;
@@ -35,7 +35,7 @@ internal sealed class DepthOrder
         if (count > 0) Sort();
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Add(ReadOnlySpan<BatchItem> members, int first, int end, in Tile part)
     {
         if (listed.Length < count + end - first)
@@ -54,7 +54,7 @@ internal sealed class DepthOrder
     }
 
     /// <summary>Sorts by the bits of the least distances, which for floats that are not negative grow with the number.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Sort()
     {
         var listed = this.listed.AsSpan(0, count);

@@ -86,7 +86,7 @@ internal sealed class PrimitiveBatch<N>(Camera camera, int mostMembers) : IModel
     }
 
     /// <summary>Lets the rays of a part meet members, in their order.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Meet(BatchTile<N> part, ReadOnlySpan<(int Member, float NearestOfRest)> order)
     {
         var members = this.members.Items;

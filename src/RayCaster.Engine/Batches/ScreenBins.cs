@@ -61,7 +61,7 @@ internal sealed class ScreenBins
         });
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Count(ReadOnlySpan<BatchItem> members, int[] cells, int[] counts)
     {
         for (var i = 0; i < members.Length; i++)
@@ -72,7 +72,7 @@ internal sealed class ScreenBins
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private static void Place(ReadOnlySpan<BatchItem> members, int[] cells, int[] places, Span<BatchItem> sorted)
     {
         for (var i = 0; i < members.Length; i++) sorted[places[cells[i]]++] = members[i];

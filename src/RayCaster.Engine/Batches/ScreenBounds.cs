@@ -49,7 +49,7 @@ internal sealed class ScreenBounds
     }
 
     /// <summary>Looks at balls.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void OfBalls<N>() where N : struct, IPacket<N>
     {
         for (var i = 0; i < Count; i += N.Count)
@@ -57,7 +57,7 @@ internal sealed class ScreenBounds
     }
 
     /// <summary>Looks at boxes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void OfBoxes<N>() where N : struct, IPacket<N>
     {
         for (var i = 0; i < Count; i += N.Count)

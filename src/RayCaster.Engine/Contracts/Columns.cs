@@ -11,7 +11,7 @@ internal sealed class Columns(Camera camera, int capacity)
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
 
     /// <summary>Comes to columns; those of the last packet that lie beyond them are computed, too.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Enter<N>(int column, int width) where N : struct, IPacket<N>
     {
         for (var i = 0; i < width; i += N.Count)

@@ -52,7 +52,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     public ReadOnlySpan<double> T => t;
 
     /// <summary>Tells the models of some pixels' nearest hits, by their places in the scene; −1 for none.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void CopyModels(int first, Span<int> to)
     {
         for (; to.Length >= Packet.Count; to = to[Packet.Count..], first += Packet.Count) ModelsAt<Packet>(first).ToInts().CopyTo(to);
@@ -80,7 +80,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         for (var i = 0; i < rows; i++) AimRow<N>(row + i, i * Pitch);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void AimRow<N>(int row, int first) where N : struct, IPacket<N>
     {
         var upwards = camera.Upwards(Lanes.Broadcast<N>(row));
@@ -132,7 +132,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     }
 
     /// <summary>Whether all hits so far of some pixels are nearer than a model can be.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public bool Hides<N>(int first, int end, double nearest) where N : struct, IPacket<N>
     {
         var nearestOfModel = Lanes.Broadcast<N>(nearest);

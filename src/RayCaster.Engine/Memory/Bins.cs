@@ -15,7 +15,7 @@ internal sealed class Bins<T> where T : struct
     private T[] sorted;
 
     /// <param name="lists">What to sort; the lists are emptied.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public Bins(PooledList<(int Place, T Thing)>[] lists)
     {
         var (total, last) = (0, -1);

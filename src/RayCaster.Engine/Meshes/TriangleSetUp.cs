@@ -27,7 +27,7 @@ internal static class TriangleSetUp
     public const int Length = 8 * 20;
 
     /// <summary>Fills the fields for eight triangles and returns a bit for each that may show in the tile.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public static uint Of(TriangleQueue triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
     {
         var t = triangles.See(first);

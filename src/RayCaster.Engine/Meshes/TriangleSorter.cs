@@ -29,7 +29,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
     public (int Left, int Right, int Bottom, int Top) Extent => extent;
 
     /// <summary>Takes triangles. Those that surely cover no sample are dropped.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
         var (zero, one) = (Vector256<float>.Zero, Vector256<float>.One);

@@ -54,7 +54,7 @@ public sealed class TriangleTree
 
     /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel, or NaN; a hit beyond the nearest one so far does not
     /// count.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
     internal N Nearest<N>(RayStream rays, int pixel) where N : struct, IPacket<N>
     {
         var (best, hit) = (rays.NearestAt<N>(pixel), Lanes.Broadcast<N>(double.NaN));

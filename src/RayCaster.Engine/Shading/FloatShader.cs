@@ -35,7 +35,7 @@ internal sealed class FloatShader
     public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % FloatPacket.Count == 0;
 
     /// <inheritdoc cref="HitShader.Shade(RayStream, byte[], int, int)"/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public unsafe void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
     {
         fixed (long* packed = colors.Packed)

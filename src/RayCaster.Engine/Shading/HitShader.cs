@@ -42,7 +42,7 @@ internal sealed class HitShader
     /// <param name="rays">The hits.</param>
     /// <param name="first">The first of the pixels in the stream.</param>
     /// <param name="rgb">Three bytes for each of the pixels.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, int first, Span<byte> rgb)
     {
         var packed = Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
