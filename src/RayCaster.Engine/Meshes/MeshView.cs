@@ -18,13 +18,13 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     private Tile entered;
     private bool shows;                              // whether a triangle may show in that tile
 
-    /// <param name="vertices">The corners.</param>
-    /// <param name="indices">Three for each triangle.</param>
+    /// <param name="mesh">The mesh.</param>
     /// <param name="screen">The camera.</param>
+    /// <param name="isKept">Whether what depends only on the mesh stays in memory for the next picture.</param>
     /// <param name="threads">How many threads may prepare the view.</param>
-    public MeshView(Vector3[] vertices, int[] indices, ScreenSpace screen, int threads = 1)
+    public MeshView(Mesh mesh, ScreenSpace screen, bool isKept = false, int threads = 1)
     {
-        (this.vertices, this.indices, this.screen) = (vertices, indices, screen);
+        (vertices, indices, this.screen) = (mesh.Vertices, mesh.Indices, screen);
         if (!screen.IsFine)
         {
             hard = new(vertices, indices);
@@ -34,7 +34,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
 
         var whole = new ScreenTriangles<N>(
             screen, new MeshCorners<N>(screen, vertices, indices), null,
-            each => new ClusterSorter<N>(screen, vertices, indices, each), () => new Duplicates(vertices, indices), threads);
+            TriangleBoxes.Of(mesh, isKept, threads), () => new Duplicates(vertices, indices), threads);
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);

@@ -13,36 +13,34 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     /// <param name="screen">The camera.</param>
     /// <param name="corners">Where the triangles' corners are seen.</param>
     /// <param name="owners">The mesh's triangle that each belongs to; null where they are the same.</param>
-    /// <param name="group">Makes a sorter of groups, which gives what it does not sort to the one of triangles; null where neighbours mean
-    /// nothing.</param>
+    /// <param name="boxes">The boxes of the triangles' clusters; null where they are sorted one by one.</param>
     /// <param name="twins">Makes what knows that triangles are the same; null where that is not known.</param>
     /// <param name="threads">How many threads may work.</param>
     public ScreenTriangles(
-        ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, ClusterSorter<N>>? group, Func<Duplicates>? twins, int threads)
+        ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? twins, int threads)
     {
         (Corners, Owners) = (corners, owners);
         tilesAcross = Tile.TilesOf(screen.Camera.Width);
-        var count = corners.Count;
-        var sorters = new TriangleSorter[Math.Clamp(count / LeastForAThread, 1, threads)];
+        var sorters = new TriangleSorter[Math.Clamp(corners.Count / LeastForAThread, 1, threads)];
         for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
-        var groupers = group is null ? [] : Array.ConvertAll(sorters, sorter => group(sorter));
-        int First(int sorter) =>
-            sorter == sorters.Length ? count : (int)((long)count * sorter / sorters.Length) / TriangleCluster.Length * TriangleCluster.Length;
+        var clusterSorters = boxes is null ? [] : Array.ConvertAll(sorters, each => new ClusterSorter<N>(screen, boxes, each));
+        var count = boxes?.Count ?? corners.Count;
+        int First(int sorter) => (int)((long)count * sorter / sorters.Length);
         ThreadTeam.Each(sorters.Length, sorters.Length, i =>
         {
-            if (group is null) sorters[i].Add(First(i), First(i + 1));
-            else groupers[i].Add(First(i), First(i + 1));
+            if (boxes is null) sorters[i].Add(First(i), First(i + 1));
+            else clusterSorters[i].Add(First(i), First(i + 1));
         });
 
         triangles = new(Array.ConvertAll(sorters, sorter => sorter.Triangles));
-        groups = new(Array.ConvertAll(groupers, grouper => grouper.Clusters));
+        groups = new(Array.ConvertAll(clusterSorters, sorter => sorter.Clusters));
         foreach (var sorter in sorters)
         {
             Large.AddRange(sorter.Large);
             Unfit.AddRange(sorter.Unfit);
             Extend(sorter.Extent);
         }
-        foreach (var grouper in groupers) Extend(grouper.Extent);
+        foreach (var sorter in clusterSorters) Extend(sorter.Extent);
     }
 
     /// <summary>Where the triangles' corners are.</summary>

@@ -3,21 +3,133 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>The boxes around triangles of a mesh that follow one another. Here each index is checked, once for all.</summary>
-/// <param name="vertices">The corners.</param>
-/// <param name="indices">Three for each triangle.</param>
-internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
+/// <summary>
+/// What depends only on a mesh: for each cluster of triangles that follow one another in it a box around them, and the normal of the triangle in
+/// the middle.
+/// </summary>
+/// <remarks>
+/// In floats, relative to a point and a length of the mesh, so that no size of scene is too large for them. They take 2.3 bytes for each triangle; a
+/// mesh whose triangles share their corners takes 24.
+/// </remarks>
+internal sealed class TriangleBoxes
 {
+    /// <summary>How many clusters a thread takes at once.</summary>
+    private const int ClustersAtOnce = 1 << 10;
+
     /// <summary>
-    /// How far ahead the memory is asked for: to wait for it would take longer than to find the boxes. Vertices are asked for later than indices,
-    /// since their
-    /// places must be there.
+    /// How far ahead the memory is fetched: to wait for it would take longer than to find the boxes. Vertices are fetched later than indices, since
+    /// their places must be there.
     /// </summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
-    /// <summary>The least and the greatest coordinates of some triangles, and a fourth number that means nothing. A corner that is no number does
-    /// not
-    /// count, for it is part of no hit.</summary>
+    private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
+
+    private readonly Vector3[] vertices;
+    private readonly int[] indices;
+    private readonly Vector256<double> middle, perUnit;
+    private readonly float[][] numbers = new float[9][]; // lows, highs and normals
+
+    /// <param name="vertices">The corners.</param>
+    /// <param name="indices">Three for each triangle. Each of them is checked here, once for all.</param>
+    /// <param name="threads">How many threads may find the boxes.</param>
+    public TriangleBoxes(Vector3[] vertices, int[] indices, int threads)
+    {
+        (this.vertices, this.indices) = (vertices, indices);
+        Count = (indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length;
+        var bounds = Bounds.Empty;
+        for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1) bounds = bounds.With(vertices[i]);
+        Middle = 0.5 * (bounds.Min + bounds.Max);
+        var size = bounds.Max - bounds.Min;
+        Unit = Math.Max(size.X, Math.Max(size.Y, size.Z));
+        if (!(Unit > 0)) Unit = 1;
+        (middle, perUnit) = (Vector256.Create(Middle.X, Middle.Y, Middle.Z, 0), Vector256.Create(1 / Unit));
+        for (var i = 0; i < numbers.Length; i++) numbers[i] = GC.AllocateUninitializedArray<float>(Count + 7); // room for a packet at the end
+        ThreadTeam.Each((Count + ClustersAtOnce - 1) / ClustersAtOnce, threads, piece =>
+            Find(piece * ClustersAtOnce, Math.Min((piece + 1) * ClustersAtOnce, Count)));
+    }
+
+    /// <summary>What boxes and normals are relative to.</summary>
+    public Vector3 Middle { get; }
+
+    /// <summary>The length that is 1 in them.</summary>
+    public double Unit { get; }
+
+    /// <summary>How many clusters there are.</summary>
+    public int Count { get; }
+
+    /// <summary>The boxes of a mesh.</summary>
+    /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
+    /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>
+    /// <param name="threads">How many threads may find them.</param>
+    public static TriangleBoxes Of(Mesh mesh, bool isKept, int threads) => isKept
+        ? kept.GetValue(mesh, mesh => new(mesh.Vertices, mesh.Indices, threads))
+        : new(mesh.Vertices, mesh.Indices, threads);
+
+    /// <summary>The triangles of a cluster.</summary>
+    public (int First, int End) TrianglesOf(int cluster)
+    {
+        var first = cluster * TriangleCluster.Length;
+        return (first, Math.Min(first + TriangleCluster.Length, indices.Length / 3));
+    }
+
+    /// <summary>The least coordinates of several clusters, one to each lane. A corner that is no number does not count, for it is part of no
+    /// hit.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3<N> Lows<N>(int first) where N : struct, IPacket<N> => Load<N>(0, first);
+
+    /// <summary>The greatest coordinates.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3<N> Highs<N>(int first) where N : struct, IPacket<N> => Load<N>(3, first);
+
+    /// <summary>The normals of the triangles in the middle, of any length.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public Vector3<N> Normals<N>(int first) where N : struct, IPacket<N> => Load<N>(6, first);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Vector3<N> Load<N>(int kind, int first) where N : struct, IPacket<N> =>
+        new(N.Load(numbers[kind], first), N.Load(numbers[kind + 1], first), N.Load(numbers[kind + 2], first));
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Find(int cluster, int endCluster)
+    {
+        for (; cluster < endCluster; cluster++)
+        {
+            var (first, end) = TrianglesOf(cluster);
+            var (low, high) = Around(first, end);
+            (low, high) = ((low - middle) * perUnit, (high - middle) * perUnit);
+            Set(0, cluster, low - Padding(low));
+            Set(3, cluster, high + Padding(high));
+            Set(6, cluster, NormalOf((first + end) / 2));
+        }
+
+        // A float is rounded by 2⁻²⁴ of itself.
+        static Vector256<double> Padding(Vector256<double> number) => Vector256.Create(1e-7) * (Vector256.Abs(number) + Vector256<double>.One);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private void Set(int kind, int cluster, Vector256<double> vector)
+    {
+        var floats = Vector128.Narrow(vector.GetLower(), vector.GetUpper());
+        (numbers[kind][cluster], numbers[kind + 1][cluster], numbers[kind + 2][cluster]) = (floats[0], floats[1], floats[2]);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Vector256<double> NormalOf(int triangle)
+    {
+        var a = CornerAt(3 * triangle);
+        var (b, c) = ((CornerAt(3 * triangle + 1) - a) * perUnit, (CornerAt(3 * triangle + 2) - a) * perUnit);
+        var turn = Vector256.Create(1L, 2, 0, 3); // a × b is b turned times a less a turned times b, turned
+        return Vector256.Shuffle(b * Vector256.Shuffle(c, turn) - Vector256.Shuffle(b, turn) * c, turn);
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private Vector256<double> CornerAt(int place)
+    {
+        ref readonly var point = ref vertices[indices[place]];
+        return Vector256.Create(point.X, point.Y, point.Z, 0);
+    }
+
+    /// <summary>The least and the greatest coordinates of some triangles, and a fourth number that means nothing.</summary>
     /// <param name="first">The first triangle.</param>
     /// <param name="end">The one after the last.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -51,8 +163,7 @@ internal sealed class TriangleBoxes(Vector3[] vertices, int[] indices)
         var high = -low;
         for (var i = 3 * first; i < 3 * end; i++)
         {
-            var point = vertices[indices[i]];
-            var corner = Vector256.Create(point.X, point.Y, point.Z, 0);
+            var corner = CornerAt(i);
             (low, high) = (Vector256.MinNative(corner, low), Vector256.MaxNative(corner, high));
         }
         return (low, high);

@@ -30,6 +30,9 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>The packet that begins at a place in an array.</summary>
     static abstract N Load(double[] numbers, int first);
 
+    /// <inheritdoc cref="Load(double[], int)"/>
+    static abstract N Load(float[] numbers, int first);
+
     /// <summary>A corner of triangles of a mesh, one to each lane. The mesh's indices have been checked.</summary>
     /// <param name="vertices">The corners.</param>
     /// <param name="indices">Three for each triangle.</param>

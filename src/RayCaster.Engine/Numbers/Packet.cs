@@ -99,6 +99,9 @@ internal struct Packet : IPacket<Packet>
     public static Packet Load(double[] numbers, int first) => new() { Lanes = numbers.Load256(first) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet Load(float[] numbers, int first) => new() { Lanes = Vector256.WidenLower(numbers.Load128(first).ToVector256Unsafe()) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner)
     {
         var places = new RawSpan<int>(indices);

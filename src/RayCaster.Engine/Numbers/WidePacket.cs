@@ -100,6 +100,9 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Load(double[] numbers, int first) => new() { Lanes = numbers.Load512(first) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WidePacket Load(float[] numbers, int first) => new() { Lanes = Vector512.WidenLower(numbers.Load256(first).ToVector512Unsafe()) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<WidePacket> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner)
     {
         var lower = Packet.Gather(vertices, indices, triangles, first, corner);

@@ -19,7 +19,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
         if (PrimitiveBatch is not null) alone.AddRange(PrimitiveBatch.Arrange(threads));
 
         Places = [.. alone];
-        Views = Array.ConvertAll(Places, i => ViewMaker<N>.See(models[i], camera, threads));
+        Views = Array.ConvertAll(Places, i => ViewMaker<N>.See(models[i], camera, manyFrames, threads));
         Extents = Array.ConvertAll(Views, view => view.Extent);
     }
 
