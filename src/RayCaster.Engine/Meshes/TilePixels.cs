@@ -13,9 +13,9 @@ internal sealed class TilePixels
     /// <summary>From a pixel to the one above it. What a packet at the end of a row holds of the next one stays as it is.</summary>
     public const int Stride = Tile.MaxSide;
 
-    /// <summary>How many pixels there are, with room for a packet that begins at the last, and for a row above, since rows are looked at by
-    /// twos.</summary>
-    public const int Size = Stride * (Tile.MaxSide + 1) + 8;
+    /// <summary>How many pixels there are, with room for a packet that begins at the last, and for three rows above, since at least four rows are
+    /// looked at.</summary>
+    public const int Size = Stride * (Tile.MaxSide + 4) + 8;
 
     private const int QueueLength = 1 << 14;
 

@@ -168,7 +168,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                 var up = Vector512.Create(0f, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
                 var last = Vector512.Create((float)height); // the second of two rows may be beyond it
                 var pixel = first + x;
-                for (var y = 0; y <= height; y += 2, pixel += 2 * TilePixels.Stride, up += Vector512.Create(2f))
+                // Four rows at least: nothing tells the processor whether a small triangle has more than two.
+                for (var y = 0; y <= (height | 2); y += 2, pixel += 2 * TilePixels.Stride, up += Vector512.Create(2f))
                 {
                     var inner = Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upU, u),
                         Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upV, v), Vector512.MultiplyAddEstimate(up, upW, w)));
