@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 
 namespace RayCaster.Engine;
 
@@ -6,9 +7,6 @@ namespace RayCaster.Engine;
 /// <typeparam name="N">The kind of packet to compute with.</typeparam>
 internal abstract class BatchShapes<N> where N : struct, IPacket<N>
 {
-    /// <summary>Takes a model and its place in the scene, if it has this kind of shape.</summary>
-    public abstract bool Add(Model model, int place);
-
     /// <summary>Finds where the shapes show.</summary>
     /// <param name="outlines">The tool for it.</param>
     /// <param name="group">The number of this group.</param>
@@ -18,11 +16,18 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     /// <param name="shares">How many shares there are.</param>
     public abstract void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares);
 
-    /// <summary>Puts the shapes into the order of the members.</summary>
-    public abstract void Arrange(Span<BatchItem> members, int group);
+    /// <summary>Puts the shapes of some members where the members are.</summary>
+    /// <param name="members">All members.</param>
+    /// <param name="group">The number of this group.</param>
+    /// <param name="first">The first of the members.</param>
+    /// <param name="end">The one after the last.</param>
+    public abstract void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end);
 
-    /// <summary>Asks the memory for a shape.</summary>
-    public abstract void Fetch(int place);
+    /// <summary>Makes room for the shapes of so many members.</summary>
+    public abstract void Reserve(int members);
+
+    /// <summary>Fetches a member's shape.</summary>
+    public abstract void Fetch(int member);
 
     /// <summary>Gives the memory back.</summary>
     public abstract void Free();
@@ -39,26 +44,16 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
 /// <typeparam name="P">The kind of shape.</typeparam>
 /// <typeparam name="N">The kind of packet.</typeparam>
 /// <param name="clip">Which hits count.</param>
-/// <param name="most">How many models the scene has.</param>
-internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>
+/// <param name="list">The shapes.</param>
+internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>
 {
-    private readonly PooledList<(P Shape, int Model)> shapes = new(); // as they came
     private readonly PooledList<(P Shape, int Model)> arranged = new();
-
-    /// <inheritdoc/>
-    public override bool Add(Model model, int place)
-    {
-        if (model is not Model<P> { Primitive: var shape }) return false;
-        if (shapes.Count == 0) shapes.Reserve(most - place);
-        shapes.Add((shape, place));
-        return true;
-    }
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares)
     {
-        var all = shapes.Items;
+        var all = CollectionsMarshal.AsSpan(list.Items);
         var (begin, end) = ((int)((long)all.Length * share / shares), (int)((long)all.Length * (share + 1) / shares));
         var member = new BatchItem { Kind = group };
         for (var first = begin; first < end; first += ScreenBounds.Count)
@@ -93,24 +88,21 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<
     }
 
     /// <inheritdoc/>
+    public override void Reserve(int members) => arranged.Resize(members);
+
+    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public override void Arrange(Span<BatchItem> members, int group)
+    public override void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end)
     {
-        arranged.Resize(shapes.Count);
-        var from = shapes.Items;
+        var from = CollectionsMarshal.AsSpan(list.Items);
         var to = arranged.Items;
-        var count = 0;
-        foreach (ref var member in members)
-        {
-            if (member.Kind != group) continue;
-            to[count] = from[member.Place];
-            member.Place = count++;
-        }
-        shapes.Free();
+        for (var i = first; i < end; i++)
+            if (members[i].Kind == group)
+                to[i] = from[members[i].Place];
     }
 
     /// <inheritdoc/>
-    public override void Fetch(int place) => Lanes.Fetch(ref arranged.Items[place]);
+    public override void Fetch(int member) => Lanes.Fetch(ref arranged.Items[member]);
 
     /// <inheritdoc/>
     public override void Free() => arranged.Free();

@@ -69,11 +69,13 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     }
 
     /// <summary>Lists the packets in a member's rectangle where not all hits so far are nearer than it.</summary>
+    /// <param name="member">The member.</param>
+    /// <param name="place">Its place among all members.</param>
     /// <returns>Where in the list they end.</returns>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public int List(in BatchItem member)
+    public int List(in BatchItem member, int place)
     {
-        var (nearest, place) = (member.Nearest, member.Place);
+        var nearest = member.Nearest;
         var shared = sides.And(member.Sides);
         var (left, right) = (shared.Left - tile.Column, shared.Right - 1 - tile.Column);
         var (bottom, top) = (shared.Bottom - tile.Row, shared.Top - 1 - tile.Row);
@@ -105,7 +107,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     /// <summary>Of each packet that is listed the pixel where it begins.</summary>
     public ReadOnlySpan<int> Packets => packets;
 
-    /// <summary>And the place in its group of the member that it may hit.</summary>
+    /// <summary>And the place of the member that it may hit.</summary>
     public ReadOnlySpan<int> Places => places;
 
     /// <summary>A bit for each block: whether it has pixels whose nearest hit is not nearer than this.</summary>

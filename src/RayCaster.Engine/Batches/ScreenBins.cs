@@ -19,7 +19,8 @@ internal sealed class ScreenBins
     public const int PartSide = 32;
 
     private readonly Level[] levels;
-    private readonly int[] starts; // of each cell of each grid the first member; one more at the end
+    private readonly int cellCount;
+    private int[] starts = []; // of each cell of each grid the first member; one more at the end
 
     public ScreenBins(Camera camera)
     {
@@ -33,7 +34,7 @@ internal sealed class ScreenBins
         }
         while (created[^1].Across > 1 || created[^1].Up > 1);
         levels = [.. created];
-        starts = new int[first + 1];
+        cellCount = first;
     }
 
     /// <summary>Sorts members by their cells.</summary>
@@ -41,24 +42,13 @@ internal sealed class ScreenBins
     /// <param name="sorted">Takes them.</param>
     public void Sort(PooledList<BatchItem>[] shares, PooledList<BatchItem> sorted)
     {
-        var (cells, places) = (new int[shares.Length][], new int[shares.Length][]); // of each share: its members' cells, and each cell's next place
-        ThreadTeam.Each(shares.Length, shares.Length, i =>
-        {
-            cells[i] = ArrayPool<int>.Shared.Rent(shares[i].Count);
-            Count(shares[i].Items, cells[i], places[i] = new int[starts.Length]);
-        });
-        var next = 0;
-        for (var cell = 0; cell < starts.Length; cell++)
-        {
-            starts[cell] = next;
-            foreach (var place in places) (place[cell], next) = (next, next + place[cell]);
-        }
-        sorted.Resize(next);
-        ThreadTeam.Each(shares.Length, shares.Length, i =>
-        {
-            Place(shares[i].Items, cells[i], places[i], sorted.Items);
-            ArrayPool<int>.Shared.Return(cells[i]);
-        });
+        var cells = Array.ConvertAll(shares, share => ArrayPool<int>.Shared.Rent(share.Count)); // of each member
+        sorted.Resize(shares.Sum(share => share.Count));
+        starts = CountingSort.Sort(
+            shares.Length, cellCount,
+            (i, counts) => Count(shares[i].Items, cells[i], counts),
+            (i, next) => Place(shares[i].Items, cells[i], next, sorted.Items));
+        foreach (var some in cells) ArrayPool<int>.Shared.Return(some);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]

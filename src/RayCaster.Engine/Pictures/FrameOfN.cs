@@ -11,14 +11,10 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     public Frame(Scene scene, int threads, bool manyFrames) : base(scene, manyFrames)
     {
         var camera = scene.Camera;
-        var (models, alone) = (scene.Models, new List<int>());
-        if (models.Count > FewModels && !camera.IsSkewed) PrimitiveBatch = new(camera, models.Count);
-        for (var i = 0; i < models.Count; i++)
-            if (PrimitiveBatch is null || !PrimitiveBatch.Add(models[i], i))
-                alone.Add(i);
-        if (PrimitiveBatch is not null) alone.AddRange(PrimitiveBatch.Arrange(threads));
-
-        Places = [.. alone];
+        var models = scene.Models;
+        if (models.Count > FewModels && !camera.IsSkewed)
+            PrimitiveBatch = new(camera, ShapeLists.Of(models, manyFrames, threads), models.Count, threads);
+        Places = PrimitiveBatch is null ? [.. Enumerable.Range(0, models.Count)] : [.. PrimitiveBatch.Others];
         Views = Array.ConvertAll(Places, i => ViewMaker<N>.See(models[i], camera, manyFrames, threads));
         Extents = Array.ConvertAll(Views, view => view.Extent);
     }

@@ -1,0 +1,118 @@
+using System.Runtime.CompilerServices;
+
+namespace RayCaster.Engine;
+
+/// <summary>What depends only on the models of a scene: the shapes that have bounds, a list for each kind.</summary>
+internal sealed class ShapeLists : IModelVisitor
+{
+    /// <summary>With fewer models than this for each thread, one thread is ready before the others have begun.</summary>
+    private const int LeastShare = 8192;
+
+    private static readonly ConditionalWeakTable<IReadOnlyList<Model>, ShapeLists> kept = [];
+
+    private readonly List<ShapeList> lists = [];
+    private readonly List<int> others = [];
+    private int count;
+
+    private ShapeLists()
+    {
+    }
+
+    /// <summary>The lists.</summary>
+    public IReadOnlyList<ShapeList> Lists => lists;
+
+    /// <summary>The places of all other models in the scene.</summary>
+    public IReadOnlyList<int> Others => others;
+
+    /// <summary>The shapes of a scene's models.</summary>
+    /// <param name="models">The models.</param>
+    /// <param name="isKept">Whether the lists stay in memory as long as the list of models does, for the next picture.</param>
+    /// <param name="threads">How many threads may make them.</param>
+    public static ShapeLists Of(IReadOnlyList<Model> models, bool isKept, int threads)
+    {
+        if (isKept && kept.TryGetValue(models, out var known) && known.count == models.Count) return known;
+        var shares = models.Count / LeastShare >= threads ? threads : 1;
+        var parts = new ShapeLists[shares];
+        ThreadTeam.Each(shares, shares, share =>
+        {
+            parts[share] = new();
+            var (first, end) = ((int)((long)models.Count * share / shares), (int)((long)models.Count * (share + 1) / shares));
+            for (var place = first; place < end; place++) parts[share].Add(models[place], place);
+        });
+        for (var share = 1; share < shares; share++) parts[0].Append(parts[share]);
+        parts[0].count = models.Count;
+        if (isKept) kept.AddOrUpdate(models, parts[0]);
+        return parts[0];
+    }
+
+    void IModelVisitor.Visit<P>(Model<P> model)
+    {
+        if (model.Primitive is IBounded) lists.Add(new ShapeList<P>());
+    }
+
+    void IModelVisitor.Visit(Mesh mesh)
+    {
+    }
+
+    void IModelVisitor.VisitOther(Model model)
+    {
+    }
+
+    private void Add(Model model, int place)
+    {
+        for (var i = lists.Count - 1; i >= 0; i--)
+            if (lists[i].Add(model, place))
+                return;
+        var before = lists.Count;
+        model.Accept(this); // once for each kind of shape: the list that it makes takes the others
+        if (lists.Count == before || !lists[^1].Add(model, place)) others.Add(place);
+    }
+
+    private void Append(ShapeLists more)
+    {
+        foreach (var list in more.lists)
+            if (!lists.Exists(known => known.Append(list)))
+                lists.Add(list);
+        others.AddRange(more.others);
+    }
+}
+
+/// <summary>Shapes of one kind, and the places of their models in the scene.</summary>
+internal abstract class ShapeList
+{
+    /// <summary>Takes a model if it has this kind of shape.</summary>
+    public abstract bool Add(Model model, int place);
+
+    /// <summary>Takes all shapes of another list if they are of this kind.</summary>
+    public abstract bool Append(ShapeList list);
+
+    /// <summary>The shapes as members of a batch.</summary>
+    public abstract BatchShapes<N> ForBatch<N>(ClipRange clip) where N : struct, IPacket<N>;
+}
+
+/// <inheritdoc/>
+/// <typeparam name="P">The kind of shape.</typeparam>
+internal sealed class ShapeList<P> : ShapeList where P : struct, IPrimitive
+{
+    /// <summary>The shapes and models.</summary>
+    public List<(P Shape, int Model)> Items { get; } = [];
+
+    /// <inheritdoc/>
+    public override bool Add(Model model, int place)
+    {
+        if (model is not Model<P> { Primitive: var shape }) return false;
+        Items.Add((shape, place));
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public override bool Append(ShapeList list)
+    {
+        if (list is not ShapeList<P> same) return false;
+        Items.AddRange(same.Items);
+        return true;
+    }
+
+    /// <inheritdoc/>
+    public override BatchShapes<N> ForBatch<N>(ClipRange clip) => new BatchShapes<P, N>(clip, this);
+}
