@@ -9,9 +9,8 @@ internal interface IHitConsumer
     /// <summary>Takes a part in which no ray hits anything.</summary>
     void TakeMiss(in Tile part);
 
-    /// <summary>Offers a part that shapes fully cover; returns whether the consumer can do it without the hits.</summary>
-    /// <param name="covered">The part; a small one if there are several shapes.</param>
-    bool TryTake(CoveredTile covered);
+    /// <summary>Offers a part that a shape fully covers; returns whether the consumer can do it without the hits.</summary>
+    bool TryTake(in CoveredTile covered);
 
     /// <summary>Offers a tile in which one model alone may show; returns whether the consumer lets the model's view paint it.</summary>
     /// <param name="tile">The tile.</param>

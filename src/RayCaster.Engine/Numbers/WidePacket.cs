@@ -66,8 +66,8 @@ internal struct WidePacket : IPacket<WidePacket>
     [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
     public static WidePacket If(WidePacket mask, WidePacket value) => Select(mask, value, double.NaN);
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<WidePacket> Divide(Vector3<WidePacket> a, WidePacket b) => Quotients.Divide(a, b);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
+    public static Vector3<WidePacket> Divide(Vector3<WidePacket> a, WidePacket b) => new(a.X / b, a.Y / b, a.Z / b);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };

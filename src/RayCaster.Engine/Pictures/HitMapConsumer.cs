@@ -27,10 +27,10 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
     }
 
     /// <inheritdoc/>
-    public bool TryTake(CoveredTile covered)
+    public bool TryTake(in CoveredTile covered)
     {
         if (!coveredHits.Write(covered, map.T, PlaceOf(covered.Part.Column, covered.Part.Row), -map.Width)) return false;
-        FillModels(covered.Part, covered.Shapes[0].Index);
+        FillModels(covered.Part, covered.Index);
         return true;
     }
 

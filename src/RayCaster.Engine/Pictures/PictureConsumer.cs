@@ -26,7 +26,7 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
     }
 
     /// <inheritdoc/>
-    public bool TryTake(CoveredTile covered) =>
+    public bool TryTake(in CoveredTile covered) =>
         FloatBytes.IsSupported && Painter.Paint(covered, rgb, PlaceOf(covered.Part.Column, covered.Part.Row), -3 * width);
 
     /// <inheritdoc/>

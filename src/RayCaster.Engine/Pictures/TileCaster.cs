@@ -21,8 +21,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private readonly int[] places; // of the views' models in the scene
     private readonly BatchCaster<N>? batch;
     private readonly RayStream rays;
-    private readonly CoveredTile covered = new();
-    private readonly Predicate<Candidate> isPrimitive, isCovering;
+    private readonly Predicate<Candidate> isPrimitive;
     private IHitConsumer consumer = null!;
     private readonly List<Candidate> candidates = []; // of the strip
     private readonly EightParts tiles, parts;         // the strip's, and some of a tile
@@ -39,7 +38,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         rays = new(frame.Scene.Camera, RayStream.MaxArea);
         (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
         isPrimitive = candidate => views[candidate.Index] is ICoveringView;
-        isCovering = candidate => frame.IsLong && candidate.Range.Cover < double.PositiveInfinity && isPrimitive(candidate);
     }
 
     /// <inheritdoc/>
@@ -115,7 +113,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private void CastPart(in Tile part, List<Candidate> list)
     {
         if (list.Count == 0) consumer.TakeMiss(part);
-        else if (!TryLayers(part, list)) CastRows(part, list);
+        else CastRows(part, list);
     }
 
     /// <summary>Finds out which models may show in which part.</summary>
@@ -140,7 +138,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     }
 
     /// <summary>Whether one model, which knows the short way, surely covers the part.</summary>
-    private bool IsCovered(List<Candidate> list) => list.Count == 1 && isCovering(list[0]);
+    private bool IsCovered(List<Candidate> list) => list.Count == 1 && frame.IsLong && list[0].Range.Cover < double.PositiveInfinity && isPrimitive(list[0]);
 
     /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than
     /// short ones.</summary>
@@ -167,24 +165,8 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     }
 
     /// <summary>Offers the consumer a part that one model covers.</summary>
-    private bool TryCover(in Tile part, Candidate only)
-    {
-        covered.Enter(part);
-        AddShape(only);
-        return consumer.TryTake(covered);
-    }
-
-    /// <summary>Offers the consumer a small part that several models cover.</summary>
-    private bool TryLayers(in Tile part, List<Candidate> list)
-    {
-        if (list.Count is < 2 or > Few || part.Area > RayStream.MaxArea || !list.TrueForAll(isCovering)) return false;
-        covered.Enter(part);
-        foreach (var candidate in list) AddShape(candidate);
-        return consumer.TryTake(covered);
-    }
-
-    private void AddShape(Candidate candidate) =>
-        covered.Shapes.Add(new((ICoveringView)views[candidate.Index], places[candidate.Index], candidate.Range.IsNear));
+    private bool TryCover(in Tile part, Candidate only) =>
+        consumer.TryTake(new CoveredTile(part, (ICoveringView)views[only.Index], places[only.Index], only.Range.IsNear));
 
     /// <summary>Drops what does not show, or lies behind what covers all.</summary>
     private static void DropHidden(List<Candidate> list, double cover)

@@ -16,17 +16,17 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
     private double[] t = [];
     private int first, step;
 
-    /// <summary>Writes where the rays hit; returns false for a part that is narrower than a packet, or that several shapes cover.</summary>
+    /// <summary>Writes where the rays hit; returns false for a part that is narrower than a packet.</summary>
     /// <param name="covered">The part.</param>
     /// <param name="t">Room for the ray parameters.</param>
     /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
     /// <param name="step">From a pixel's place to that of the one above it.</param>
-    public bool Write(CoveredTile covered, double[] t, int first, int step)
+    public bool Write(in CoveredTile covered, double[] t, int first, int step)
     {
-        if (covered.Shapes is not [var only] || covered.Part.Width < N.Count) return false;
-        (part, isNear) = (covered.Part, only.IsNear);
+        if (covered.Part.Width < N.Count) return false;
+        (part, isNear) = (covered.Part, covered.IsNear);
         (this.t, this.first, this.step) = (t, first, step);
-        return only.View.Accept(this);
+        return covered.View.Accept(this);
     }
 
     /// <inheritdoc/>
