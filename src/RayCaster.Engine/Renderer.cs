@@ -9,19 +9,12 @@ public sealed class Renderer(Scene scene, int? threads = null)
     private readonly Camera camera = scene.Camera;
     private readonly int threadCount = threads ?? Environment.ProcessorCount;
 
-    /// <summary>
-    /// Whether a picture of little work is drawn without tiles; true unless said otherwise. The code for tiles takes longer to compile than such a
-    /// picture
-    /// takes to draw. Only the time depends on it.
-    /// </summary>
+    /// <summary>Whether a picture of little work is drawn without tiles; true unless said otherwise. The code for tiles takes longer to compile than
+    /// such a picture takes to draw. Only the time depends on it.</summary>
     public bool MayBeSmall { get; init; } = true;
 
-    /// <summary>
-    /// Whether this process draws many pictures, so that the float path pays, whose kernels take as long to compile as casting some ten million
-    /// rays.
-    /// Without it only a
-    /// picture of so many pixels uses them. Only the time depends on it.
-    /// </summary>
+    /// <summary>Whether this process draws many pictures, so that the float path pays, whose kernels take as long to compile as casting some ten
+    /// million rays. Without it only a picture of so many pixels uses them. Only the time depends on it.</summary>
     public bool ManyFrames { get; init; }
 
     /// <summary>Draws a whole picture in memory, which must not have more than 2³¹ bytes.</summary>

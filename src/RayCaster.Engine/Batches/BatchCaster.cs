@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>One thread's tool: casts the tiles of a scene with a batch.</summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
 internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) where N : struct, IPacket<N>
 {
     private const int Side = ScreenBins.PartSide;
@@ -14,7 +13,6 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
     public bool IsFor(in Tile tile) => batch.Shows(tile, order);
 
     /// <summary>Casts all rays of a tile.</summary>
-    /// <param name="tile">The tile.</param>
     /// <param name="others">Lets the rays of a stream meet the models that are not in the batch; null where there are none.</param>
     /// <param name="consumer">Takes the streams.</param>
     public void Cast(in Tile tile, Action<RayStream>? others, IHitConsumer consumer)

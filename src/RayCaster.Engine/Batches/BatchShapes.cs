@@ -4,21 +4,15 @@ using System.Runtime.InteropServices;
 namespace RayCaster.Engine;
 
 /// <summary>The members of a batch that have one kind of shape.</summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
 internal abstract class BatchShapes<N> where N : struct, IPacket<N>
 {
     /// <summary>Finds where the shapes show.</summary>
-    /// <param name="outlines">The tool for it.</param>
-    /// <param name="group">The number of this group.</param>
     /// <param name="members">Takes those that may show.</param>
     /// <param name="others">Takes the models of which nothing is known.</param>
     /// <param name="share">Which share of the shapes to look at.</param>
-    /// <param name="shares">How many shares there are.</param>
     public abstract void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares);
 
     /// <summary>Puts the shapes of some members where the members are.</summary>
-    /// <param name="members">All members.</param>
-    /// <param name="group">The number of this group.</param>
     /// <param name="first">The first of the members.</param>
     /// <param name="end">The one after the last.</param>
     public abstract void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end);
@@ -40,16 +34,11 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     public abstract void Meet(BatchTile<N> part, int first, int end, bool isClear);
 }
 
-/// <inheritdoc/>
-/// <typeparam name="P">The kind of shape.</typeparam>
-/// <typeparam name="N">The kind of packet.</typeparam>
 /// <param name="clip">Which hits count.</param>
-/// <param name="list">The shapes.</param>
 internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>
 {
     private readonly PooledList<(P Shape, int Model)> arranged = new();
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares)
     {
@@ -87,10 +76,8 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
         }
     }
 
-    /// <inheritdoc/>
     public override void Reserve(int members) => arranged.Resize(members);
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end)
     {
@@ -101,13 +88,10 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
                 to[i] = from[members[i].Place];
     }
 
-    /// <inheritdoc/>
     public override void Fetch(int member) => Lanes.Fetch(ref arranged.Items[member]);
 
-    /// <inheritdoc/>
     public override void Free() => arranged.Free();
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void Meet(BatchTile<N> part, int first, int end, bool isClear)
     {

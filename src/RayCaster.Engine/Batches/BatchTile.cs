@@ -5,11 +5,8 @@ namespace RayCaster.Engine;
 
 /// <summary>One thread's part of the picture in which members of a batch are looked for: its rays, the nearest hits so far, and where they hide
 /// what.</summary>
-/// <remarks>
-/// Most members that are looked at are hidden, wholly or in part, and it cannot be foretold where. So the packets to ask a formula about are listed
-/// first, for some members at a time and without branches, and then asked without any: that way neither waits for the other.
-/// </remarks>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <remarks>Most members that are looked at are hidden, wholly or in part, and it cannot be foretold where. So the packets to ask a formula about
+/// are listed first, for some members at a time and without branches, and then asked without any: that way neither waits for the other.</remarks>
 internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
 {
     private const int Side = ScreenBins.PartSide;
@@ -69,7 +66,6 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     }
 
     /// <summary>Lists the packets in a member's rectangle where not all hits so far are nearer than it.</summary>
-    /// <param name="member">The member.</param>
     /// <param name="place">Its place among all members.</param>
     /// <returns>Where in the list they end.</returns>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]

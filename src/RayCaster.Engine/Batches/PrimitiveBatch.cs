@@ -2,11 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Many models with bounds, as a camera sees them: found by their rectangles in the picture, the nearest first, so that each hides most of
-/// those behind it before their formula is asked.
-/// </summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <summary>Many models with bounds, as a camera sees them: found by their rectangles in the picture, the nearest first, so that each hides most of
+/// those behind it before their formula is asked.</summary>
 internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
 {
     private const int Batch = DepthOrder.Batch;
@@ -19,10 +16,6 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
     private readonly PooledList<BatchItem> members = new(); // in the order of the grid's cells
 
     /// <summary>Finds where in the picture models may show.</summary>
-    /// <param name="camera">The camera.</param>
-    /// <param name="shapes">The models' shapes.</param>
-    /// <param name="count">How many models there are.</param>
-    /// <param name="threads">How many threads may do so.</param>
     public PrimitiveBatch(Camera camera, ShapeLists shapes, int count, int threads)
     {
         groups = [.. shapes.Lists.Select(list => list.ForBatch<N>(camera.ClipRange))];

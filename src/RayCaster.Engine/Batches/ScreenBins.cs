@@ -6,9 +6,8 @@ namespace RayCaster.Engine;
 
 /// <summary>
 /// Finds the members that may show in a part of the picture. There are several grids, each of cells four times as wide and high as the one before,
-/// and a member lies in
-/// the finest one whose cells are not smaller than its rectangle, in the cell of the rectangle's lower left corner. So what shows in a part has its
-/// corner in the part's cell, or in the one to the left, below, or both; and each member has one place, however large it is.
+/// and a member lies in the finest one whose cells are not smaller than its rectangle, in the cell of the rectangle's lower left corner. So what
+/// shows in a part has its corner in the part's cell, or in the one to the left, below, or both; and each member has one place, however large it is.
 /// </summary>
 /// <remarks>Members that show near each other lie near each other in memory; in the order of the scene, a part would wait for each of
 /// them.</remarks>
@@ -39,7 +38,6 @@ internal sealed class ScreenBins
 
     /// <summary>Sorts members by their cells.</summary>
     /// <param name="shares">The members, in shares to each of which there is a thread.</param>
-    /// <param name="sorted">Takes them.</param>
     public void Sort(PooledList<BatchItem>[] shares, PooledList<BatchItem> sorted)
     {
         var cells = Array.ConvertAll(shares, share => ArrayPool<int>.Shared.Rent(share.Count)); // of each member
@@ -69,8 +67,6 @@ internal sealed class ScreenBins
     }
 
     /// <summary>Finds the members of the cells that have all that may show in a tile, and more.</summary>
-    /// <param name="tile">The tile.</param>
-    /// <param name="ranges">Takes them.</param>
     public void Find(in Tile tile, PooledList<(int First, int End)> ranges)
     {
         ranges.Clear();

@@ -2,14 +2,9 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Finds where in the picture balls and boxes may show, and how near they are: as many at once as a packet has lanes.
-/// </summary>
-/// <remarks>
-/// What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
-/// (<see cref="Bounds.PaddedFrom"/>), and what
-/// the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.
-/// </remarks>
+/// <summary>Finds where in the picture balls and boxes may show, and how near they are: as many at once as a packet has lanes.</summary>
+/// <remarks>What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
+/// (<see cref="Bounds.PaddedFrom"/>), and what the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.</remarks>
 internal sealed class ScreenBounds
 {
     /// <summary>How many are looked at together.</summary>

@@ -25,9 +25,7 @@ internal sealed class ShapeLists : IModelVisitor
     public IReadOnlyList<int> Others => others;
 
     /// <summary>The shapes of a scene's models.</summary>
-    /// <param name="models">The models.</param>
     /// <param name="isKept">Whether the lists stay in memory as long as the list of models does, for the next picture.</param>
-    /// <param name="threads">How many threads may make them.</param>
     public static ShapeLists Of(IReadOnlyList<Model> models, bool isKept, int threads)
     {
         if (isKept && kept.TryGetValue(models, out var known) && known.count == models.Count) return known;
@@ -90,14 +88,11 @@ internal abstract class ShapeList
     public abstract BatchShapes<N> ForBatch<N>(ClipRange clip) where N : struct, IPacket<N>;
 }
 
-/// <inheritdoc/>
-/// <typeparam name="P">The kind of shape.</typeparam>
 internal sealed class ShapeList<P> : ShapeList where P : struct, IPrimitive
 {
     /// <summary>The shapes and models.</summary>
     public List<(P Shape, int Model)> Items { get; } = [];
 
-    /// <inheritdoc/>
     public override bool Add(Model model, int place)
     {
         if (model is not Model<P> { Primitive: var shape }) return false;
@@ -105,7 +100,6 @@ internal sealed class ShapeList<P> : ShapeList where P : struct, IPrimitive
         return true;
     }
 
-    /// <inheritdoc/>
     public override bool Append(ShapeList list)
     {
         if (list is not ShapeList<P> same) return false;
@@ -113,6 +107,5 @@ internal sealed class ShapeList<P> : ShapeList where P : struct, IPrimitive
         return true;
     }
 
-    /// <inheritdoc/>
     public override BatchShapes<N> ForBatch<N>(ClipRange clip) => new BatchShapes<P, N>(clip, this);
 }

@@ -4,7 +4,6 @@ namespace RayCaster.Engine;
 
 /// <summary>What the rays of columns side by side have in common, whatever their rows: uc U (<see cref="Camera.Across"/>). Reused from part to
 /// part.</summary>
-/// <param name="camera">Where the rays start.</param>
 /// <param name="capacity">The most columns.</param>
 internal sealed class Columns(Camera camera, int capacity)
 {

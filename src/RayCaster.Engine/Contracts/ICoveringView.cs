@@ -12,6 +12,5 @@ internal interface ICoveringView
 internal interface IShapeVisitor
 {
     /// <summary>Runs the kernel; returns whether it could.</summary>
-    /// <typeparam name="P">The kind of shape.</typeparam>
     bool Visit<P>(P shape) where P : struct, IPrimitive;
 }

@@ -13,8 +13,6 @@ internal interface IHitConsumer
     bool TryTake(in CoveredTile covered);
 
     /// <summary>Offers a tile in which one model alone may show; returns whether the consumer lets the model's view paint it.</summary>
-    /// <param name="tile">The tile.</param>
     /// <param name="view">The model's view, which has entered the tile.</param>
-    /// <param name="index">The model's place in the scene.</param>
     bool TryTake(in Tile tile, ITileView view, int index);
 }

@@ -1,10 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>
-/// A model as the camera of one picture sees it. It may say early that it does not show in a tile; which pixels it shows in, and at which t, comes
-/// from the model's own formula.
-/// </summary>
-/// <typeparam name="N">The kind of packet that the formula runs over.</typeparam>
+/// <summary>A model as the camera of one picture sees it. It may say early that it does not show in a tile; which pixels it shows in, and at which
+/// t, comes from the model's own formula.</summary>
 internal abstract class ModelView<N> where N : struct, IPacket<N>
 {
     /// <summary>Where in the picture the model can show at all.</summary>
@@ -18,17 +15,14 @@ internal abstract class ModelView<N> where N : struct, IPacket<N>
     public virtual ModelView<N> ForThread(ThreadTools? tools = null) => this;
 
     /// <summary>Goes to a tile, before <see cref="Meet"/> is called for rows in it, and returns between which t the model's hits lie.</summary>
-    /// <param name="tile">The tile.</param>
     /// <param name="known">What is known of that already.</param>
     public virtual HitRange Enter(in Tile tile, HitRange known) => known;
 
     /// <summary>Returns between which t the model's hits in some parts lie; not called for a model whose <see cref="Extent"/> is small.</summary>
-    /// <param name="parts">The parts and their rays.</param>
     /// <param name="whole">What is known of all of them.</param>
     public virtual HitRanges Narrow(EightParts parts, HitRange whole) => new(whole);
 
     /// <summary>Keeps the hits of some pixels in the tile that are nearer than all before.</summary>
-    /// <param name="rays">The rays.</param>
     /// <param name="index">The model's place in the scene, for ties.</param>
     public abstract void Meet(RayStream rays, int index);
 

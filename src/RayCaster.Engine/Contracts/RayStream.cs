@@ -5,8 +5,7 @@ namespace RayCaster.Engine;
 
 /// <summary>
 /// The rays of up to 64 pixels side by side in one row of a tile, or of all rows of a small part, and the nearest hit of each so far. Reused from
-/// stream to stream.
-/// Its numbers lie in arrays, a place for each pixel, from which packets of any kind are taken; the lanes of the last packet that
+/// stream to stream. Its numbers lie in arrays, a place for each pixel, from which packets of any kind are taken; the lanes of the last packet that
 /// reach beyond the stream's end are cast, too, and ignored.
 /// </summary>
 internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLength)
@@ -14,9 +13,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>The most pixels in a stream: few enough to stay in the first-level cache, many enough to make a virtual call cheap.</summary>
     public const int MaxLength = Tile.MaxSide;
 
-    /// <summary>The most pixels of a small part of a tile, the rows of which are cast at once; they stay in the first-level cache, too. (The
-    /// parts of
-    /// a batch are larger.)</summary>
+    /// <summary>The most pixels of a small part of a tile, the rows of which are cast at once; they stay in the first-level cache, too. (The parts
+    /// of a batch are larger.)</summary>
     public const int MaxArea = 256;
 
     private readonly Vector3 origin = camera.Position;
@@ -63,7 +61,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <param name="column">The first column.</param>
     /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
     /// <param name="pitch">How many numbers to leave for each row; as many as there are columns, if left out.</param>
-    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
     public void Enter<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
     {
         (Column, Width, Pitch, Rows) = (column, length, pitch ?? length, 1);
@@ -73,7 +70,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>Aims the rays of a row, or of several one after another, and forgets all hits.</summary>
     /// <param name="row">The lowest row, from the bottom.</param>
     /// <param name="rows">How many; more than one only where the pitch is one of whole packets.</param>
-    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
     public void Aim<N>(int row, int rows = 1) where N : struct, IPacket<N>
     {
         (Row, Rows) = (row, rows);
@@ -153,8 +149,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>Keeps of the crossings that were noted those that count and are nearer than all hits before.</summary>
     /// <param name="first">The first pixel, where a packet begins.</param>
     /// <param name="end">The pixel after the last.</param>
-    /// <param name="modelIndex">The model's place in the scene.</param>
-    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public void KeepNoted<N>(int first, int end, int modelIndex) where N : struct, IPacket<N>
     {

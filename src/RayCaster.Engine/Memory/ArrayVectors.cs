@@ -3,11 +3,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Vectors of numbers that follow one another in an array. The first place is checked, the others are not: the arrays have room for whole vectors.
-/// Built with the
-/// constant CHECKED, all places are checked.
-/// </summary>
+/// <summary>Vectors of numbers that follow one another in an array. The first place is checked, the others are not: the arrays have room for whole
+/// vectors. Built with the constant CHECKED, all places are checked.</summary>
 internal static class ArrayVectors
 {
     /// <summary>The numbers from a place on, as many as fill 16 bytes.</summary>

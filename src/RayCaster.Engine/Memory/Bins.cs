@@ -3,11 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Things sorted by a small number, their place; those of one place lie side by side, in the order in which they came. Their memory is rented from
-/// the pool:
-/// fresh pages cost more than what is written on them.
-/// </summary>
+/// <summary>Things sorted by a small number, their place; those of one place lie side by side, in the order in which they came. Their memory is
+/// rented from the pool: fresh pages cost more than what is written on them.</summary>
 internal sealed class Bins<T> where T : struct
 {
     private readonly int[] starts;

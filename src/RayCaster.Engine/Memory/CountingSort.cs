@@ -4,7 +4,6 @@ namespace RayCaster.Engine;
 internal static class CountingSort
 {
     /// <summary>Sorts shares of the items, each on a thread.</summary>
-    /// <param name="shares">How many shares there are.</param>
     /// <param name="places">All places are less than this.</param>
     /// <param name="count">Counts the items of a share by place.</param>
     /// <param name="put">Puts the items of a share where they belong: it gets the next position of each place, and moves it on.</param>

@@ -4,11 +4,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Numbers in an array, read and written without a check of each place, for loops in which that check would cost most of the time. docs/limits.md
-/// says for each of
-/// them why no place lies outside. Built with the constant CHECKED, all places are checked.
-/// </summary>
+/// <summary>Numbers in an array, read and written without a check of each place, for loops in which that check would cost most of the time.
+/// docs/limits.md says for each of them why no place lies outside. Built with the constant CHECKED, all places are checked.</summary>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
 {

@@ -21,10 +21,9 @@ internal readonly struct BoundsTest<N> where N : struct, IPacket<N>, IReal<N>
     /// <param name="bounds">The bounds, seen from the rays' origin and padded.</param>
     /// <param name="nearest">The t beyond which nothing is looked for.</param>
     /// <remarks>
-    /// A ray within a face's plane multiplies 0 by ∞: NaN, which no comparison rejects. A triangle that is seen nearly edge-on may
-    /// have a t that is far off the truth, but never outside of what its corners span along the axis that the ray follows most; so only that axis
-    /// tells
-    /// what is too far or behind.
+    /// A ray within a face's plane multiplies 0 by ∞: NaN, which no comparison rejects. A triangle that is seen nearly edge-on may have a t that is
+    /// far off the truth, but never outside of what its corners span along the axis that the ray follows most; so only that axis tells what is too
+    /// far or behind.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool MayHit(Bounds bounds, N nearest)

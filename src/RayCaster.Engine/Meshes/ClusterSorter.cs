@@ -3,10 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool: finds the tiles of a mesh's triangles, by the boxes around clusters of them. Where such a box says little, each triangle is
-/// looked at.
-/// </summary>
+/// <summary>One thread's tool: finds the tiles of a mesh's triangles, by the boxes around clusters of them. Where such a box says little, each
+/// triangle is looked at.</summary>
 internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>The triangles of a cluster in more tiles than this are sorted one by one: they lie far from each other, or are large.</summary>
@@ -49,8 +47,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     /// <summary>The rectangles on the screen and the ranges of w of some boxes.</summary>
     /// <remarks>
     /// Rounding moves a rectangle's sides by some 2⁻⁵³ of (distance + size) / least depth, in units of the scale; the size is held below the least
-    /// depth,
-    /// and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
+    /// depth, and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private (uint Fit, uint Shows) Project(int first)

@@ -35,7 +35,6 @@ internal sealed class CoarseDepth
     /// <summary>Whether each pixel of some cells surely has a hit before w.</summary>
     /// <param name="cells">Cells of a whole tile.</param>
     /// <param name="firstRow">The row of that tile from which on its pixels were looked at.</param>
-    /// <param name="w">The w.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Hides(Cells cells, int firstRow, float w)
     {

@@ -9,7 +9,6 @@ internal abstract class Corners
     public abstract int Count { get; }
 
     /// <summary>Sees eight triangles.</summary>
-    /// <param name="triangles">Which ones.</param>
     /// <param name="seen">Their corners on the screen. Where one is not fit for floats the numbers mean nothing.</param>
     public abstract void See(ReadOnlySpan<int> triangles, out EightTriangles seen);
 

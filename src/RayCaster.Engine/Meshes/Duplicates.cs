@@ -2,13 +2,10 @@ namespace RayCaster.Engine;
 
 /// <summary>
 /// Tells that a triangle has the corners of an earlier one, to the bit and in the same order: its t is the same everywhere, so that only one of them
-/// need be
-/// asked. Without this a million copies of one triangle would all be asked about each pixel, since none is surely before another.
+/// need be asked. Without this a million copies of one triangle would all be asked about each pixel, since none is surely before another.
 /// </summary>
-/// <remarks>
-/// It forgets some, since a slot of the table remembers one triangle only. And it tells only of twins that are earlier in the mesh: so of all that
-/// have the same corners the first one is never left out, in whatever order they come.
-/// </remarks>
+/// <remarks>It forgets some, since a slot of the table remembers one triangle only. And it tells only of twins that are earlier in the mesh: so of
+/// all that have the same corners the first one is never left out, in whatever order they come.</remarks>
 internal sealed class Duplicates(Vector3[] vertices, int[] indices)
 {
     private Vector3[] vertices = vertices;

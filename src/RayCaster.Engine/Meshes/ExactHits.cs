@@ -15,8 +15,6 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     public void Show(Vector3[] vertices, int[] indices) => (this.vertices, this.indices) = (vertices, indices);
 
     /// <summary>Where rays cross triangles, a lane for each pair.</summary>
-    /// <param name="rays">The rays.</param>
-    /// <param name="triangles">The triangles.</param>
     /// <param name="first">The place there of the first lane's triangle, which those of the others follow.</param>
     // in a caller grown too large operators, silently, become calls
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -26,9 +24,6 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
         N.Gather(vertices, indices, triangles, first, 2));
 
     /// <summary>Asks about a pixel and a triangle, sooner or later, and keeps the t if it is less than what stands at the place.</summary>
-    /// <param name="column">The pixel's column.</param>
-    /// <param name="row">The pixel's row.</param>
-    /// <param name="triangle">The triangle.</param>
     /// <param name="place">Where the pixel's numbers stand.</param>
     /// <param name="least">Of each pixel the least t so far.</param>
     /// <param name="covered">Of each pixel the greatest w so far, less what may be rounded.</param>

@@ -6,18 +6,15 @@ namespace RayCaster.Engine;
 
 /// <summary>
 /// One thread's tool: paints the tiles of a mesh in floats, from what the filter knows of each pixel. The hit's w is in a range, so its t is in one,
-/// and each
-/// channel's level, too. Where both ends have the same whole part, that is the byte; the few other pixels are in doubt.
+/// and each channel's level, too. Where both ends have the same whole part, that is the byte; the few other pixels are in doubt.
 /// </summary>
 internal sealed class MeshPainter
 {
     /// <summary>With a greater error too many pixels would be in doubt.</summary>
     private const double MostError = 0.002;
 
-    /// <summary>
-    /// How far a t may be from that of its w, in parts of itself: the squares of a slope across and of one upwards, their sum, the root of it, unit,
-    /// product and quotient each round by 2⁻²⁴, and the root halves what came before it.
-    /// </summary>
+    /// <summary>How far a t may be from that of its w, in parts of itself: the squares of a slope across and of one upwards, their sum, the root of
+    /// it, unit, product and quotient each round by 2⁻²⁴, and the root halves what came before it.</summary>
     private const double Roundings = 6.0 / (1 << 24);
 
     private readonly Scene scene;
@@ -30,9 +27,6 @@ internal sealed class MeshPainter
     private byte[] rgb = [];
     private int first, step;
 
-    /// <param name="screen">The camera.</param>
-    /// <param name="scene">The scene.</param>
-    /// <param name="index">The mesh's place in it.</param>
     public MeshPainter(ScreenSpace screen, Scene scene, int index)
     {
         (this.screen, this.scene, model) = (screen, scene, scene.Models[index]);
@@ -58,11 +52,9 @@ internal sealed class MeshPainter
     public PooledList<int> Doubts { get; } = new();
 
     /// <summary>Writes the bytes of a tile.</summary>
-    /// <param name="tile">The tile.</param>
     /// <param name="covered">The least w that a pixel's hit may have, row by row of <see cref="TilePixels.Stride"/>.</param>
     /// <param name="front">The greatest; 0 where there is no hit.</param>
     /// <param name="decided">Less than +∞ where the w are not all that is known; null if there is no such pixel.</param>
-    /// <param name="rgb">Room for the bytes.</param>
     /// <param name="first">The place of the lowest row's first pixel.</param>
     /// <param name="step">From a pixel's place to that of the one above it.</param>
     public void Paint(in Tile tile, float[] covered, float[] front, double[]? decided, byte[] rgb, int first, int step)

@@ -2,9 +2,8 @@ namespace RayCaster.Engine;
 
 /// <summary>
 /// A mesh as a camera sees it. All rays of a picture start in one point, so each triangle is projected onto the picture once, and a filter in floats
-/// finds for
-/// each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and where, the
-/// triangle's formula decides.
+/// finds for each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and
+/// where, the triangle's formula decides.
 /// </summary>
 internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IPacket<N>
 {
@@ -18,10 +17,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     private Tile entered;
     private bool shows;                              // whether a triangle may show in that tile
 
-    /// <param name="mesh">The mesh.</param>
-    /// <param name="screen">The camera.</param>
     /// <param name="isKept">Whether what depends only on the mesh stays in memory for the next picture.</param>
-    /// <param name="threads">How many threads may prepare the view.</param>
     public MeshView(Mesh mesh, ScreenSpace screen, bool isKept = false, int threads = 1)
     {
         (vertices, indices, this.screen) = (mesh.Vertices, mesh.Indices, screen);
@@ -51,13 +47,10 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         this.filters = filters;
     }
 
-    /// <inheritdoc/>
     public override Tile Extent { get; }
 
-    /// <inheritdoc/>
     public override ModelView<N> ForThread(ThreadTools? tools = null) => new MeshView<N>(this, (tools ?? new()).Of<TileFilters<N>>());
 
-    /// <inheritdoc/>
     public override HitRange Enter(in Tile tile, HitRange known)
     {
         if (sets.Length == 0) return known;
@@ -66,7 +59,6 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         return hard is null ? range : range with { Least = 0 };
     }
 
-    /// <inheritdoc/>
     public override void Meet(RayStream rays, int index)
     {
         if (shows) OwnFilter().Meet(rays, index);
@@ -74,13 +66,11 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         for (var i = 0; i < rays.Length; i += N.Count) rays.Keep(i, hard.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
     }
 
-    /// <inheritdoc/>
     public override void Free()
     {
         foreach (var set in sets) set.Free();
     }
 
-    /// <inheritdoc/>
     public bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
     {
         if (hard is not null) return false;

@@ -2,10 +2,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Sorts out the triangles that cannot be projected as they are, since they reach behind the eye or far off the picture: what shows of them becomes
-/// pieces that can.
-/// </summary>
+/// <summary>Sorts out the triangles that cannot be projected as they are, since they reach behind the eye or far off the picture: what shows of them
+/// becomes pieces that can.</summary>
 internal sealed class ScreenClipper
 {
     private readonly ScreenSpace screen;
@@ -48,8 +46,8 @@ internal sealed class ScreenClipper
         }
 
         // Seen edge-on, the formula's weights are noise and its t may be any that the corners span, so a triangle behind the eye might be "hit"
-        // before it.
-        // The volume over the triangle is t · area; beyond 1e-12 of its greatest value its sign, and t's, is safe, since it rounds by some 1e-15.
+        // before it. The volume over the triangle is t · area; beyond 1e-12 of its greatest value its sign, and t's, is safe, since it rounds by
+        // some 1e-15.
         var (inFront, behind) = (Math.Min(a.Z, Math.Min(b.Z, c.Z)) > 1e-9 * size, Math.Max(a.Z, Math.Max(b.Z, c.Z)) < -1e-9 * size);
         var volume = Math.Abs(a % b * c) / (size * size * size);
         if (!inFront && volume < 1e-12)

@@ -5,8 +5,7 @@ namespace RayCaster.Engine;
 
 /// <summary>
 /// Where a camera sees points: the column and row that a point falls on (samples lie at whole numbers) and w = |T − P| / depth, which over the
-/// picture
-/// plane is linear on every flat surface. All that is told in floats, with margins for what they and the primitive's formula round.
+/// picture plane is linear on every flat surface. All that is told in floats, with margins for what they and the primitive's formula round.
 /// </summary>
 internal sealed class ScreenSpace
 {
@@ -114,8 +113,7 @@ internal sealed class ScreenSpace
     /// <summary>Column, row and w of points.</summary>
     /// <remarks>
     /// The axes in pixels are rounded once more than those of the camera, and products and sums less often; what that changes is a few parts in 2⁵³
-    /// of a
-    /// coordinate, as <see cref="DoubleMargin"/> counts for any order of these steps. What overflows is not fit for floats.
+    /// of a coordinate, as <see cref="DoubleMargin"/> counts for any order of these steps. What overflows is not fit for floats.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (N X, N Y, N W) Project<N>(Vector3<N> point) where N : struct, IPacket<N>, IReal<N>

@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>Triangles on the screen, sorted into the tiles of the picture in which they may cover a sample.</summary>
-/// <typeparam name="N">The kind of packet that sorts groups.</typeparam>
 internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 {
     private const int LeastForAThread = 1 << 15;
@@ -10,12 +9,10 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     private readonly Bins<int> triangles; // two places for each tile: those whose corners are seen one way around, and the others
     private readonly Bins<TriangleCluster> groups;
 
-    /// <param name="screen">The camera.</param>
     /// <param name="corners">Where the triangles' corners are seen.</param>
     /// <param name="owners">The mesh's triangle that each belongs to; null where they are the same.</param>
     /// <param name="boxes">The boxes of the triangles' clusters; null where they are sorted one by one.</param>
     /// <param name="twins">Makes what knows that triangles are the same; null where that is not known.</param>
-    /// <param name="threads">How many threads may work.</param>
     public ScreenTriangles(
         ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? twins, int threads)
     {

@@ -4,11 +4,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is left out,
-/// group by
-/// group, then triangles that cover no sample, eight at once.
-/// </summary>
+/// <summary>One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is
+/// left out, group by group, then triangles that cover no sample, eight at once.</summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
     /// <summary>How many groups are looked at before any of them is drawn, and how many of these their memory is asked for in advance.</summary>
@@ -24,7 +21,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private Tile tile;
     private bool isEmpty;
 
-    /// <param name="screen">The camera.</param>
     public TileFilter(ScreenSpace screen)
     {
         this.screen = screen;
@@ -40,8 +36,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
 
     /// <summary>Goes to another mesh.</summary>
     /// <param name="owner">The view that uses it from now on.</param>
-    /// <param name="vertices">The mesh's corners.</param>
-    /// <param name="indices">Three for each triangle.</param>
     public void Show(MeshView<N> owner, Vector3[] vertices, int[] indices)
     {
         Owner = owner;

@@ -4,16 +4,11 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>One thread's tool: computes by the triangles' formula where the rays of a tile hit the triangles that the filter proposes.</summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
-/// <param name="screen">The camera.</param>
-/// <param name="pixels">What the filter knows.</param>
 internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N : struct, IPacket<N>
 {
     private readonly ExactHits<N> exact = new(screen);
 
     /// <summary>Goes to another mesh.</summary>
-    /// <param name="vertices">Its corners.</param>
-    /// <param name="indices">Three for each triangle.</param>
     public void Show(Vector3[] vertices, int[] indices) => exact.Show(vertices, indices);
 
     /// <summary>Computes the hits that wait and may still be in front.</summary>

@@ -5,8 +5,7 @@ namespace RayCaster.Engine;
 
 /// <summary>
 /// What one thread knows of each pixel of a tile: the triangle that may be in front there. A triangle that surely covers a pixel hides all that is
-/// surely
-/// behind it; where two are too close to each other or a sample too close to a side, the second one waits in a queue for its formula.
+/// surely behind it; where two are too close to each other or a sample too close to a side, the second one waits in a queue for its formula.
 /// </summary>
 internal sealed class TilePixels
 {
@@ -70,7 +69,6 @@ internal sealed class TilePixels
     }
 
     /// <summary>The same for some pixels.</summary>
-    /// <param name="triangle">The triangle.</param>
     /// <param name="count">How many packets of pixels there are.</param>
     /// <param name="pixels">Their first pixels.</param>
     /// <param name="lanes">A bit for each of their pixels that is meant.</param>

@@ -11,8 +11,6 @@ internal sealed class TreeBuilder
     private readonly Bounds[] bounds;
     private readonly List<TreeNode> nodes = [];
 
-    /// <param name="vertices">The corners.</param>
-    /// <param name="indices">Three for each triangle.</param>
     public TreeBuilder(Vector3[] vertices, int[] indices)
     {
         order = new int[indices.Length / 3];
@@ -54,10 +52,8 @@ internal sealed class TreeBuilder
         return Math.Max(deepest, Add(middle, end, level + 1));
     }
 
-    /// <summary>
-    /// Parts the order at <c>Middle</c> so that the surface area heuristic (SAH: area × triangles of both sides) is least over planes at equal steps
-    /// along the longest axis (after Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
-    /// </summary>
+    /// <summary>Parts the order at <c>Middle</c> so that the surface area heuristic (SAH: area × triangles of both sides) is least over planes at
+    /// equal steps along the longest axis (after Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007).</summary>
     private (int Axis, int Middle) Split(Bounds centers, int first, int end, int level)
     {
         var size = centers.Max - centers.Min;

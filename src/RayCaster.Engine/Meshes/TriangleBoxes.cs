@@ -3,23 +3,17 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// What depends only on a mesh: for each cluster of triangles that follow one another in it a box around them, and the normal of the triangle in
-/// the middle.
-/// </summary>
-/// <remarks>
-/// In floats, relative to a point and a length of the mesh, so that no size of scene is too large for them. They take 2.3 bytes for each triangle; a
-/// mesh whose triangles share their corners takes 24.
-/// </remarks>
+/// <summary>What depends only on a mesh: for each cluster of triangles that follow one another in it a box around them, and the normal of the
+/// triangle in the middle.</summary>
+/// <remarks>In floats, relative to a point and a length of the mesh, so that no size of scene is too large for them. They take 2.3 bytes for each
+/// triangle; a mesh whose triangles share their corners takes 24.</remarks>
 internal sealed class TriangleBoxes
 {
     /// <summary>How many clusters a thread takes at once.</summary>
     private const int ClustersAtOnce = 1 << 10;
 
-    /// <summary>
-    /// How far ahead the memory is fetched: to wait for it would take longer than to find the boxes. Vertices are fetched later than indices, since
-    /// their places must be there.
-    /// </summary>
+    /// <summary>How far ahead the memory is fetched: to wait for it would take longer than to find the boxes. Vertices are fetched later than
+    /// indices, since their places must be there.</summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
@@ -29,9 +23,7 @@ internal sealed class TriangleBoxes
     private readonly Vector256<double> middle, perUnit;
     private readonly float[][] numbers = new float[9][]; // lows, highs and normals
 
-    /// <param name="vertices">The corners.</param>
     /// <param name="indices">Three for each triangle. Each of them is checked here, once for all.</param>
-    /// <param name="threads">How many threads may find the boxes.</param>
     public TriangleBoxes(Vector3[] vertices, int[] indices, int threads)
     {
         (this.vertices, this.indices) = (vertices, indices);
@@ -60,7 +52,6 @@ internal sealed class TriangleBoxes
     /// <summary>The boxes of a mesh.</summary>
     /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
     /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>
-    /// <param name="threads">How many threads may find them.</param>
     public static TriangleBoxes Of(Mesh mesh, bool isKept, int threads) => isKept
         ? kept.GetValue(mesh, mesh => new(mesh.Vertices, mesh.Indices, threads))
         : new(mesh.Vertices, mesh.Indices, threads);

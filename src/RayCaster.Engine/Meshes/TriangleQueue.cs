@@ -4,11 +4,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Triangles that wait until there are many of them: of eight that come together often only some need a further look; and while they are only
-/// collected,
-/// nothing depends on what comes out, so that the processor can work far ahead.
-/// </summary>
+/// <summary>Triangles that wait until there are many of them: of eight that come together often only some need a further look; and while they are
+/// only collected, nothing depends on what comes out, so that the processor can work far ahead.</summary>
 internal sealed class TriangleQueue
 {
     /// <summary>The most that ever wait.</summary>

@@ -5,13 +5,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>One thread's tool: covers the pixels of a tile with triangles.</summary>
-/// <remarks>
-/// Every second sample of a small box is outside or hidden, and no processor foresees which. So pixels are written whether or not anything changes;
-/// only what is
-/// not sure, which is rare, has a branch. In a large box what is outside lies together.
-/// </remarks>
-/// <param name="screen">The camera.</param>
-/// <param name="pixels">What is known of the pixels.</param>
+/// <remarks>Every second sample of a small box is outside or hidden, and no processor foresees which. So pixels are written whether or not anything
+/// changes; only what is not sure, which is rare, has a branch. In a large box what is outside lies together.</remarks>
 /// <param name="decide">Empties the queue of pixels that wait for the formula.</param>
 internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, Action decide)
 {

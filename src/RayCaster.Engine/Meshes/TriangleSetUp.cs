@@ -3,11 +3,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// What the filter knows of eight triangles in a tile: the box of samples, for each side a function that is positive on the inner side, w as a
-/// function of the
-/// place, all with margins. Each field has eight lanes.
-/// </summary>
+/// <summary>What the filter knows of eight triangles in a tile: the box of samples, for each side a function that is positive on the inner side, w
+/// as a function of the place, all with margins. Each field has eight lanes.</summary>
 internal static class TriangleSetUp
 {
     /// <summary>The functions: the value at the box's lower left sample, the step to the right, the step upwards.</summary>
@@ -47,10 +44,9 @@ internal static class TriangleSetUp
         var shows = Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top);
 
         // Twice the areas of the triangles that a sample makes with the sides: (b − s) × (c − s). With corners off by δ such a product is off by 2 δ
-        // · size,
-        // since a sample in the box is not farther from a corner than the box is wide and high. It, and its steps to the right and upwards, round
-        // seven times by 2⁻²⁴ · size times how far a sample may be from a corner, and of that δ holds 2 · 2⁻²⁴ (ScreenSpace.Margin): less than 4 δ ·
-        // size.
+        // · size, since a sample in the box is not farther from a corner than the box is wide and high. It, and its steps to the right and upwards,
+        // round seven times by 2⁻²⁴ · size times how far a sample may be from a corner, and of that δ holds 2 · 2⁻²⁴ (ScreenSpace.Margin): less than
+        // 4 δ · size.
         var area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
         var sign = Vector256.ConditionalSelect(Vector256.LessThan(area, zero), -one, one);
         area *= sign;
@@ -102,17 +98,13 @@ internal static class TriangleSetUp
     }
 
     /// <summary>Where a sample is surely beside a triangle around which it is in the box.</summary>
-    /// <param name="t">The triangles.</param>
     /// <param name="column">The samples' columns.</param>
     /// <param name="row">The samples' rows.</param>
     /// <param name="size">The boxes' widths and heights together.</param>
     /// <param name="margin">How far off the corners may be.</param>
     /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>
-    /// <remarks>
-    /// What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0,
-    /// and
-    /// one above.
-    /// </remarks>
+    /// <remarks>What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be
+    /// below 0, and one above.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Pass(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
         Vector256<float> margin, out Vector256<float> area)

@@ -5,7 +5,6 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>One thread's tool: finds the tiles of triangles, eight at a time.</summary>
-/// <param name="screen">The camera.</param>
 /// <param name="corners">Where the triangles' corners are seen.</param>
 /// <param name="twins">Knows which large triangles are there already; null where that is not known.</param>
 internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplicates? twins)

@@ -2,10 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// A tree of bounds over the triangles of a mesh (a bounding volume hierarchy, BVH). Bounds reject whole branches; which triangle is hit, and where,
-/// always comes from the triangle's own formula, so the answer is the one of all triangles in order.
-/// </summary>
+/// <summary>A tree of bounds over the triangles of a mesh (a bounding volume hierarchy, BVH). Bounds reject whole branches; which triangle is hit,
+/// and where, always comes from the triangle's own formula, so the answer is the one of all triangles in order.</summary>
 public sealed class TriangleTree
 {
     private readonly Vector3[] vertices;
@@ -26,10 +24,8 @@ public sealed class TriangleTree
     /// none.</summary>
     /// <param name="origin">Where the line begins.</param>
     /// <param name="direction">Its direction.</param>
-    /// <param name="hit">
-    /// The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within the triangle's
-    /// bounds.
-    /// </param>
+    /// <param name="hit">The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within
+    /// the triangle's bounds.</param>
     public double? Nearest(Vector3 origin, Vector3 direction, Func<int, double?> hit)
     {
         double? nearest = null;

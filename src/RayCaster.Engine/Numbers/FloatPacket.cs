@@ -5,8 +5,7 @@ namespace RayCaster.Engine;
 
 /// <summary>
 /// Floats of sixteen pixels side by side and of the sixteen above them: a formula over it tells nearly, and much faster, what doubles tell exactly.
-/// How near,
-/// <see cref="ErrorBound"/> knows. (Two rows share the work of bringing a formula's constants into vectors, a sixth of it.)
+/// How near, <see cref="ErrorBound"/> knows. (Two rows share the work of bringing a formula's constants into vectors, a sixth of it.)
 /// </summary>
 /// <param name="lower">The numbers of the lower row; as a mask all bits of a lane set for true, none for false.</param>
 /// <param name="upper">Those of the upper row.</param>

@@ -3,7 +3,6 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>Numbers of several pixels side by side; as a mask all bits of a lane set for true, none for false.</summary>
-/// <typeparam name="N">The packet itself.</typeparam>
 internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
 {
     /// <summary>How many pixels there are in a packet.</summary>
@@ -34,9 +33,6 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     static abstract N Load(float[] numbers, int first);
 
     /// <summary>A corner of triangles of a mesh, one to each lane. The mesh's indices have been checked.</summary>
-    /// <param name="vertices">The corners.</param>
-    /// <param name="indices">Three for each triangle.</param>
-    /// <param name="triangles">The triangles.</param>
     /// <param name="first">The place there of the first lane's triangle, which those of the others follow.</param>
     /// <param name="corner">Which corner.</param>
     static abstract Vector3<N> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner);

@@ -1,15 +1,11 @@
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Draws some lines of a picture in bands, from top to bottom: threads cast the strips of the next bands while finished bands are written in order.
-/// Only a few bands are in memory at a time.
-/// </summary>
+/// <summary>Draws some lines of a picture in bands, from top to bottom: threads cast the strips of the next bands while finished bands are written
+/// in order. Only a few bands are in memory at a time.</summary>
 /// <remarks>
 /// Strips are handed out one after another over all bands, so that no thread waits at the end of a band. The thread that writes casts strips, too,
-/// while
-/// the band that it writes next is not finished; so one thread is enough for all of it. Another thread that comes to a band for which there is no
-/// room waits
-/// until the oldest band is written.
+/// while the band that it writes next is not finished; so one thread is enough for all of it. Another thread that comes to a band for which there is
+/// no room waits until the oldest band is written.
 /// </remarks>
 internal sealed class BandQueue
 {
@@ -30,10 +26,8 @@ internal sealed class BandQueue
     private long nextStrip, bandsWritten;
     private Exception? failure;
 
-    /// <param name="frame">What to draw.</param>
     /// <param name="firstLine">The first line, counted from the top.</param>
     /// <param name="endLine">The line after the last.</param>
-    /// <param name="threads">How many threads cast.</param>
     /// <param name="isPlain">Whether every ray may as well meet every model.</param>
     /// <param name="linesDone">Called with how many more lines have been cast, from any thread.</param>
     /// <param name="cancellation">Stops the work.</param>

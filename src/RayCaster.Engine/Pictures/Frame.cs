@@ -5,16 +5,12 @@ namespace RayCaster.Engine;
 /// <summary>What all threads share that work on one picture.</summary>
 internal abstract class Frame : IDisposable
 {
-    /// <summary>
-    /// Kernels that are made for one kind of shape each spare half of the time, but compiling them takes as long as casting some ten million rays.
-    /// They are used for a
-    /// picture of at least so many pixels, or where many pictures follow each other.
-    /// </summary>
+    /// <summary>Kernels that are made for one kind of shape each spare half of the time, but compiling them takes as long as casting some ten
+    /// million rays. They are used for a picture of at least so many pixels, or where many pictures follow each other.</summary>
     private const long PixelsOfLongWork = 1 << 24;
 
     private readonly bool isLong;
 
-    /// <param name="scene">The scene.</param>
     /// <param name="manyFrames">Whether many pictures follow each other.</param>
     protected Frame(Scene scene, bool manyFrames)
     {
@@ -32,8 +28,6 @@ internal abstract class Frame : IDisposable
     public HitShader Shader => field ??= new(Scene, IsLong);
 
     /// <summary>A frame that computes with the widest packets that the machine has: everything above and below follows this choice.</summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="threads">How many threads may prepare what a model needs.</param>
     /// <param name="manyFrames">Whether many pictures follow each other.</param>
     public static Frame Of(Scene scene, int threads, bool manyFrames) => Vector512.IsHardwareAccelerated
         ? new Frame<WidePacket>(scene, threads, manyFrames)

@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>The models of a picture as the camera sees them, each by itself or as one of a batch.</summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
 internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
 {
     /// <summary>With fewer models a look at each of them is cheaper than a list for each part of the picture.</summary>
@@ -31,14 +30,11 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     /// <summary>The other models; null where there are few.</summary>
     public PrimitiveBatch<N>? PrimitiveBatch { get; }
 
-    /// <inheritdoc/>
     public override IStripCaster NewCaster(bool isPlain) =>
         isPlain && !IsLong && PrimitiveBatch is null ? new PlainCaster<N>(this) : NewTileCaster();
 
-    /// <inheritdoc/>
     public override IHitConsumer HitsInto(HitMap map) => new HitMapConsumer<N>(map, Scene.Camera);
 
-    /// <inheritdoc/>
     public override void Dispose()
     {
         foreach (var view in Views) view.Free();

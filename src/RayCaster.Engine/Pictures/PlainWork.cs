@@ -3,11 +3,8 @@ namespace RayCaster.Engine;
 /// <summary>Says when a picture is so little work that what spares work would cost more than it spares.</summary>
 internal static class PlainWork
 {
-    /// <summary>
-    /// How many rays times models make a picture so large that it pays to find out which models show where. A million take a millisecond; tiles and
-    /// intervals cost 30
-    /// milliseconds of processor time before the first ray, most of it for the compiler.
-    /// </summary>
+    /// <summary>How many rays times models make a picture so large that it pays to find out which models show where. A million take a millisecond;
+    /// tiles and intervals cost 30 milliseconds of processor time before the first ray, most of it for the compiler.</summary>
     private const long Large = 32_000_000;
 
     /// <summary>How many pixels make it worth while to start another thread.</summary>

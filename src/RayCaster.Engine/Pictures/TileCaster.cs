@@ -1,10 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool: finds for the pixels of a tile the nearest hits. A strip is cut into tiles, and a tile in which several models may show into
-/// small parts; each drops the models that cannot show in it, and what is left meets the rays.
-/// </summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <summary>One thread's tool: finds for the pixels of a tile the nearest hits. A strip is cut into tiles, and a tile in which several models may
+/// show into small parts; each drops the models that cannot show in it, and what is left meets the rays.</summary>
 internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 {
     /// <summary>The side of the small parts: a row of one is a few packets, for which a call is still cheap.</summary>
@@ -40,7 +37,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         isPrimitive = candidate => views[candidate.Index] is ICoveringView;
     }
 
-    /// <inheritdoc/>
     public void Cast(in Tile strip, IHitConsumer consumer)
     {
         this.consumer = consumer;
@@ -142,7 +138,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 
     /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than
     /// short ones.</summary>
-    /// <param name="parts">The parts.</param>
     /// <param name="lists">The models that may show in them.</param>
     /// <param name="first">The first part.</param>
     /// <returns>How many are done, from the first on.</returns>

@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>Makes of each kind of model the view that suits it.</summary>
-/// <typeparam name="N">The kind of packet that the views compute with.</typeparam>
 internal sealed class ViewMaker<N> : IModelVisitor where N : struct, IPacket<N>
 {
     private readonly Camera camera;
@@ -12,10 +11,7 @@ internal sealed class ViewMaker<N> : IModelVisitor where N : struct, IPacket<N>
     private ViewMaker(Camera camera, bool isKept, int threads) => (this.camera, this.isKept, this.threads) = (camera, isKept, threads);
 
     /// <summary>The model as a camera sees it; ray by ray where a model knows only single rays.</summary>
-    /// <param name="model">The model.</param>
-    /// <param name="camera">The camera.</param>
     /// <param name="isKept">Whether what depends only on the model stays in memory for the next picture.</param>
-    /// <param name="threads">How many threads may prepare it.</param>
     public static ModelView<N> See(Model model, Camera camera, bool isKept, int threads)
     {
         var maker = new ViewMaker<N>(camera, isKept, threads);

@@ -11,11 +11,8 @@ internal static class FloatBytes
     /// <summary>What a level's ends may be off by when it is moved by its error: levels are below 256, so half a float's unit is 2⁻¹⁷.</summary>
     public const double RoundingOfTheEnds = 7.7e-6;
 
-    /// <summary>
-    /// The same, for a level computed from t, a slope and the level at 0: rounding this one and the sum moves it by 2⁻¹⁷ each, rounding the slope by
-    /// 2⁻²⁴ of what the light
-    /// takes away, less than 256, which is 2⁻¹⁶.
-    /// </summary>
+    /// <summary>The same, for a level computed from t, a slope and the level at 0: rounding this one and the sum moves it by 2⁻¹⁷ each, rounding the
+    /// slope by 2⁻²⁴ of what the light takes away, less than 256, which is 2⁻¹⁶.</summary>
     public const double RoundingOfALine = 3.1e-5;
 
     /// <summary>A bit for each of sixteen pixels.</summary>

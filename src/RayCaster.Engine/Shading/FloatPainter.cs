@@ -5,11 +5,9 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool: paints a part of the picture that one shape covers, in floats. Each channel's level is known up to an error
-/// that is
-/// the same for the
-/// whole part (<see cref="ErrorBound"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in
-/// doubles.
+/// One thread's tool: paints a part of the picture that one shape covers, in floats. Each channel's level is known up to an error that is the same
+/// for the whole part (<see cref="ErrorBound"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are
+/// cast in doubles.
 /// </summary>
 internal sealed class FloatPainter : IShapeVisitor
 {
@@ -29,7 +27,6 @@ internal sealed class FloatPainter : IShapeVisitor
     private byte[] rgb = [];
     private int first, step;
 
-    /// <param name="scene">What is drawn.</param>
     public FloatPainter(Scene scene)
     {
         (this.scene, camera) = (scene, scene.Camera);
@@ -39,7 +36,6 @@ internal sealed class FloatPainter : IShapeVisitor
 
     /// <summary>Writes a part's bytes, if its width is one of whole packets and all errors are small enough.</summary>
     /// <param name="covered">The part and the shape.</param>
-    /// <param name="rgb">Room for the bytes.</param>
     /// <param name="first">The place of the lowest row's first pixel.</param>
     /// <param name="step">From a pixel's place to that of the one above it.</param>
     public bool Paint(in CoveredTile covered, byte[] rgb, int first, int step)

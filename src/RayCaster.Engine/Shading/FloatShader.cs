@@ -26,7 +26,6 @@ internal sealed class FloatShader
     }
 
     /// <summary>A shader for a scene; null where the machine or the scene does not suit it.</summary>
-    /// <param name="scene">The scene.</param>
     /// <param name="light">Red, green and blue of its background, then of its models.</param>
     public static FloatShader? For(Scene scene, double[] light) =>
         FloatBytes.IsSupported && new FloatShader(scene, light) is { error: < MostError } shader ? shader : null;

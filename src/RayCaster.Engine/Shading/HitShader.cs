@@ -11,7 +11,6 @@ internal sealed class HitShader
     private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
     private readonly FloatShader? floats;
 
-    /// <param name="scene">What is drawn.</param>
     /// <param name="isLong">Whether there are pixels enough that floats kernels pay.</param>
     public HitShader(Scene scene, bool isLong)
     {
@@ -26,7 +25,6 @@ internal sealed class HitShader
     public Scene Scene { get; }
 
     /// <summary>Writes the pixels of a stream.</summary>
-    /// <param name="rays">The hits.</param>
     /// <param name="rgb">Room for three bytes a pixel.</param>
     /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
     /// <param name="step">From a pixel's place to that of the one above it.</param>
@@ -39,7 +37,6 @@ internal sealed class HitShader
     }
 
     /// <summary>Writes some pixels.</summary>
-    /// <param name="rays">The hits.</param>
     /// <param name="first">The first of the pixels in the stream.</param>
     /// <param name="rgb">Three bytes for each of the pixels.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]

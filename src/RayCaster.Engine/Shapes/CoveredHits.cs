@@ -2,12 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool: finds where the rays of a part hit the one shape that covers it. Each ray meets the shape as soon as it is aimed, and nothing
-/// but t is kept.
-/// </summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
-/// <param name="camera">Where the rays start.</param>
+/// <summary>One thread's tool: finds where the rays of a part hit the one shape that covers it. Each ray meets the shape as soon as it is aimed, and
+/// nothing but t is kept.</summary>
 internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : struct, IPacket<N>
 {
     private readonly Columns columns = new(camera, Tile.MaxStrip);
@@ -17,7 +13,6 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
     private int first, step;
 
     /// <summary>Writes where the rays hit; returns false for a part that is narrower than a packet.</summary>
-    /// <param name="covered">The part.</param>
     /// <param name="t">Room for the ray parameters.</param>
     /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
     /// <param name="step">From a pixel's place to that of the one above it.</param>
@@ -29,7 +24,6 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
         return covered.View.Accept(this);
     }
 
-    /// <inheritdoc/>
     // a picture is often drawn before the runtime would optimise by itself
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public bool Visit<P>(P shape) where P : struct, IPrimitive

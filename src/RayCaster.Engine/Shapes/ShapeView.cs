@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>What the views of all kinds of shape have in common, so that only a shape's formula is compiled for each kind.</summary>
-/// <typeparam name="N">The kind of packet.</typeparam>
 internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
 {
     private readonly ClipRange clip;
@@ -16,13 +15,10 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
         (Extent, Nearest) = (Tile.Of(padded, camera), padded.LeastT);
     }
 
-    /// <inheritdoc/>
     public sealed override Tile Extent { get; }
 
-    /// <inheritdoc/>
     public sealed override double Nearest { get; }
 
-    /// <inheritdoc/>
     public sealed override HitRanges Narrow(EightParts parts, HitRange whole)
     {
         Intersect(parts, out var crossings);
@@ -35,7 +31,6 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
             nearCounts.Lo);
     }
 
-    /// <inheritdoc/>
     public sealed override void Meet(RayStream rays, int index)
     {
         var (first, end) = (0, rays.Length);
@@ -54,7 +49,6 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
     protected abstract void Intersect(EightParts parts, out Crossings<Interval> crossings);
 
     /// <summary>Notes where the rays of some pixels cross the shape.</summary>
-    /// <param name="rays">Their stream.</param>
     /// <param name="first">The first pixel, where a packet begins.</param>
     /// <param name="end">The pixel after the last.</param>
     protected abstract void Intersect(RayStream rays, int first, int end);

@@ -3,17 +3,13 @@ using System.Runtime.ExceptionServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Work in pieces, side by side, on threads that then wait for the next: to start a thread takes as long as to cast some ten thousand rays.
-/// </summary>
+/// <summary>Work in pieces, side by side, on threads that then wait for the next: to start a thread takes as long as to cast some ten thousand
+/// rays.</summary>
 /// <remarks>Not the runtime's pool: its first use takes milliseconds, and often it begins a piece a picture later.</remarks>
 internal static class ThreadTeam
 {
-    /// <summary>
-    /// How long a thread that waits stays awake: a tenth of a millisecond, in which mostly the next picture has come, or the last of the others has
-    /// ended. To be woken takes
-    /// up to half of that, and now and then much longer on a machine that shares its cores.
-    /// </summary>
+    /// <summary>How long a thread that waits stays awake: a tenth of a millisecond, in which mostly the next picture has come, or the last of the
+    /// others has ended. To be woken takes up to half of that, and now and then much longer on a machine that shares its cores.</summary>
     private static readonly long awake = Stopwatch.Frequency / 10_000;
 
     private static readonly Queue<Job> offers = new(); // a place in a job for each thread that is to help
