@@ -6,13 +6,11 @@ namespace RayCaster.Engine;
 /// <summary>What is known of a model of a batch before its formula is asked.</summary>
 internal struct BatchItem
 {
-    /// <summary>The pixels where it may show.</summary>
     public Sides Sides;
 
     /// <summary>None of its hits is nearer.</summary>
     public float Nearest;
 
-    /// <summary>Its group, and its place there.</summary>
     public int Kind, Place;
 
     /// <summary>Whether all of its hits surely count.</summary>
@@ -34,7 +32,6 @@ internal readonly struct Sides(Vector128<int> numbers)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Sides(int left, int bottom, int right, int top) : this(Vector128.Create(left, bottom, -right, -top)) { }
 
-    /// <summary>The sides of a tile.</summary>
     public Sides(in Tile tile) : this(tile.Column, tile.Row, tile.EndColumn, tile.EndRow) { }
 
     public int Left => numbers[0];
@@ -45,11 +42,9 @@ internal readonly struct Sides(Vector128<int> numbers)
 
     public int Top => -numbers[3];
 
-    /// <summary>What both share.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Sides And(Sides other) => new(Vector128.Max(numbers, other.numbers));
 
-    /// <summary>Whether there are any pixels.</summary>
     public bool HasPixels
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -17,13 +17,10 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     /// <param name="end">The one after the last.</param>
     public abstract void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end);
 
-    /// <summary>Makes room for the shapes of so many members.</summary>
     public abstract void Reserve(int members);
 
-    /// <summary>Fetches a member's shape.</summary>
     public abstract void Fetch(int member);
 
-    /// <summary>Gives the memory back.</summary>
     public abstract void Free();
 
     /// <summary>Lets rays meet shapes, as they are listed.</summary>

@@ -25,7 +25,6 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     /// <summary>Its rays, and the nearest hits so far.</summary>
     public RayStream Rays { get; } = new(camera, Side * Side);
 
-    /// <summary>Goes to another part and aims its rays.</summary>
     public void Enter(in Tile tile)
     {
         (this.tile, sides) = (tile, new(tile));
@@ -38,7 +37,6 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Takes over the hits of a row.</summary>
     public void Take(RayStream rays)
     {
         var row = (rays.Row - tile.Row) * Side;
@@ -57,7 +55,6 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         count = 0;
     }
 
-    /// <summary>Finds out how far the hits reach everywhere.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void RefreshAll()
     {

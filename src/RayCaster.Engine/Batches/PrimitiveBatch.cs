@@ -8,9 +8,6 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
 {
     private const int Batch = DepthOrder.Batch;
 
-    /// <summary>With fewer members than this for each thread, one thread is ready before the others have begun.</summary>
-    private const int LeastShare = 8192;
-
     private readonly BatchShapes<N>[] groups;
     private readonly ScreenBins grid;
     private readonly PooledList<BatchItem> members = new(); // in the order of the grid's cells
@@ -20,7 +17,7 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
     {
         groups = [.. shapes.Lists.Select(list => list.ForBatch<N>(camera.ClipRange))];
         grid = new(camera);
-        var shares = count / LeastShare >= threads ? threads : 1;
+        var shares = ThreadTeam.SharesOf(count, threads);
         var (found, unknown) = (new PooledList<BatchItem>[shares], new List<int>[shares]);
         ThreadTeam.Each(shares, shares, share =>
         {
@@ -32,9 +29,8 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
         grid.Sort(found, members);
         foreach (var some in found) some.Free();
         foreach (var group in groups) group.Reserve(members.Count);
-        ThreadTeam.Each(shares, shares, share =>
+        ThreadTeam.Shares(shares, members.Count, (_, first, end) =>
         {
-            var (first, end) = ((int)((long)members.Count * share / shares), (int)((long)members.Count * (share + 1) / shares));
             for (var i = 0; i < groups.Length; i++) groups[i].Arrange(members.Items, i, first, end);
         });
         Others = [.. shapes.Others, .. unknown.SelectMany(some => some)];

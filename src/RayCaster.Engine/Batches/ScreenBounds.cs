@@ -14,7 +14,6 @@ internal sealed class ScreenBounds
 
     private const double Outside = 0, Unknown = 1, Shows = 2, Clear = 3;
 
-    /// <summary>Where they are.</summary>
     public readonly double[] X = new double[Count], Y = new double[Count], Z = new double[Count];
 
     /// <summary>How far they reach from there: balls in every direction, boxes along each axis.</summary>
@@ -43,7 +42,6 @@ internal sealed class ScreenBounds
         }
     }
 
-    /// <summary>Looks at balls.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void OfBalls<N>() where N : struct, IPacket<N>
     {
@@ -51,7 +49,6 @@ internal sealed class ScreenBounds
             Keep(i, Ball(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), N.Load(Radius, i)));
     }
 
-    /// <summary>Looks at boxes.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void OfBoxes<N>() where N : struct, IPacket<N>
     {

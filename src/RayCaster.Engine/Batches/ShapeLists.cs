@@ -5,9 +5,6 @@ namespace RayCaster.Engine;
 /// <summary>What depends only on the models of a scene: the shapes that have bounds, a list for each kind.</summary>
 internal sealed class ShapeLists : IModelVisitor
 {
-    /// <summary>With fewer models than this for each thread, one thread is ready before the others have begun.</summary>
-    private const int LeastShare = 8192;
-
     private static readonly ConditionalWeakTable<IReadOnlyList<Model>, ShapeLists> kept = [];
 
     private readonly List<ShapeList> lists = [];
@@ -18,7 +15,6 @@ internal sealed class ShapeLists : IModelVisitor
     {
     }
 
-    /// <summary>The lists.</summary>
     public IReadOnlyList<ShapeList> Lists => lists;
 
     /// <summary>The places of all other models in the scene.</summary>
@@ -29,12 +25,11 @@ internal sealed class ShapeLists : IModelVisitor
     public static ShapeLists Of(IReadOnlyList<Model> models, bool isKept, int threads)
     {
         if (isKept && kept.TryGetValue(models, out var known) && known.count == models.Count) return known;
-        var shares = models.Count / LeastShare >= threads ? threads : 1;
+        var shares = ThreadTeam.SharesOf(models.Count, threads);
         var parts = new ShapeLists[shares];
-        ThreadTeam.Each(shares, shares, share =>
+        ThreadTeam.Shares(shares, models.Count, (share, first, end) =>
         {
             parts[share] = new();
-            var (first, end) = ((int)((long)models.Count * share / shares), (int)((long)models.Count * (share + 1) / shares));
             for (var place = first; place < end; place++) parts[share].Add(models[place], place);
         });
         for (var share = 1; share < shares; share++) parts[0].Append(parts[share]);
@@ -78,7 +73,6 @@ internal sealed class ShapeLists : IModelVisitor
 /// <summary>Shapes of one kind, and the places of their models in the scene.</summary>
 internal abstract class ShapeList
 {
-    /// <summary>Takes a model if it has this kind of shape.</summary>
     public abstract bool Add(Model model, int place);
 
     /// <summary>Takes all shapes of another list if they are of this kind.</summary>
@@ -90,7 +84,6 @@ internal abstract class ShapeList
 
 internal sealed class ShapeList<P> : ShapeList where P : struct, IPrimitive
 {
-    /// <summary>The shapes and models.</summary>
     public List<(P Shape, int Model)> Items { get; } = [];
 
     public override bool Add(Model model, int place)

@@ -5,7 +5,6 @@ namespace RayCaster.Engine;
 /// <summary>Eight parts of the picture, and all the rays of each as intervals: a part is a lane.</summary>
 internal sealed class EightParts(Camera camera)
 {
-    /// <summary>How many.</summary>
     public const int Count = 8;
 
     private readonly Tile[] tiles = new Tile[Count];

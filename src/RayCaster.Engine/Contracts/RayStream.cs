@@ -34,10 +34,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>How many numbers there are from the first pixel's to the last one's.</summary>
     public int Length => (Rows - 1) * Pitch + Width;
 
-    /// <summary>How many pixels lie in a row.</summary>
     public int Width { get; private set; }
 
-    /// <summary>How many rows there are.</summary>
     public int Rows { get; private set; } = 1;
 
     /// <summary>How many numbers there are from a pixel's to that of the one above it.</summary>
@@ -96,10 +94,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// stream's columns and rows.</summary>
     public void Hide(int first, int count) => Array.Fill(t, double.NegativeInfinity, first, count);
 
-    /// <summary>Where the rays start.</summary>
     public Vector3 Origin => origin;
 
-    /// <summary>The direction of a pixel's ray.</summary>
     public Vector3 DirectionAt(int pixel) => new(x[pixel], y[pixel], z[pixel]);
 
     /// <summary>The rays of the packet that begins at a pixel.</summary>
@@ -111,7 +107,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N NearestAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(t, pixel);
 
-    /// <summary>The models of these hits.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N ModelsAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(model, pixel);
 
@@ -173,7 +168,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         Set(pixel, N.Select(better, hit, nearest), N.Select(better, modelIndex, models));
     }
 
-    /// <summary>Meets a model that knows only single rays.</summary>
     public void MeetOneByOne(Model only, int modelIndex)
     {
         for (var i = 0; i < Length; i++)

@@ -5,7 +5,6 @@ internal sealed class ThreadTools
 {
     private readonly Dictionary<Type, object> tools = [];
 
-    /// <summary>The tool of a kind.</summary>
     public T Of<T>() where T : class, new()
     {
         if (!tools.TryGetValue(typeof(T), out var tool)) tools.Add(typeof(T), tool = new T());

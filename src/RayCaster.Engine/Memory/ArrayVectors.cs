@@ -37,7 +37,6 @@ internal static class ArrayVectors
     public static void StoreTo<T>(this Vector512<T> vector, T[] numbers, int place) where T : struct =>
         vector.StoreUnsafe(ref At(numbers, place, Vector512<T>.Count));
 
-    /// <summary>The first of some numbers in an array.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ref T At<T>(T[] numbers, int place, int count) where T : struct
     {

@@ -52,7 +52,6 @@ internal sealed class Bins<T> where T : struct
         sorted = [];
     }
 
-    /// <summary>The things of a place.</summary>
     public ReadOnlySpan<T> this[int place]
     {
         get

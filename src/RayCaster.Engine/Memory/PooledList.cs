@@ -12,13 +12,10 @@ internal sealed class PooledList<T> where T : struct
     private T[] items = [];
     private int count;
 
-    /// <summary>How many there are.</summary>
     public int Count => count;
 
-    /// <summary>All of them.</summary>
     public Span<T> Items => items.AsSpan(0, count);
 
-    /// <summary>Adds one at the end.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(T item)
     {
@@ -39,10 +36,8 @@ internal sealed class PooledList<T> where T : struct
         if (capacity > items.Length) Move(capacity);
     }
 
-    /// <summary>Removes all; the memory stays.</summary>
     public void Clear() => count = 0;
 
-    /// <summary>Removes all and gives the memory back.</summary>
     public void Free()
     {
         if (items.Length > 0) ArrayPool<T>.Shared.Return(items);

@@ -14,7 +14,6 @@ internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
     private readonly int length = items.Length;
 #endif
 
-    /// <summary>The number at a place.</summary>
     public ref T this[int place]
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -16,13 +16,11 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     private uint sides; // a bit for each box: which side of its triangles is seen; only the order of work depends on it
     private (uint Left, uint Right, uint Bottom, uint Top) extent = (int.MaxValue, 0, int.MaxValue, 0);
 
-    /// <summary>Clusters by tile and side.</summary>
     public PooledList<(int Place, TriangleCluster Cluster)> Clusters { get; } = new();
 
     /// <summary>Where samples may be covered.</summary>
     public (int Left, int Right, int Bottom, int Top) Extent => ((int)extent.Left, (int)extent.Right, (int)extent.Bottom, (int)extent.Top);
 
-    /// <summary>Takes clusters.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {

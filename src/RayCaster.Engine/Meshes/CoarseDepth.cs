@@ -14,7 +14,6 @@ internal sealed class CoarseDepth
 
     private readonly float[] least = new float[Across * Across];
 
-    /// <summary>Knows nothing.</summary>
     public void Clear() => least.AsSpan().Clear();
 
     /// <summary>Looks at the pixels of a tile, row by row of <see cref="Tile.MaxSide"/>.</summary>

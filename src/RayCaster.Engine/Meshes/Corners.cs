@@ -5,7 +5,6 @@ namespace RayCaster.Engine;
 /// <summary>Where the corners of triangles are seen.</summary>
 internal abstract class Corners
 {
-    /// <summary>How many triangles there are.</summary>
     public abstract int Count { get; }
 
     /// <summary>Sees eight triangles.</summary>

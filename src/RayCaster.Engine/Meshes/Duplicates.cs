@@ -20,7 +20,6 @@ internal sealed class Duplicates(Vector3[] vertices, int[] indices)
         Clear();
     }
 
-    /// <summary>Forgets all.</summary>
     public void Clear() => round++;
 
     /// <summary>Whether an earlier triangle of the mesh that came before has the same corners.</summary>

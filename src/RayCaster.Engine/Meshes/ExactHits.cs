@@ -11,7 +11,6 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     private int[] indices = [];
     private int count;
 
-    /// <summary>Goes to another mesh.</summary>
     public void Show(Vector3[] vertices, int[] indices) => (this.vertices, this.indices) = (vertices, indices);
 
     /// <summary>Where rays cross triangles, a lane for each pair.</summary>
@@ -34,7 +33,6 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
         if (++count == N.Count) Flush(least, covered);
     }
 
-    /// <summary>Asks about all that is left.</summary>
     public void Flush(double[] least, float[] covered)
     {
         if (count == 0) return;

@@ -34,7 +34,6 @@ internal sealed class ScreenClipper
     /// <summary>The triangles that the pieces belong to.</summary>
     public int[] Owners => [.. owners];
 
-    /// <summary>Takes a triangle by its corners' places.</summary>
     public void Add(int triangle, int cornerA, int cornerB, int cornerC)
     {
         var (a, b, c) = (screen.See(vertices[cornerA]), screen.See(vertices[cornerB]), screen.See(vertices[cornerC]));

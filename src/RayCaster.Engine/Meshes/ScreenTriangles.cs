@@ -21,12 +21,10 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         var sorters = new TriangleSorter[Math.Clamp(corners.Count / LeastForAThread, 1, threads)];
         for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
         var clusterSorters = boxes is null ? [] : Array.ConvertAll(sorters, each => new ClusterSorter<N>(screen, boxes, each));
-        var count = boxes?.Count ?? corners.Count;
-        int First(int sorter) => (int)((long)count * sorter / sorters.Length);
-        ThreadTeam.Each(sorters.Length, sorters.Length, i =>
+        ThreadTeam.Shares(sorters.Length, boxes?.Count ?? corners.Count, (i, first, end) =>
         {
-            if (boxes is null) sorters[i].Add(First(i), First(i + 1));
-            else clusterSorters[i].Add(First(i), First(i + 1));
+            if (boxes is null) sorters[i].Add(first, end);
+            else clusterSorters[i].Add(first, end);
         });
 
         triangles = new(Array.ConvertAll(sorters, sorter => sorter.Triangles));
@@ -40,7 +38,6 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         foreach (var sorter in clusterSorters) Extend(sorter.Extent);
     }
 
-    /// <summary>Where the triangles' corners are.</summary>
     public Corners Corners { get; }
 
     /// <summary>The mesh's triangle that each belongs to; null where they are the same.</summary>

@@ -31,7 +31,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <summary>The view whose pixels it knows; null where it knows none.</summary>
     public MeshView<N>? Owner { get; private set; }
 
-    /// <summary>The tile that was entered last.</summary>
     public Tile Tile => tile;
 
     /// <summary>Goes to another mesh.</summary>
@@ -43,7 +42,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         hits.Show(vertices, indices);
     }
 
-    /// <summary>Finds the pixels' triangles.</summary>
     public HitRange Enter(in Tile tile, ScreenTriangles<N>[] sets)
     {
         this.tile = tile;

@@ -8,7 +8,6 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
 {
     private readonly ExactHits<N> exact = new(screen);
 
-    /// <summary>Goes to another mesh.</summary>
     public void Show(Vector3[] vertices, int[] indices) => exact.Show(vertices, indices);
 
     /// <summary>Computes the hits that wait and may still be in front.</summary>

@@ -42,10 +42,8 @@ internal sealed class TilePixels
     /// <summary>Whether so many wait that the formula should decide about them now.</summary>
     public bool IsFull => Queue.Count > QueueLength;
 
-    /// <summary>The tile.</summary>
     public Tile Tile { get; private set; }
 
-    /// <summary>Goes to another mesh.</summary>
     public void Show(Vector3[] vertices, int[] indices) => twins.Show(vertices, indices);
 
     /// <summary>Forgets all; beyond the tile's pixels everything is covered, so that they do not count where the least is looked for.</summary>

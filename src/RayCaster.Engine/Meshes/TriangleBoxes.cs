@@ -29,7 +29,9 @@ internal sealed class TriangleBoxes
         (this.vertices, this.indices) = (vertices, indices);
         Count = (indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length;
         var bounds = Bounds.Empty;
-        for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1) bounds = bounds.With(vertices[i]);
+        for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1)
+            if (double.IsFinite(vertices[i].X + vertices[i].Y + vertices[i].Z))
+                bounds = bounds.With(vertices[i]);
         Middle = 0.5 * (bounds.Min + bounds.Max);
         var size = bounds.Max - bounds.Min;
         Unit = Math.Max(size.X, Math.Max(size.Y, size.Z));
@@ -46,7 +48,6 @@ internal sealed class TriangleBoxes
     /// <summary>The length that is 1 in them.</summary>
     public double Unit { get; }
 
-    /// <summary>How many clusters there are.</summary>
     public int Count { get; }
 
     /// <summary>The boxes of a mesh.</summary>
@@ -56,7 +57,6 @@ internal sealed class TriangleBoxes
         ? kept.GetValue(mesh, mesh => new(mesh.Vertices, mesh.Indices, threads))
         : new(mesh.Vertices, mesh.Indices, threads);
 
-    /// <summary>The triangles of a cluster.</summary>
     public (int First, int End) TrianglesOf(int cluster)
     {
         var first = cluster * TriangleCluster.Length;
@@ -68,7 +68,6 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Lows<N>(int first) where N : struct, IPacket<N> => Load<N>(0, first);
 
-    /// <summary>The greatest coordinates.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Highs<N>(int first) where N : struct, IPacket<N> => Load<N>(3, first);
 

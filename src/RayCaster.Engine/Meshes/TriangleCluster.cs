@@ -6,6 +6,5 @@ namespace RayCaster.Engine;
 /// <param name="Cells">The cells of the tile (<see cref="CoarseDepth"/>) in which they may cover samples.</param>
 internal readonly record struct TriangleCluster(int First, float MostW, Cells Cells)
 {
-    /// <summary>How many triangles.</summary>
     public const int Length = 16;
 }

@@ -19,13 +19,10 @@ internal sealed class TriangleQueue
     private readonly float[] corners = new float[9 * Room];
     private readonly int[] triangles = new int[Room];
 
-    /// <summary>How many there are.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Whether there is no room for another eight.</summary>
     public bool IsFull => Count > Limit - 8;
 
-    /// <summary>Their numbers.</summary>
     public RawSpan<int> Triangles => new(triangles);
 
     /// <summary>Adds some of eight triangles, while it is not full.</summary>
@@ -54,7 +51,6 @@ internal sealed class TriangleQueue
     private EightPoints Points(int first) => new(
         corners.Load256(first), corners.Load256(first + Room), corners.Load256(first + 2 * Room));
 
-    /// <summary>Forgets all.</summary>
     public void Clear() => Count = 0;
 
     /// <summary>For each mask of eight lanes the numbers of the lanes that are set, from the first place on.</summary>

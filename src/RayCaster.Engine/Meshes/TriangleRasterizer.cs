@@ -35,10 +35,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         }
     }
 
-    /// <summary>Comes to a tile.</summary>
     public void Enter(in Tile tile) => (this.tile, greatestW) = (tile, Vector256<float>.Zero);
 
-    /// <summary>Takes small triangles, eight at once.</summary>
     public void AddSmall(TriangleQueue triangles)
     {
         for (var first = 0; first < triangles.Count; first += 8)
@@ -49,7 +47,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         triangles.Clear();
     }
 
-    /// <summary>Takes triangles of any size, one by one.</summary>
     public void AddLarge(TriangleQueue triangles)
     {
         for (var first = 0; first < triangles.Count; first += 8)

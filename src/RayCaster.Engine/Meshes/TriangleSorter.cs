@@ -15,7 +15,6 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
     private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
 
-    /// <summary>Triangles by tile and side.</summary>
     public PooledList<(int Place, int Triangle)> Triangles { get; } = new();
 
     /// <summary>Triangles that are in many tiles.</summary>

@@ -26,7 +26,6 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
     /// <summary>The greatest absolute value.</summary>
     private double Size => Greater(-Lo, Hi);
 
-    /// <summary>Doubles that are rounded to floats.</summary>
     public static ErrorBound From(double lo, double hi) => Result(lo, hi, 0);
 
     // infinite in both

@@ -14,7 +14,6 @@ internal readonly struct FloatPacket(Vector512<float> lower, Vector512<float> up
 {
     public readonly Vector512<float> Lower = lower, Upper = upper;
 
-    /// <summary>How many pixels side by side.</summary>
     public static int Count => Vector512<float>.Count;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

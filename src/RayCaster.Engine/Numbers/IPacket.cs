@@ -5,13 +5,11 @@ namespace RayCaster.Engine;
 /// <summary>Numbers of several pixels side by side; as a mask all bits of a lane set for true, none for false.</summary>
 internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
 {
-    /// <summary>How many pixels there are in a packet.</summary>
     static abstract int Count { get; }
 
     /// <summary>Where a equals b; false where either is NaN.</summary>
     static abstract N Equal(N a, N b);
 
-    /// <summary>Whether a mask holds in every lane.</summary>
     static abstract bool All(N mask);
 
     /// <summary>A bit for each lane of a mask, the first lane's the lowest.</summary>
@@ -20,13 +18,11 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>a b + c, rounded once or twice: not for a formula, whose every operation rounds once.</summary>
     static abstract N MultiplyAddEstimate(N a, N b, N c);
 
-    /// <summary>The greatest of the lanes.</summary>
     static abstract double Greatest(N a);
 
     /// <summary>first, first + 1, first + 2 …</summary>
     static abstract N Sequence(int first);
 
-    /// <summary>The packet that begins at a place in an array.</summary>
     static abstract N Load(double[] numbers, int first);
 
     /// <inheritdoc cref="Load(double[], int)"/>
@@ -40,6 +36,5 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>Eight numbers as floats; a packet of eight needs no upper one.</summary>
     static abstract Vector256<float> Narrow(N lower, N upper);
 
-    /// <summary>Puts the packet at a place in an array.</summary>
     void Store(double[] numbers, int first);
 }

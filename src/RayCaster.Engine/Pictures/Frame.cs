@@ -9,23 +9,23 @@ internal abstract class Frame : IDisposable
     /// million rays. They are used for a picture of at least so many pixels, or where many pictures follow each other.</summary>
     private const long PixelsOfLongWork = 1 << 24;
 
-    private readonly bool isLong;
+    private readonly int threads;
 
+    /// <param name="threads">How many threads may prepare it.</param>
     /// <param name="manyFrames">Whether many pictures follow each other.</param>
-    protected Frame(Scene scene, bool manyFrames)
+    protected Frame(Scene scene, int threads, bool manyFrames)
     {
-        Scene = scene;
-        isLong = manyFrames || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
+        (Scene, this.threads) = (scene, threads);
+        IsLong = manyFrames || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
     }
 
     /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>
-    public bool IsLong => isLong;
+    public bool IsLong { get; }
 
-    /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
     /// <summary>Turns hits into bytes; made when it is first needed.</summary>
-    public HitShader Shader => field ??= new(Scene, IsLong);
+    public HitShader Shader => field ??= new(Scene, IsLong, threads);
 
     /// <summary>A frame that computes with the widest packets that the machine has: everything above and below follows this choice.</summary>
     /// <param name="manyFrames">Whether many pictures follow each other.</param>
@@ -37,7 +37,6 @@ internal abstract class Frame : IDisposable
     /// <param name="isPlain">Whether every ray may as well meet every model that may show near its pixel.</param>
     public abstract IStripCaster NewCaster(bool isPlain);
 
-    /// <summary>A thread's consumer that writes hits into a map.</summary>
     public abstract IHitConsumer HitsInto(HitMap map);
 
     /// <summary>Gives rented memory back when the picture is done.</summary>

@@ -7,7 +7,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     private const int FewModels = 64;
 
     /// <inheritdoc cref="Frame.Of"/>
-    public Frame(Scene scene, int threads, bool manyFrames) : base(scene, manyFrames)
+    public Frame(Scene scene, int threads, bool manyFrames) : base(scene, threads, manyFrames)
     {
         var camera = scene.Camera;
         var models = scene.Models;
@@ -21,7 +21,6 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     /// <summary>Views of the models that are looked at one by one.</summary>
     public ModelView<N>[] Views { get; }
 
-    /// <summary>The places of these models in the scene.</summary>
     public int[] Places { get; }
 
     /// <summary>Where in the picture each of them can show at all.</summary>

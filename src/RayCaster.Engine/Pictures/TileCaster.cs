@@ -55,7 +55,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Casts a tile.</summary>
     private void Cast(in Tile tile, List<Candidate> list)
     {
         var cover = double.PositiveInfinity;
@@ -87,7 +86,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         if (!(frame.IsLong && consumer.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);
     }
 
-    /// <summary>Casts a tile part by part.</summary>
     private void Cut(in Tile tile, List<Candidate> list)
     {
         if (list.Count == 0 || IsCovered(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
@@ -159,7 +157,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         return end - first;
     }
 
-    /// <summary>Offers the consumer a part that one model covers.</summary>
     private bool TryCover(in Tile part, Candidate only) =>
         consumer.TryTake(new CoveredTile(part, (ICoveringView)views[only.Index], places[only.Index], only.Range.IsNear));
 

@@ -18,19 +18,28 @@ internal sealed class FloatColors
     private readonly long[] packed = [];
 
     /// <param name="light">Red, green and blue of the background, then of the models.</param>
-    public FloatColors(double[] light)
+    public FloatColors(double[] light, int threads = 1)
     {
-        var (most, count) = (0.0, light.Length / 3);
-        foreach (var channel in light) most = Math.Max(most, channel);
-        MostSteps = count <= Few ? 1 << 24 : ChannelMask; // floats are exact up to 2²⁴
-        Step = Math.Max(most, double.Epsilon * MostSteps) / MostSteps;
-        if (count > Few) packed = new long[count];
-        for (var i = 0; i < count; i++)
+        var (count, shares) = (light.Length / 3, ThreadTeam.SharesOf(light.Length / 3, threads));
+        var most = new double[shares];
+        ThreadTeam.Shares(shares, light.Length, (share, first, end) =>
         {
-            var (r, g, b) = (Steps(light[3 * i]), Steps(light[3 * i + 1]), Steps(light[3 * i + 2]));
-            if (packed.Length > 0) packed[i] = r | (g << ChannelBits) | (b << (2 * ChannelBits));
-            else (reds[i], greens[i], blues[i]) = (r, g, b);
-        }
+            var greatest = 0.0;
+            foreach (var channel in light.AsSpan(first..end)) greatest = Math.Max(greatest, channel);
+            most[share] = greatest;
+        });
+        MostSteps = count <= Few ? 1 << 24 : ChannelMask; // floats are exact up to 2²⁴
+        Step = Math.Max(most.Max(), double.Epsilon * MostSteps) / MostSteps;
+        if (count > Few) packed = new long[count];
+        ThreadTeam.Shares(shares, count, (_, first, end) =>
+        {
+            for (var i = first; i < end; i++)
+            {
+                var (r, g, b) = (Steps(light[3 * i]), Steps(light[3 * i + 1]), Steps(light[3 * i + 2]));
+                if (packed.Length > 0) packed[i] = r | (g << ChannelBits) | (b << (2 * ChannelBits));
+                else (reds[i], greens[i], blues[i]) = (r, g, b);
+            }
+        });
 
         long Steps(double channel) => Math.Min((long)(channel / Step + 0.5), MostSteps);
     }

@@ -6,7 +6,6 @@ namespace RayCaster.Engine;
 /// <summary>One thread's tool: the rays of a strip in floats, and how far from those in doubles they may be.</summary>
 internal sealed class FloatRays(Camera camera)
 {
-    /// <summary>The strip.</summary>
     public Tile Strip { get; private set; }
 
     /// <summary>What the directions of each column have in common, from the strip's left side.</summary>

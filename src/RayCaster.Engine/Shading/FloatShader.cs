@@ -14,10 +14,10 @@ internal sealed class FloatShader
     private readonly FloatColors colors;
     private readonly double error;
 
-    private FloatShader(Scene scene, double[] light)
+    private FloatShader(Scene scene, double[] light, int threads)
     {
         this.scene = scene;
-        colors = new(light);
+        colors = new(light, threads);
         // Beyond this t there is no light, whatever the rounding.
         var t = ErrorBound.From(0, 2 * scene.Camera.Reach);
         var steps = new ErrorBound(0, colors.MostSteps, 0); // floats know whole numbers exactly
@@ -27,8 +27,8 @@ internal sealed class FloatShader
 
     /// <summary>A shader for a scene; null where the machine or the scene does not suit it.</summary>
     /// <param name="light">Red, green and blue of its background, then of its models.</param>
-    public static FloatShader? For(Scene scene, double[] light) =>
-        FloatBytes.IsSupported && new FloatShader(scene, light) is { error: < MostError } shader ? shader : null;
+    public static FloatShader? For(Scene scene, double[] light, int threads) =>
+        FloatBytes.IsSupported && new FloatShader(scene, light, threads) is { error: < MostError } shader ? shader : null;
 
     /// <summary>Whether a stream is of a form that it can shade.</summary>
     public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % FloatPacket.Count == 0;

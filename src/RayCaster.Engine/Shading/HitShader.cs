@@ -12,16 +12,15 @@ internal sealed class HitShader
     private readonly FloatShader? floats;
 
     /// <param name="isLong">Whether there are pixels enough that floats kernels pay.</param>
-    public HitShader(Scene scene, bool isLong)
+    public HitShader(Scene scene, bool isLong, int threads)
     {
         Scene = scene;
         var (r, g, b) = scene.Background.ToBytes();
         for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
-        colors = ColorsOf(scene);
-        floats = isLong ? FloatShader.For(scene, colors) : null;
+        colors = ColorsOf(scene, threads);
+        floats = isLong ? FloatShader.For(scene, colors, threads) : null;
     }
 
-    /// <summary>What is drawn.</summary>
     public Scene Scene { get; }
 
     /// <summary>Writes the pixels of a stream.</summary>
@@ -75,15 +74,19 @@ internal sealed class HitShader
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int PlaceOf(double model) => 3 * (int)model + 3;
 
-    private static double[] ColorsOf(Scene scene)
+    private static double[] ColorsOf(Scene scene, int threads)
     {
         var models = scene.Models;
         var colors = new double[3 * models.Count + 3];
-        for (var i = 0; i < colors.Length; i += 3)
+        (colors[0], colors[1], colors[2]) = (scene.Background.R, scene.Background.G, scene.Background.B);
+        ThreadTeam.Shares(ThreadTeam.SharesOf(models.Count, threads), models.Count, (_, first, end) =>
         {
-            var color = i == 0 ? scene.Background : models[i / 3 - 1].Color;
-            (colors[i], colors[i + 1], colors[i + 2]) = (color.R, color.G, color.B);
-        }
+            for (var i = first; i < end; i++)
+            {
+                var color = models[i].Color;
+                (colors[3 * i + 3], colors[3 * i + 4], colors[3 * i + 5]) = (color.R, color.G, color.B);
+            }
+        });
         return colors;
     }
 }

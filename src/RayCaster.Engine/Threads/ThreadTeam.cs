@@ -28,6 +28,13 @@ internal static class ThreadTeam
         job.End();
     }
 
+    /// <summary>How many shares so many models are: with fewer than some thousand for each thread, one thread ends before others begin.</summary>
+    public static int SharesOf(int models, int threads) => models >> 13 >= threads ? threads : 1;
+
+    /// <summary>Does work on things in equal shares, a thread for each: <c>work(share, first, end)</c>.</summary>
+    public static void Shares(int shares, int count, Action<int, int, int> work) => Each(shares, shares, share =>
+        work(share, (int)((long)count * share / shares), (int)((long)count * (share + 1) / shares)));
+
     /// <summary>Does work on this thread while others help; none may come, or some late. Returns when all of them have ended.</summary>
     /// <param name="helpers">How many threads help at most.</param>
     /// <param name="help">What each of them does. It must end soon after the work has ended, by an exception, too.</param>
@@ -110,7 +117,6 @@ internal static class ThreadTeam
         private bool isOver; // guarded by the lock, as the number of helpers is
         private ExceptionDispatchInfo? failure;
 
-        /// <summary>Does pieces until none is left.</summary>
         public void Work()
         {
             try
