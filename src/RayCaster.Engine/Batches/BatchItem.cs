@@ -3,23 +3,22 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>What is known of a model of a batch before its formula is asked.</summary>
+/// <summary>What is known of a member of a batch before its formula is computed.</summary>
 internal struct BatchItem
 {
     public Sides Sides;
 
-    /// <summary>None of its hits is nearer.</summary>
+    /// <summary>No hit of it is nearer.</summary>
     public float Nearest;
 
     public int Kind, Place;
 
-    /// <summary>Whether all of its hits surely count.</summary>
+    /// <summary>Whether all of its hits certainly count.</summary>
     public bool IsClear;
 }
 
-/// <summary>The sides of a rectangle of pixels, as four numbers of which the greater ones of two rectangles are the sides of what they
-/// share.</summary>
-/// <param name="numbers">The first column, the first row, and with the sign turned around the columns and rows after the last.</param>
+/// <summary>The sides of a rectangle of pixels, stored so that the greater numbers of two rectangles are the sides of their intersection.</summary>
+/// <param name="numbers">The first column, the first row, and the negated column and row after the last.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Sides(Vector128<int> numbers)
 {

@@ -12,7 +12,7 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     /// <param name="share">Which share of the shapes to look at.</param>
     public abstract void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares);
 
-    /// <summary>Puts the shapes of some members where the members are.</summary>
+    /// <summary>Copies the shapes of some members into the order of the members.</summary>
     /// <param name="first">The first of the members.</param>
     /// <param name="end">The one after the last.</param>
     public abstract void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end);
@@ -23,11 +23,11 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
 
     public abstract void Free();
 
-    /// <summary>Lets rays meet shapes, as they are listed.</summary>
+    /// <summary>Intersects rays with shapes as the part lists them.</summary>
     /// <param name="part">The part with the list.</param>
     /// <param name="first">The first in the list.</param>
     /// <param name="end">The one after the last.</param>
-    /// <param name="isClear">Whether all hits count, so that nobody needs to ask.</param>
+    /// <param name="isClear">Whether all hits certainly count.</param>
     public abstract void Meet(BatchTile<N> part, int first, int end, bool isClear);
 }
 
@@ -101,7 +101,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
             ref readonly var it = ref shapes[places[i]];
             var at = packets[i];
             var crossings = it.Shape.Intersect(rays.RaysAt<N>(at));
-            // The question which crossings count costs about as much as the formula of a sphere.
+            // Testing which crossings count costs about as much as the formula of a sphere.
             var hit = isClear ? N.Or(crossings.Near, crossings.Far) : range.First(crossings, rays.ZPerTAt<N>(at));
             rays.Keep(at, hit, Lanes.Broadcast<N>(it.Model));
         }

@@ -2,15 +2,15 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>Many models with bounds, as a camera sees them: found by their rectangles in the picture, the nearest first, so that each hides most of
-/// those behind it before their formula is asked.</summary>
+/// <summary>Many models with bounds, as a camera sees them. A part of the picture finds them by their rectangles, the nearest first, so that most
+/// others are hidden before their formula is computed.</summary>
 internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
 {
     private const int Batch = DepthOrder.Batch;
 
     private readonly BatchShapes<N>[] groups;
     private readonly ScreenBins grid;
-    private readonly PooledList<BatchItem> members = new(); // in the order of the grid's cells
+    private readonly PooledList<BatchItem> members = new(); // in the order of the bins
 
     /// <summary>Finds where in the picture models may show.</summary>
     public PrimitiveBatch(Camera camera, ShapeLists shapes, int count, int threads)
@@ -36,8 +36,7 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
         Others = [.. shapes.Others, .. unknown.SelectMany(some => some)];
     }
 
-    /// <summary>The places of the models that are not members: those without bounds, and those of which nothing can be said in advance, since they
-    /// reach to the eye's plane.</summary>
+    /// <summary>The indices of the models that are not members: those without bounds, and those that reach to the eye's plane.</summary>
     public IReadOnlyList<int> Others { get; }
 
     /// <summary>Whether members may show in a tile.</summary>
@@ -47,26 +46,26 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
         return order.Ranges.Count > 0;
     }
 
-    /// <summary>Puts the members that may show in a part of the picture in order.</summary>
+    /// <summary>Sorts the members that may show in a part of the picture.</summary>
     public void Sort(in Tile part, DepthOrder order)
     {
         grid.Find(part, order.Ranges);
         order.Sort(members.Items, part);
     }
 
-    /// <summary>Gives the memory back; no more pictures can be drawn.</summary>
+    /// <summary>Returns the memory; no more pictures can be drawn.</summary>
     public void Free()
     {
         members.Free();
         foreach (var group in groups) group.Free();
     }
 
-    /// <summary>Lets the rays of a part meet members, in their order.</summary>
+    /// <summary>Intersects the rays of a part with members, in their order.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Meet(BatchTile<N> part, ReadOnlySpan<(int Member, float NearestOfRest)> order)
     {
         var members = this.members.Items;
-        var (group, isClear) = (0, false); // those of one kind, nearly always the whole batch, are met in one call
+        var (group, isClear) = (0, false); // one call for members of one kind, which nearly always is the whole batch
         for (var next = 0; next < order.Length && !part.Hides(order[next].NearestOfRest); next += Batch)
         {
             for (var i = next + Batch; i < Math.Min(next + 2 * Batch, order.Length); i++) // the batch that follows

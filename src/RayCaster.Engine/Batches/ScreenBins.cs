@@ -9,8 +9,7 @@ namespace RayCaster.Engine;
 /// and a member lies in the finest one whose cells are not smaller than its rectangle, in the cell of the rectangle's lower left corner. So what
 /// shows in a part has its corner in the part's cell, or in the one to the left, below, or both; and each member has one place, however large it is.
 /// </summary>
-/// <remarks>Members that show near each other lie near each other in memory; in the order of the scene, a part would wait for each of
-/// them.</remarks>
+/// <remarks>Members that show near each other are also neighbours in memory; in the scene's order, a part would wait for each of them.</remarks>
 internal sealed class ScreenBins
 {
     /// <summary>The most columns and rows of a part in which members are looked for. Its rays and hits, 48 bytes a pixel, should stay in the
@@ -37,7 +36,7 @@ internal sealed class ScreenBins
     }
 
     /// <summary>Sorts members by their cells.</summary>
-    /// <param name="shares">The members, in shares to each of which there is a thread.</param>
+    /// <param name="shares">The members; each share has a thread.</param>
     public void Sort(PooledList<BatchItem>[] shares, PooledList<BatchItem> sorted)
     {
         var cells = Array.ConvertAll(shares, share => ArrayPool<int>.Shared.Rent(share.Count)); // of each member
@@ -66,7 +65,7 @@ internal sealed class ScreenBins
         for (var i = 0; i < members.Length; i++) sorted[places[cells[i]]++] = members[i];
     }
 
-    /// <summary>Finds the members of the cells that have all that may show in a tile, and more.</summary>
+    /// <summary>Finds ranges that hold all members that may show in a tile, and others.</summary>
     public void Find(in Tile tile, PooledList<(int First, int End)> ranges)
     {
         ranges.Clear();

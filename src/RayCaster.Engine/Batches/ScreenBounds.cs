@@ -2,12 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>Finds where in the picture balls and boxes may show, and how near they are: as many at once as a packet has lanes.</summary>
+/// <summary>Finds where in the picture balls and boxes may show, and how near they are, for all lanes of a packet at once.</summary>
 /// <remarks>What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
 /// (<see cref="Bounds.PaddedFrom"/>), and what the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.</remarks>
 internal sealed class ScreenBounds
 {
-    /// <summary>How many are looked at together.</summary>
+    /// <summary>How many are processed together.</summary>
     public const int Count = 8;
 
     private const double Padding = 1e-12;
@@ -59,10 +59,10 @@ internal sealed class ScreenBounds
         }
     }
 
-    /// <summary>What was found of one of them.</summary>
+    /// <summary>Reads the result for one of them.</summary>
     /// <param name="i">Which.</param>
-    /// <param name="member">Where it shows and how near it is.</param>
-    /// <returns>Whether it may show; null where it reaches to the eye's plane, or numbers fail, so that nothing is known.</returns>
+    /// <param name="member">Receives where it shows and how near it is.</param>
+    /// <returns>Whether it may show; null if that is not known, since it reaches to the eye's plane or numbers overflow.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool? Read(int i, ref BatchItem member)
     {
@@ -89,7 +89,7 @@ internal sealed class ScreenBounds
             : (z - r >= camera.ZNear) & (z + r <= camera.ZFar));
         return Judged(
             IsOutside(x, y, z, r),
-            0.999 * z > r, // so that the difference of squares keeps its digits
+            0.999 * z > r, // so that the difference of squares stays accurate
             isClear,
             distance - r,
             (x * z - rootX) / difference, (x * z + rootX) / difference, (y * z - rootY) / difference, (y * z + rootY) / difference);
@@ -124,7 +124,7 @@ internal sealed class ScreenBounds
         return new()
         {
             Verdict = N.Select(isOutside, Outside, N.Select(isKnown, N.Select(isClear, Clear, Shows), Unknown)),
-            // As a float it is rounded by 6e-8 of itself, or by more where it is next to nothing.
+            // A float rounds it by 6e-8 of itself, or by more if it is nearly 0.
             Nearest = N.Select(nearest > 1e-37, N.Min(nearest * (1 - 1e-7), float.MaxValue), 0),
             Left = left,
             Right = right,

@@ -17,7 +17,7 @@ internal sealed class ShapeLists : IModelVisitor
 
     public IReadOnlyList<ShapeList> Lists => lists;
 
-    /// <summary>The places of all other models in the scene.</summary>
+    /// <summary>The indices of all other models.</summary>
     public IReadOnlyList<int> Others => others;
 
     /// <summary>The shapes of a scene's models.</summary>
@@ -57,7 +57,7 @@ internal sealed class ShapeLists : IModelVisitor
             if (lists[i].Add(model, place))
                 return;
         var before = lists.Count;
-        model.Accept(this); // once for each kind of shape: the list that it makes takes the others
+        model.Accept(this); // only once for each kind of shape: the new list takes the others
         if (lists.Count == before || !lists[^1].Add(model, place)) others.Add(place);
     }
 
@@ -70,12 +70,12 @@ internal sealed class ShapeLists : IModelVisitor
     }
 }
 
-/// <summary>Shapes of one kind, and the places of their models in the scene.</summary>
+/// <summary>Shapes of one kind, and the indices of their models.</summary>
 internal abstract class ShapeList
 {
     public abstract bool Add(Model model, int place);
 
-    /// <summary>Takes all shapes of another list if they are of this kind.</summary>
+    /// <summary>Adds all shapes of another list if they are of this kind.</summary>
     public abstract bool Append(ShapeList list);
 
     /// <summary>The shapes as members of a batch.</summary>

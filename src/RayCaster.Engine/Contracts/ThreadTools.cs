@@ -1,6 +1,6 @@
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tools that several views share: one of each kind, made when a view first needs it.</summary>
+/// <summary>The tools that the views of one thread share: one of each kind, made on first use.</summary>
 internal sealed class ThreadTools
 {
     private readonly Dictionary<Type, object> tools = [];

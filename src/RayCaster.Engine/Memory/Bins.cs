@@ -3,12 +3,12 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>Things sorted by a small number, their place; those of one place lie side by side, in the order in which they came. Their memory is
-/// rented from the pool: fresh pages cost more than what is written on them.</summary>
+/// <summary>Items sorted by a small number, their place; items of one place keep their order. The memory is rented from the pool: fresh pages cost
+/// more than writing to them.</summary>
 internal sealed class Bins<T> where T : struct
 {
     private readonly int[] starts;
-    private readonly int first; // no place before it holds anything: most meshes show in a small part of a picture
+    private readonly int first; // the first place that holds anything: most meshes show in a small part of a picture
     private T[] sorted;
 
     /// <param name="lists">What to sort, each list on a thread; the lists are emptied.</param>
@@ -45,7 +45,7 @@ internal sealed class Bins<T> where T : struct
         foreach (ref readonly var item in items) to[next[item.Place - first]++] = item.Thing;
     }
 
-    /// <summary>Gives the memory back; nothing may be asked for any more.</summary>
+    /// <summary>Returns the memory; the object cannot be used any more.</summary>
     public void Free()
     {
         if (sorted.Length > 0) ArrayPool<T>.Shared.Return(sorted);

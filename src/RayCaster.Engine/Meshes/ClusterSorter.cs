@@ -3,11 +3,11 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tool: finds the tiles of a mesh's triangles, by the boxes around clusters of them. Where such a box says little, each
-/// triangle is looked at.</summary>
+/// <summary>Finds the tiles in which a mesh's clusters may show; each thread has its own. Where a cluster's box says too little, it sorts the
+/// cluster's triangles one by one.</summary>
 internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
-    /// <summary>The triangles of a cluster in more tiles than this are sorted one by one: they lie far from each other, or are large.</summary>
+    /// <summary>In more tiles than this the triangles are sorted one by one: they are far from each other, or large.</summary>
     private const int ManyTiles = 6;
 
     private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
@@ -18,7 +18,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
 
     public PooledList<(int Place, TriangleCluster Cluster)> Clusters { get; } = new();
 
-    /// <summary>Where samples may be covered.</summary>
+    /// <summary>The pixels that may be covered.</summary>
     public (int Left, int Right, int Bottom, int Top) Extent => ((int)extent.Left, (int)extent.Right, (int)extent.Bottom, (int)extent.Top);
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -71,7 +71,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         sides = N.Bits(boxes.Normals<N>(first) * center > (N)0.0);
         return (N.Bits(fit), N.Bits(shows));
 
-        // in a method grown too large operators, silently, become calls
+        // in a larger method, the compiler would turn operators into calls
         [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
         void Project(Vector3 axis, double zero, double pixels, double[] first, double[] last)
         {
@@ -87,7 +87,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         }
     }
 
-    /// <summary>The pixels before or at places; they are in the picture where the group shows.</summary>
+    /// <summary>Stores places, moved into the picture; their whole parts are pixels.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Keep(double[] pixels, N place, N last) =>
         N.Select(place >= (N)0.0, N.Select(place < last, place, last), 0.0).Store(pixels, 0);

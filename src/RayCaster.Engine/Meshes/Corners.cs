@@ -8,10 +8,10 @@ internal abstract class Corners
     public abstract int Count { get; }
 
     /// <summary>Sees eight triangles.</summary>
-    /// <param name="seen">Their corners on the screen. Where one is not fit for floats the numbers mean nothing.</param>
+    /// <param name="seen">Their corners on the screen; meaningless where a corner is not fit for floats.</param>
     public abstract void See(ReadOnlySpan<int> triangles, out EightTriangles seen);
 
-    /// <summary>Sees eight triangles that follow one another; where fewer are left, the last one again in the other lanes.</summary>
+    /// <summary>Projects eight triangles that follow one another; if fewer are left, the last one is repeated.</summary>
     public void SeeRun(int first, out EightTriangles seen)
     {
         Span<int> triangles = stackalloc int[8];
@@ -19,13 +19,13 @@ internal abstract class Corners
         See(triangles, out seen);
     }
 
-    /// <summary>Says that a group will be seen soon; <see cref="FetchVertices"/> is to follow.</summary>
+    /// <summary>Fetches the indices of a cluster that will be needed soon.</summary>
     /// <param name="group">Its first triangle.</param>
     public virtual void Fetch(int group)
     {
     }
 
-    /// <summary>Says that a group will be seen next, or almost.</summary>
+    /// <summary>Fetches the vertices of a cluster that will be needed next.</summary>
     /// <param name="group">Its first triangle.</param>
     public virtual void FetchVertices(int group)
     {

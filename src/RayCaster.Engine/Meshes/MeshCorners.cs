@@ -2,9 +2,9 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>The corners of a mesh's triangles, projected each time that they are asked for: to write all vertices' places on the screen to an array
-/// first, and to read them from there, takes longer, for memory is slower than arithmetic.</summary>
-/// <param name="indices">Three for each triangle, all of them places of vertices.</param>
+/// <summary>The corners of a mesh's triangles. They are projected at each use: storing all projected vertices takes longer, because memory is slower
+/// than arithmetic.</summary>
+/// <param name="indices">Three valid indices for each triangle.</param>
 internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
 {
     public override int Count => indices.Length / 3;
@@ -27,7 +27,7 @@ internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int
         if (group + TriangleCluster.Length > Count) return;
         var points = new RawSpan<Vector3>(vertices);
         var places = new RawSpan<int>(indices);
-        for (var i = 3 * group; i < 3 * (group + TriangleCluster.Length); i += 9) // most are neighbours of others
+        for (var i = 3 * group; i < 3 * (group + TriangleCluster.Length); i += 9) // most vertices are next to others
         {
             Lanes.Fetch(ref points[places[i]]);
             Lanes.Fetch(ref points[places[i + 1]]);

@@ -1,9 +1,8 @@
 namespace RayCaster.Engine;
 
 /// <summary>
-/// A mesh as a camera sees it. All rays of a picture start in one point, so each triangle is projected onto the picture once, and a filter in floats
-/// finds for each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and
-/// where, the triangle's formula decides.
+/// A mesh as a camera sees it. All rays of a picture start in one point, so a filter in floats can project the triangles and find for each pixel the
+/// one that is certainly in front; where that is not certain it proposes several. The triangle's formula then decides which is hit, and where.
 /// </summary>
 internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IPacket<N>
 {
@@ -11,9 +10,9 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     private readonly Vector3[] vertices;
     private readonly int[] indices;
     private readonly ScreenTriangles<N>[] sets = []; // the triangles, and the pieces of those that had to be clipped
-    private readonly TriangleTree? hard;             // over those for which the filter knows nothing
-    private readonly TileFilters<N>? filters;        // one thread's, for all meshes
-    private TileFilter<N>? filter;                   // the one that knows this mesh's pixels, until another mesh takes it
+    private readonly TriangleTree? hard;             // over those of which the filter knows nothing
+    private readonly TileFilters<N>? filters;        // of one thread, for all meshes
+    private TileFilter<N>? filter;                   // holds this mesh's pixels until another mesh takes it
     private Tile entered;
     private bool shows;                              // whether a triangle may show in that tile
 
@@ -88,7 +87,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         return range;
     }
 
-    /// <summary>The filter that knows this mesh's pixels in the entered tile. If another mesh has taken it, the tile is entered anew.</summary>
+    /// <summary>The filter that holds this mesh's pixels in the entered tile. If another mesh has taken it, the tile is entered anew.</summary>
     private TileFilter<N> OwnFilter()
     {
         if (filter!.Owner != this || filter.Tile != entered) Enter();

@@ -2,7 +2,7 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>The corners of triangles that are on the screen already.</summary>
+/// <summary>The corners of triangles that are projected already.</summary>
 /// <param name="points">x, y and w of three corners for each triangle.</param>
 internal sealed class PieceCorners(Vector128<float>[] points) : Corners
 {

@@ -2,8 +2,7 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>Sorts out the triangles that cannot be projected as they are, since they reach behind the eye or far off the picture: what shows of them
-/// becomes pieces that can.</summary>
+/// <summary>Clips the triangles that reach behind the eye or far off the picture into pieces that can be projected.</summary>
 internal sealed class ScreenClipper
 {
     private readonly ScreenSpace screen;
@@ -25,7 +24,7 @@ internal sealed class ScreenClipper
         ];
     }
 
-    /// <summary>Triangles of which nothing is known but by their formula: three vertices for each.</summary>
+    /// <summary>Triangles of which only the formula knows anything: three vertices for each.</summary>
     public List<int> Hard { get; } = [];
 
     /// <summary>The pieces, three points for each.</summary>
@@ -67,7 +66,7 @@ internal sealed class ScreenClipper
         void AddHard() => Hard.AddRange([cornerA, cornerB, cornerC]);
     }
 
-    /// <summary>Clips a triangle that is seen well enough that its t is good to 1e-8; false if the pieces would not be exact.</summary>
+    /// <summary>Clips a triangle whose t is accurate to 1e-8; false if the pieces would not be accurate.</summary>
     private bool Clip(Vector3 a, Vector3 b, Vector3 c, double size, int triangle)
     {
         polygon.Clear();

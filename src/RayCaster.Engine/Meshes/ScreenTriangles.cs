@@ -6,13 +6,13 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     private const int LeastForAThread = 1 << 15;
 
     private readonly int tilesAcross;
-    private readonly Bins<int> triangles; // two places for each tile: those whose corners are seen one way around, and the others
+    private readonly Bins<int> triangles; // two places for each tile, one for each side of a triangle
     private readonly Bins<TriangleCluster> groups;
 
     /// <param name="corners">Where the triangles' corners are seen.</param>
-    /// <param name="owners">The mesh's triangle that each belongs to; null where they are the same.</param>
-    /// <param name="boxes">The boxes of the triangles' clusters; null where they are sorted one by one.</param>
-    /// <param name="twins">Makes what knows that triangles are the same; null where that is not known.</param>
+    /// <param name="owners">The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</param>
+    /// <param name="boxes">The boxes of the clusters; null if triangles are sorted one by one.</param>
+    /// <param name="twins">Makes a table of duplicates; null if it is not needed.</param>
     public ScreenTriangles(
         ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? twins, int threads)
     {
@@ -40,25 +40,25 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
     public Corners Corners { get; }
 
-    /// <summary>The mesh's triangle that each belongs to; null where they are the same.</summary>
+    /// <summary>The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</summary>
     public int[]? Owners { get; }
 
-    /// <summary>Where samples may be covered.</summary>
+    /// <summary>The pixels that may be covered.</summary>
     public (int Left, int Right, int Bottom, int Top) Extent { get; private set; } = (int.MaxValue, -1, int.MaxValue, -1);
 
-    /// <summary>Triangles with corners that are not fit for floats; they are not sorted.</summary>
+    /// <summary>Triangles with a corner that is not fit for floats; they are not sorted.</summary>
     public List<int> Unfit { get; } = [];
 
-    /// <summary>Those that may show in any tile.</summary>
+    /// <summary>Triangles that may show in any tile.</summary>
     public List<int> Large { get; } = [];
 
-    /// <summary>Those of a tile that are seen with their corners one way (0) or the other way (1) around, but for those in groups.</summary>
+    /// <summary>The triangles of a tile whose corners run one way (0) or the other way (1) around, except those in clusters.</summary>
     public ReadOnlySpan<int> Of(in Tile tile, int side) => triangles[2 * PlaceOf(tile) + side];
 
-    /// <summary>Clusters of a tile most of which are seen one way or the other way around.</summary>
+    /// <summary>The clusters of a tile whose middle triangle runs one way or the other way around.</summary>
     public ReadOnlySpan<TriangleCluster> ClustersOf(in Tile tile, int side) => groups[2 * PlaceOf(tile) + side];
 
-    /// <summary>Gives rented memory back; nothing may be asked for any more.</summary>
+    /// <summary>Returns rented memory; the object cannot be used any more.</summary>
     public void Free()
     {
         triangles.Free();

@@ -74,7 +74,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
-    /// <summary>Keeps the hits of a part of a row of the tile.</summary>
+    /// <summary>Keeps the mesh's hits for some pixels of a row.</summary>
     public void Meet(RayStream rays, int index) => hits.Meet(rays, index);
 
     /// <inheritdoc cref="TileHits{N}.Paint"/>

@@ -21,14 +21,14 @@ internal sealed class TreeBuilder
         }
     }
 
-    /// <summary>The nodes, the root first, the order of the triangles in the leaves, and how many nodes lie upon one another at most.</summary>
+    /// <summary>The nodes, the root first; the order of the triangles in the leaves; and the tree's depth.</summary>
     public (TreeNode[] Nodes, int[] Order, int Depth) Build()
     {
         var depth = order.Length > 0 ? Add(0, order.Length, 1) : 0;
         return ([.. nodes], order, depth);
     }
 
-    /// <summary>Adds the node of a part of the order and returns how deep it goes.</summary>
+    /// <summary>Adds the node of a part of the order and returns its depth.</summary>
     private int Add(int first, int end, int level)
     {
         Bounds all = Bounds.Empty, centers = Bounds.Empty;
@@ -45,7 +45,7 @@ internal sealed class TreeBuilder
             nodes.Add(new TreeNode(all, 0, first, end - first, 0));
             return level;
         }
-        nodes.Add(default); // its second child is not known yet
+        nodes.Add(default); // the second child is not known yet
         var deepest = Add(first, middle, level + 1);
         nodes[place] = new TreeNode(all, nodes.Count, 0, 0, axis);
         return Math.Max(deepest, Add(middle, end, level + 1));
@@ -63,7 +63,7 @@ internal sealed class TreeBuilder
             (order[i], order[middle]) = (order[middle], order[i]);
             middle++;
         }
-        // Where all are on one side, as duplicates are, or the tree would become too deep: halves.
+        // If all are on one side, as duplicates are, or the tree becomes too deep: halves.
         return (axis, middle > first && middle < end ? middle : (first + end) / 2);
     }
 

@@ -3,17 +3,16 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>What depends only on a mesh: for each cluster of triangles that follow one another in it a box around them, and the normal of the
-/// triangle in the middle.</summary>
-/// <remarks>In floats, relative to a point and a length of the mesh, so that no size of scene is too large for them. They take 2.3 bytes for each
+/// <summary>What depends only on a mesh: a box around each cluster of consecutive triangles, and the normal of the triangle in the middle.</summary>
+/// <remarks>The numbers are floats relative to a point and a length of the mesh, so they suit a scene of any size. They take 2.3 bytes for each
 /// triangle; a mesh whose triangles share their corners takes 24.</remarks>
 internal sealed class TriangleBoxes
 {
-    /// <summary>How many clusters a thread takes at once.</summary>
+    /// <summary>The number of clusters that a thread takes at once.</summary>
     private const int ClustersAtOnce = 1 << 10;
 
-    /// <summary>How far ahead the memory is fetched: to wait for it would take longer than to find the boxes. Vertices are fetched later than
-    /// indices, since their places must be there.</summary>
+    /// <summary>How many triangles ahead memory is fetched: waiting for it would take longer than finding the boxes. Vertices are fetched later than
+    /// indices, which must be there first.</summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
@@ -42,10 +41,10 @@ internal sealed class TriangleBoxes
             Find(piece * ClustersAtOnce, Math.Min((piece + 1) * ClustersAtOnce, Count)));
     }
 
-    /// <summary>What boxes and normals are relative to.</summary>
+    /// <summary>The point that is 0 in the boxes.</summary>
     public Vector3 Middle { get; }
 
-    /// <summary>The length that is 1 in them.</summary>
+    /// <summary>The length that is 1 in the boxes.</summary>
     public double Unit { get; }
 
     public int Count { get; }
@@ -63,7 +62,7 @@ internal sealed class TriangleBoxes
         return (first, Math.Min(first + TriangleCluster.Length, indices.Length / 3));
     }
 
-    /// <summary>The least coordinates of several clusters, one to each lane. A corner that is no number does not count, for it is part of no
+    /// <summary>The least coordinates of several clusters, one in each lane. A corner that is NaN does not count, since it is part of no
     /// hit.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Lows<N>(int first) where N : struct, IPacket<N> => Load<N>(0, first);
@@ -71,7 +70,7 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Highs<N>(int first) where N : struct, IPacket<N> => Load<N>(3, first);
 
-    /// <summary>The normals of the triangles in the middle, of any length.</summary>
+    /// <summary>The normals of the middle triangles; they have any length.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Normals<N>(int first) where N : struct, IPacket<N> => Load<N>(6, first);
 
@@ -92,7 +91,7 @@ internal sealed class TriangleBoxes
             Set(6, cluster, NormalOf((first + end) / 2));
         }
 
-        // A float is rounded by 2⁻²⁴ of itself.
+        // Rounding to a float changes a number by at most 2⁻²⁴ of itself.
         static Vector256<double> Padding(Vector256<double> number) => Vector256.Create(1e-7) * (Vector256.Abs(number) + Vector256<double>.One);
     }
 
@@ -119,7 +118,7 @@ internal sealed class TriangleBoxes
         return Vector256.Create(point.X, point.Y, point.Z, 0);
     }
 
-    /// <summary>The least and the greatest coordinates of some triangles, and a fourth number that means nothing.</summary>
+    /// <summary>The least and the greatest coordinates of some triangles; the fourth number is meaningless.</summary>
     /// <param name="first">The first triangle.</param>
     /// <param name="end">The one after the last.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -130,13 +129,13 @@ internal sealed class TriangleBoxes
         var numbers = RawSpan.NumbersOf(vertices);
         if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Fetch(first);
 
-        // Each corner has bounds of its own, so that no comparison waits for the one before it.
+        // Separate bounds for each corner, so that no comparison waits for the one before it.
         var none = Vector256.Create(double.PositiveInfinity);
         var (lowA, lowB, lowC) = (none, none, none);
         var (highA, highB, highC) = (-none, -none, -none);
         for (var i = 3 * first; i < 3 * end; i += 3)
         {
-            // A vertex's three numbers and the one behind them, which is the next vertex's.
+            // A vertex's three numbers and the next vertex's first.
             var (a, b, c) = (numbers.Load256(3 * places[i]), numbers.Load256(3 * places[i + 1]), numbers.Load256(3 * places[i + 2]));
             (lowA, lowB, lowC) = (Vector256.MinNative(a, lowA), Vector256.MinNative(b, lowB), Vector256.MinNative(c, lowC));
             (highA, highB, highC) = (Vector256.MaxNative(a, highA), Vector256.MaxNative(b, highB), Vector256.MaxNative(c, highC));
@@ -144,8 +143,8 @@ internal sealed class TriangleBoxes
         return (Vector256.MinNative(Vector256.MinNative(lowA, lowB), lowC), Vector256.MaxNative(Vector256.MaxNative(highA, highB), highC));
     }
 
-    /// <summary>The same for a group that has the last vertex, behind which there is no number, or not the length of the others; and where an index
-    /// is wrong.</summary>
+    /// <summary>The same with checks: for a cluster that is shorter than the others, that has the last vertex, behind which there is no number, or a
+    /// wrong index.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     private (Vector256<double> Low, Vector256<double> High) AroundFew(int first, int end)
     {
@@ -159,18 +158,18 @@ internal sealed class TriangleBoxes
         return (low, high);
     }
 
-    /// <summary>Whether all indices of a group are places of vertices, and none that of the last.</summary>
+    /// <summary>Whether all indices of a cluster are valid, and none is the last vertex.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool AreBeforeTheLast(int first)
     {
         var places = new RawSpan<int>(indices);
-        var most = Vector256<uint>.Zero; // a negative index is a larger one than all
+        var most = Vector256<uint>.Zero; // as unsigned numbers, negative indices are the largest
         for (var i = first; i < first + 3 * TriangleCluster.Length; i += Vector256<int>.Count)
             most = Vector256.Max(most, places.Load256(i).AsUInt32());
         return Vector256.LessThanAll(most, Vector256.Create((uint)vertices.Length - 1));
     }
 
-    /// <summary>Most vertices are neighbours of others: some of those of a group are enough.</summary>
+    /// <summary>Fetches memory in advance. Most vertices lie next to others, so some of a cluster's are enough.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Fetch(int first)
     {
@@ -186,6 +185,6 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void FetchVertex(int index)
     {
-        if ((uint)index < (uint)vertices.Length) Lanes.Fetch(ref new RawSpan<Vector3>(vertices)[index]); // it is not checked yet
+        if ((uint)index < (uint)vertices.Length) Lanes.Fetch(ref new RawSpan<Vector3>(vertices)[index]); // not checked yet
     }
 }

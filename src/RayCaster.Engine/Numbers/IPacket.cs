@@ -15,7 +15,7 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>A bit for each lane of a mask, the first lane's the lowest.</summary>
     static abstract uint Bits(N mask);
 
-    /// <summary>a b + c, rounded once or twice: not for a formula, whose every operation rounds once.</summary>
+    /// <summary>a b + c, rounded once or twice; so it must not be used in a formula.</summary>
     static abstract N MultiplyAddEstimate(N a, N b, N c);
 
     static abstract double Greatest(N a);
@@ -28,12 +28,12 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <inheritdoc cref="Load(double[], int)"/>
     static abstract N Load(float[] numbers, int first);
 
-    /// <summary>A corner of triangles of a mesh, one to each lane. The mesh's indices have been checked.</summary>
-    /// <param name="first">The place there of the first lane's triangle, which those of the others follow.</param>
+    /// <summary>A corner of several triangles, one in each lane. The mesh's indices have been checked.</summary>
+    /// <param name="first">The position of the first lane's triangle; the other lanes' follow.</param>
     /// <param name="corner">Which corner.</param>
     static abstract Vector3<N> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner);
 
-    /// <summary>Eight numbers as floats; a packet of eight needs no upper one.</summary>
+    /// <summary>Eight numbers as floats; a packet of eight ignores the upper one.</summary>
     static abstract Vector256<float> Narrow(N lower, N upper);
 
     void Store(double[] numbers, int first);

@@ -63,10 +63,10 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) =>
         new() { Lanes = Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
     public static WidePacket If(WidePacket mask, WidePacket value) => Select(mask, value, double.NaN);
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
     public static Vector3<WidePacket> Divide(Vector3<WidePacket> a, WidePacket b) => new(a.X / b, a.Y / b, a.Z / b);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

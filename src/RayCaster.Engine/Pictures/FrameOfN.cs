@@ -3,7 +3,7 @@ namespace RayCaster.Engine;
 /// <summary>The models of a picture as the camera sees them, each by itself or as one of a batch.</summary>
 internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
 {
-    /// <summary>With fewer models a look at each of them is cheaper than a list for each part of the picture.</summary>
+    /// <summary>With fewer models, testing each of them is cheaper than lists for parts of the picture.</summary>
     private const int FewModels = 64;
 
     /// <inheritdoc cref="Frame.Of"/>
@@ -18,7 +18,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
         Extents = Array.ConvertAll(Views, view => view.Extent);
     }
 
-    /// <summary>Views of the models that are looked at one by one.</summary>
+    /// <summary>Views of the models that are not in the batch.</summary>
     public ModelView<N>[] Views { get; }
 
     public int[] Places { get; }
@@ -26,7 +26,7 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
     /// <summary>Where in the picture each of them can show at all.</summary>
     public Tile[] Extents { get; }
 
-    /// <summary>The other models; null where there are few.</summary>
+    /// <summary>The other models; null if there are few.</summary>
     public PrimitiveBatch<N>? PrimitiveBatch { get; }
 
     public override IStripCaster NewCaster(bool isPlain) =>
@@ -40,6 +40,6 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
         PrimitiveBatch?.Free();
     }
 
-    /// <remarks>By itself, so that a tile caster is not even loaded where none is needed.</remarks>
+    /// <remarks>A method of its own, so that the tile caster's code is not loaded if it is not needed.</remarks>
     private IStripCaster NewTileCaster() => new TileCaster<N>(this);
 }

@@ -1,15 +1,15 @@
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tool: finds for the pixels of a tile the nearest hits. A strip is cut into tiles, and a tile in which several models may
-/// show into small parts; each drops the models that cannot show in it, and what is left meets the rays.</summary>
+/// <summary>Finds the nearest hits for the pixels of a tile; each thread has its own. A strip is cut into tiles, and a tile in which several models
+/// may show into small parts. Each step drops the models that cannot show; the rays are intersected with the rest.</summary>
 internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 {
-    /// <summary>The side of the small parts: a row of one is a few packets, for which a call is still cheap.</summary>
+    /// <summary>The side of a small part: a row of it is a few packets, for which a call is still cheap.</summary>
     private const int PartSide = 16;
 
     private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = EightParts.Count / PartsAcross;
 
-    /// <summary>With more models than this a look at what is hidden pays.</summary>
+    /// <summary>With more models than this it pays to look for hidden ones.</summary>
     private const int Few = 4;
 
     private readonly Frame<N> frame;
@@ -80,7 +80,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Casts a tile in which one model alone may show, of which cutting the tile would tell no more.</summary>
+    /// <summary>Casts a tile in which only one model may show; cutting it would tell no more.</summary>
     private void CastAlone(in Tile tile, List<Candidate> list, ITileView alone)
     {
         if (!(frame.IsLong && consumer.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);
@@ -103,7 +103,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
             }
     }
 
-    /// <summary>Casts a part whose models are known.</summary>
+    /// <summary>Casts a part with the models that may show in it.</summary>
     private void CastPart(in Tile part, List<Candidate> list)
     {
         if (list.Count == 0) consumer.TakeMiss(part);
@@ -131,14 +131,14 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], covers[i]);
     }
 
-    /// <summary>Whether one model, which knows the short way, surely covers the part.</summary>
+    /// <summary>Whether one model certainly covers the part.</summary>
     private bool IsCovered(List<Candidate> list) => list.Count == 1 && frame.IsLong && list[0].Range.Cover < double.PositiveInfinity && isPrimitive(list[0]);
 
-    /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than
-    /// short ones.</summary>
+    /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
+    /// ones.</summary>
     /// <param name="lists">The models that may show in them.</param>
     /// <param name="first">The first part.</param>
-    /// <returns>How many are done, from the first on.</returns>
+    /// <returns>How many parts are done, from the first on.</returns>
     private int TakeAlike(EightParts parts, List<Candidate>[] lists, int first)
     {
         var isMiss = lists[first].Count == 0;
@@ -160,7 +160,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private bool TryCover(in Tile part, Candidate only) =>
         consumer.TryTake(new CoveredTile(part, (ICoveringView)views[only.Index], places[only.Index], only.Range.IsNear));
 
-    /// <summary>Drops what does not show, or lies behind what covers all.</summary>
+    /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
     private static void DropHidden(List<Candidate> list, double cover)
     {
         var kept = 0;
@@ -170,8 +170,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         list.RemoveRange(kept, list.Count - kept);
     }
 
-    /// <summary>Casts the rays of a part: row by row, or all rows at once where few models, all of them single shapes, may show in a small
-    /// part.</summary>
+    /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part with few models that are all single shapes.</summary>
     private void CastRows(in Tile part, List<Candidate> list)
     {
         var isSmall = list.Count <= Few && part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
@@ -187,6 +186,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 }
 
 /// <summary>A model that may show in a tile.</summary>
-/// <param name="Index">The place of its view.</param>
+/// <param name="Index">The index of its view.</param>
 /// <param name="Range">Where its hits lie.</param>
 internal readonly record struct Candidate(int Index, HitRange Range);

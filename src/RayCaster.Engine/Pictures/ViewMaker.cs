@@ -1,6 +1,6 @@
 namespace RayCaster.Engine;
 
-/// <summary>Makes of each kind of model the view that suits it.</summary>
+/// <summary>Makes the view of a model.</summary>
 internal sealed class ViewMaker<N> : IModelVisitor where N : struct, IPacket<N>
 {
     private readonly Camera camera;
@@ -10,7 +10,7 @@ internal sealed class ViewMaker<N> : IModelVisitor where N : struct, IPacket<N>
 
     private ViewMaker(Camera camera, bool isKept, int threads) => (this.camera, this.isKept, this.threads) = (camera, isKept, threads);
 
-    /// <summary>The model as a camera sees it; ray by ray where a model knows only single rays.</summary>
+    /// <summary>The view of a model for a camera.</summary>
     /// <param name="isKept">Whether what depends only on the model stays in memory for the next picture.</param>
     public static ModelView<N> See(Model model, Camera camera, bool isKept, int threads)
     {

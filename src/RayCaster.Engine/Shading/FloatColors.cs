@@ -4,11 +4,10 @@ using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
 
-/// <summary>The colours of a scene as whole numbers of small steps, which sixteen lanes look up at once.</summary>
+/// <summary>The colours of a scene as integers, in small steps; sixteen lanes look them up at once.</summary>
 internal sealed class FloatColors
 {
-    /// <summary>Up to so many colours lie in vectors, from which lanes take them without a look at memory; more are packed, three channels to a
-    /// long.</summary>
+    /// <summary>Up to so many colours are held in vectors; more are packed into an array, three channels in a long.</summary>
     private const int Few = 32;
 
     private const int ChannelBits = 21;
@@ -44,18 +43,18 @@ internal sealed class FloatColors
         long Steps(double channel) => Math.Min((long)(channel / Step + 0.5), MostSteps);
     }
 
-    /// <summary>How much light one step is.</summary>
+    /// <summary>The light of one step.</summary>
     public double Step { get; }
 
-    /// <summary>No channel has more steps.</summary>
+    /// <summary>The most steps of a channel.</summary>
     public int MostSteps { get; }
 
-    /// <summary>Colours that do not lie in vectors; empty where all do.</summary>
+    /// <summary>The packed colours; empty if vectors hold all of them.</summary>
     public ReadOnlySpan<long> Packed => packed;
 
     /// <summary>The channels of sixteen pixels, in steps.</summary>
     /// <param name="packed">The first of <see cref="Packed"/>, or null.</param>
-    /// <param name="places">The places of the pixels' colours.</param>
+    /// <param name="places">The indices of the pixels' colours.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public unsafe (Vector512<float> R, Vector512<float> G, Vector512<float> B) At(long* packed, Vector512<int> places)
     {

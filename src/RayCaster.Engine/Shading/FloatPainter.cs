@@ -5,16 +5,16 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool: paints a part of the picture that one shape covers, in floats. Each channel's level is known up to an error that is the same
-/// for the whole part (<see cref="ErrorBound"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are
-/// cast in doubles.
+/// Paints a part of the picture that one shape covers, in floats; each thread has its own. The error of the levels has one bound for the whole part
+/// (<see cref="ErrorBound"/>). Where both ends of a level's range have the same whole part, that is the byte; the few other pixels are cast in
+/// doubles.
 /// </summary>
 internal sealed class FloatPainter : IShapeVisitor
 {
-    /// <summary>With a greater error too many pixels would be in doubt.</summary>
+    /// <summary>With a greater error, too many bytes would be uncertain.</summary>
     private const double MostError = 0.02;
 
-    /// <summary>With a smaller error so few pixels are in doubt that a closer look is not worth it.</summary>
+    /// <summary>With a smaller error, so few bytes are uncertain that a tighter bound does not pay.</summary>
     private const double GoodError = 0.002;
 
     private readonly Scene scene;
@@ -34,10 +34,10 @@ internal sealed class FloatPainter : IShapeVisitor
         doubts = new ushort[Tile.MaxStrip * Tile.MaxSide / FloatPacket.Count];
     }
 
-    /// <summary>Writes a part's bytes, if its width is one of whole packets and all errors are small enough.</summary>
+    /// <summary>Writes a part's bytes, if its width is a multiple of a packet's and the error is small enough.</summary>
     /// <param name="covered">The part and the shape.</param>
-    /// <param name="first">The place of the lowest row's first pixel.</param>
-    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    /// <param name="first">The position of the lowest row's first pixel.</param>
+    /// <param name="step">The distance from a pixel to the one above it.</param>
     public bool Paint(in CoveredTile covered, byte[] rgb, int first, int step)
     {
         (this.covered, part, this.rgb, this.first, this.step) = (covered, covered.Part, rgb, first, step);
@@ -79,8 +79,8 @@ internal sealed class FloatPainter : IShapeVisitor
         return true;
     }
 
-    /// <summary>How far the t of any pixel of a part may be from the one that doubles give.</summary>
-    /// <remarks>A bound for the whole strip is mostly good enough, and then serves other parts of it, too.</remarks>
+    /// <summary>The greatest difference between t in floats and in doubles, of all pixels of a part.</summary>
+    /// <remarks>A bound for the whole strip is usually good enough, and serves its other parts, too.</remarks>
     private double Error<P>(in P shape, int index, double goodError) where P : struct, IPrimitive
     {
         if (rays.Enter(part)) Array.Fill(knownErrors, (-1, 0));
@@ -102,7 +102,7 @@ internal sealed class FloatPainter : IShapeVisitor
         Vector3<FloatPacket> origin = camera.Position;
         var (red, green, blue) = (new FloatLevel(color.R, camera.Reach, error), new FloatLevel(color.G, camera.Reach, error),
             new FloatLevel(color.B, camera.Reach, error));
-        var isNear = covered.IsNear; // locals stay in registers
+        var isNear = covered.IsNear; // a local stays in a register
         var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / FloatPacket.Count);
         for (var row = 0; row < part.Height; row += 2)
         {

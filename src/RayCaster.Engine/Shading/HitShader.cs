@@ -11,7 +11,7 @@ internal sealed class HitShader
     private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
     private readonly FloatShader? floats;
 
-    /// <param name="isLong">Whether there are pixels enough that floats kernels pay.</param>
+    /// <param name="isLong">Whether there are enough pixels for the float path to pay.</param>
     public HitShader(Scene scene, bool isLong, int threads)
     {
         Scene = scene;
@@ -25,8 +25,8 @@ internal sealed class HitShader
 
     /// <summary>Writes the pixels of a stream.</summary>
     /// <param name="rgb">Room for three bytes a pixel.</param>
-    /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
-    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    /// <param name="first">The position of the lowest row's first pixel.</param>
+    /// <param name="step">The distance from a pixel to the one above it.</param>
     public void Shade(RayStream rays, byte[] rgb, int first, int step)
     {
         if (floats is not null && FloatShader.Takes(rays)) floats.Shade(rays, this, rgb, first, step);
@@ -55,7 +55,7 @@ internal sealed class HitShader
             }
             var bytes = Vector128.Shuffle(pixels.AsByte(), packed);
 
-            // Twelve bytes; the four zeros after them fall on pixels that come next, but not beyond the span, where another thread may be at work.
+            // Twelve bytes. The four zeros after them fall on pixels that follow, but not beyond the span, where another thread may write.
             if (j + 16 <= rgb.Length) bytes.CopyTo(rgb[j..]);
             else
                 for (var k = j; k < Math.Min(j + 12, rgb.Length); k++) rgb[k] = bytes[k - j];
@@ -70,7 +70,7 @@ internal sealed class HitShader
         missed.AsSpan(0, rgb.Length).CopyTo(rgb);
     }
 
-    /// <summary>Where a model's colour begins; that of the background for −1.</summary>
+    /// <summary>The position of a model's colour; the background's for −1.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int PlaceOf(double model) => 3 * (int)model + 3;
 

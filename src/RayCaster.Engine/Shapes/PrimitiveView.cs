@@ -10,7 +10,7 @@ internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeVie
 
     protected override void Intersect(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Intersect(parts.Rays);
 
-    // a picture is often drawn before the runtime would optimise by itself
+    // many pictures are done before the runtime optimises by itself
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     protected override void Intersect(RayStream rays, int first, int end)
     {

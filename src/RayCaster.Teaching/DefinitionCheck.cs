@@ -1,4 +1,4 @@
-namespace RayCaster.Engine;
+namespace RayCaster.Teaching;
 
 /// <summary>Compares some hundred pixels of a picture with the definition's (<see cref="ScalarRenderer"/>): windows of two by two pixels in the
 /// corners, on models and at random places. The definition is computed on a thread of its own while the picture is drawn.</summary>
