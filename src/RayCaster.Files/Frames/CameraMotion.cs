@@ -51,7 +51,7 @@ public static class CameraMotion
     /// <summary>The camera at another place; where no picture can be taken from there it stays.</summary>
     private static Camera At(Camera camera, Vector3 position, Vector3 target)
     {
-        var moved = camera.WithView(position, target, camera.FovY);
+        var moved = new Camera(camera.Parameters with { Position = position, Target = target });
         return moved.Flaw is null ? moved : camera;
     }
 

@@ -14,6 +14,6 @@ public static class Orbit
         var (sin, cos) = Math.SinCos(2 * Math.PI * frame / frames);
         var v = camera.Position - camera.Target;
         var turned = cos * v + sin * (axis % v) + (1 - cos) * (axis * v) * axis; // Rodrigues
-        return camera.WithView(camera.Target + turned, camera.Target, camera.FovY);
+        return new(camera.Parameters with { Position = camera.Target + turned });
     }
 }

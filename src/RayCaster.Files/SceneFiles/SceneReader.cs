@@ -118,28 +118,32 @@ public static class SceneReader
 
     private static Camera? ReadCamera(SceneObject o)
     {
-        var position = o.Vector("position", "P, where the rays start.");
-        var target = o.Vector("target",
-            "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
-                "at twice its distance all is black.");
-        var up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", new(0, 0, 1));
-        var fovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), 45);
-        var width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, 500);
-        var height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, 500);
-        var zNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, 0.01);
-        var zFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", 100);
-        var bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, 1e-6);
-        var clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
-            "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth;
-        var sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
-            "corner", "center") == "center" ? Sample.Center : Sample.Corner;
+        var camera = new CameraParameters(
+            o.Vector("position", "P, where the rays start."),
+            o.Vector("target",
+                "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
+                    "at twice its distance all is black."));
+        camera = camera with
+        {
+            Up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", camera.Up),
+            FovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), camera.FovY),
+            Width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, camera.Width),
+            Height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, camera.Height),
+            ZNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, camera.ZNear),
+            ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", camera.ZFar),
+            Bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, camera.Bias),
+            Clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+                "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth,
+            Sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+                "corner", "center") == "center" ? Sample.Center : Sample.Corner,
+        };
         o.Close();
 
-        CheckView(o, position, target, up);
-        if (zFar <= zNear) RefuseDepths(o, zNear, zFar);
-        if ((long)width * height > Camera.MaxPixels) RefuseSize(o, width, height);
-        if (fovY is >= 0.2 and < 3) WarnOfRadians(o, fovY);
-        return o.IsSound ? new(position, target, up, fovY, width, height, zNear, zFar, bias, clip, sample) : null;
+        CheckView(o, camera.Position, camera.Target, camera.Up);
+        if (camera.ZFar <= camera.ZNear) RefuseDepths(o, camera.ZNear, camera.ZFar);
+        if ((long)camera.Width * camera.Height > Camera.MaxPixels) RefuseSize(o, camera.Width, camera.Height);
+        if (camera.FovY is >= 0.2 and < 3) WarnOfRadians(o, camera.FovY);
+        return o.IsSound ? new(camera) : null;
     }
 
     private static void CheckView(SceneObject o, Vector3 position, Vector3 target, Vector3 up)
