@@ -59,7 +59,7 @@ internal sealed class JsonTree
         var tree = new JsonTree(text);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
         var depth = 0;
-        var reader = new Utf8JsonReader(WithoutComments(text.Utf8), new JsonReaderOptions { AllowTrailingCommas = true, MaxDepth = MaxDepth });
+        var reader = new Utf8JsonReader(JsonComments.Blanked(text.Utf8), new JsonReaderOptions { AllowTrailingCommas = true, MaxDepth = MaxDepth });
         var (last, lastEnd) = (JsonTokenType.None, 0);
         try
         {
@@ -96,47 +96,4 @@ internal sealed class JsonTree
     /// <param name="opening">The number of its token.</param>
     /// <param name="end">The place after its closing bracket.</param>
     private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next, lastClosed) = (end, count, opening);
-
-    /// <summary>The text with blanks in place of comments. The JSON reader's own skipping stumbles over a comment between a key and its
-    /// colon.</summary>
-    private static ReadOnlySpan<byte> WithoutComments(ReadOnlySpan<byte> utf8)
-    {
-        byte[]? copy = null;
-        if (utf8.IndexOf((byte)'/') < 0) return utf8;
-        for (var i = 0; utf8[i..].IndexOfAny((byte)'"', (byte)'/') is >= 0 and var way;)
-        {
-            i += way;
-            var end = i + 1;
-            if (utf8[i] == '"')
-            {
-                end = EndOfText(utf8, i);
-            }
-            else if (utf8[i..].StartsWith("//"u8))
-            {
-                end = utf8[i..].IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? i + length : utf8.Length;
-                Blank(copy ??= utf8.ToArray(), i, end);
-            }
-            else if (utf8[i..].StartsWith("/*"u8))
-            {
-                if (utf8[(i + 2)..].IndexOf("*/"u8) is not (>= 0 and var length)) break; // never closed, which the reader refuses
-                end = i + length + 4;
-                Blank(copy ??= utf8.ToArray(), i, end);
-            }
-            i = end;
-        }
-        return copy ?? utf8;
-    }
-
-    private static void Blank(byte[] utf8, int start, int end)
-    {
-        for (var i = start; i < end; i++) utf8[i] = (byte)' '; // Span.Fill is a long method to compile at start-up
-    }
-
-    /// <summary>The place after the quote that closes a text, or where its line ends without one.</summary>
-    private static int EndOfText(ReadOnlySpan<byte> utf8, int start)
-    {
-        var i = start + 1;
-        while (i < utf8.Length && utf8[i] is not ((byte)'"' or (byte)'\r' or (byte)'\n')) i += utf8[i] == '\\' ? 2 : 1;
-        return Math.Min(i + 1, utf8.Length);
-    }
 }
