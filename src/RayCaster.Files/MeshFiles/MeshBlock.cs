@@ -10,9 +10,6 @@ internal sealed class MeshBlock(MeshSource source)
     /// <returns>The bytes of the block; 0 where more must be loaded first.</returns>
     public delegate int Cut(ReadOnlySpan<byte> bytes, bool isEnd);
 
-    /// <summary>The longest line or row, and the longest mesh from a pipe: what must be in memory as it is written.</summary>
-    public const int MostBytes = 1 << 28;
-
     public MeshSource Source => source;
 
     /// <summary>Where the block begins in the file.</summary>
@@ -39,19 +36,19 @@ internal sealed class MeshBlock(MeshSource source)
     public bool IsLast => End == source.Length;
 
     /// <summary>Loads a block of the usual size; a longer one where the usual size has no place to cut.</summary>
-    /// <exception cref="MeshFileException">The file cannot be read, or has no place to cut in <see cref="MostBytes"/>.</exception>
+    /// <exception cref="MeshFileException">The file cannot be read, or has no place to cut in <see cref="MeshFile.MostBytesAtOnce"/>.</exception>
     public MeshBlock Load(long start, Cut cut)
     {
         var rest = source.Length - start;
         for (var size = (long)source.BlockSize; ; size *= 2)
         {
-            Load(start, (int)Math.Min(rest, Math.Min(size, MostBytes)));
+            Load(start, (int)Math.Min(rest, Math.Min(size, MeshFile.MostBytesAtOnce)));
             var isEnd = Length == rest;
             Length = cut(Bytes, isEnd);
             if (Length > 0 || isEnd) return this;
-            if (size >= MostBytes)
+            if (size >= MeshFile.MostBytesAtOnce)
                 throw source.ErrorAtByte(start, FormattableString.Invariant(
-                    $"a line or row begins here that has more than {MostBytes:N0} bytes, which is the limit"));
+                    $"a line or row begins here that has more than {MeshFile.MostBytesAtOnce:N0} bytes, which is the limit"));
         }
     }
 

@@ -3,6 +3,9 @@ namespace RayCaster.Files;
 /// <summary>Reads meshes that other programs write.</summary>
 public static class MeshFile
 {
+    /// <summary>The longest line or row, and the longest mesh from a pipe, in bytes: these are in memory as a whole.</summary>
+    public const int MostBytesAtOnce = 1 << 28;
+
     /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
     /// <param name="path">The file, of any size.</param>
     /// <param name="threads">How many threads read a large file; one per core if left out.</param>
@@ -20,8 +23,14 @@ public static class MeshFile
         return reader(new MeshSource(path, stream, threads: threads ?? Environment.ProcessorCount));
     }
 
-    /// <summary>Reads a mesh from the bytes that a file of this name would hold.</summary>
-    internal static MeshData Parse(string path, byte[] bytes, int blockSize = MeshSource.UsualBlockSize, int threads = 1) =>
+    /// <summary>Reads the bytes of a mesh file.</summary>
+    /// <param name="name">The file's name, for its extension and for messages.</param>
+    /// <param name="bytes">What the file holds.</param>
+    /// <exception cref="MeshFileException">They are not a mesh of that kind.</exception>
+    public static MeshData Parse(string name, byte[] bytes) => Parse(name, bytes, MeshSource.UsualBlockSize);
+
+    /// <summary>The same in blocks of another size, on some threads.</summary>
+    internal static MeshData Parse(string path, byte[] bytes, int blockSize, int threads = 1) =>
         ReaderOf(path)(new MeshSource(path, new MemoryStream(bytes, writable: false), blockSize, threads));
 
     /// <summary>Whether a file's name ends like that of a mesh.</summary>
@@ -66,9 +75,9 @@ public static class MeshFile
         while (stream.Read(buffer) is > 0 and var count)
         {
             copy.Write(buffer, 0, count);
-            if (copy.Length > MeshBlock.MostBytes)
+            if (copy.Length > MostBytesAtOnce)
                 throw new MeshFileException(path, FormattableString.Invariant(
-                    $"a pipe or device of more than {MeshBlock.MostBytes:N0} bytes is not read, but a file of any size is"));
+                    $"a pipe or device of more than {MostBytesAtOnce:N0} bytes is not read, but a file of any size is"));
         }
         return copy;
     }

@@ -6,10 +6,6 @@ namespace RayCaster.Files;
 /// <param name="threads">How many threads read and place a large mesh; one per core if left out.</param>
 internal sealed class SceneDocument(SourceText text, string folder, int? threads = null)
 {
-    /// <summary>After so many errors the rest is not read, and after so many problems no warning is kept: a file of nothing but mistakes would
-    /// take hours.</summary>
-    public const int MostProblems = 1000;
-
     private const int LongestMessage = 2000; // a mesh file's path may stand in it, as long as somebody likes
     private readonly List<Finding> findings = [];
     private readonly FileNames names = new();
@@ -19,7 +15,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     public int ErrorCount { get; private set; }
 
     /// <summary>Whether enough errors were found.</summary>
-    public bool IsHopeless => ErrorCount >= MostProblems;
+    public bool IsHopeless => ErrorCount >= SceneReading.MostProblems;
 
     /// <summary>The text.</summary>
     public SourceText Text => text;
@@ -34,7 +30,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     public void Add(bool isError, int start, int end, string path, string message)
     {
         if (isError) ErrorCount++;
-        else if (findings.Count >= MostProblems) return;
+        else if (findings.Count >= SceneReading.MostProblems) return;
         if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
         findings.Add(new(isError, start, end, path, PrintableText.Of(message)));
     }

@@ -7,6 +7,10 @@ namespace RayCaster.Files;
 /// <param name="Problems">The errors and warnings, in the order of the file; a file with a thousand errors is not read to its end.</param>
 public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
 {
+    /// <summary>After so many errors the rest of a file is not read, and after so many problems no warning is kept: a large file of nothing but
+    /// mistakes would take hours.</summary>
+    public const int MostProblems = 1000;
+
     /// <summary>How many problems <see cref="Report"/> writes out.</summary>
     public const int Printed = 20;
 
@@ -23,7 +27,7 @@ public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
             foreach (var problem in Problems)
                 if (problem.IsError == errors && left-- > 0)
                     text.Append(problem).Append('\n');
-        if (left < 0) text.Append($"and {(Problems.Count < SceneDocument.MostProblems ? "" : "at least ")}{-left} more\n");
+        if (left < 0) text.Append($"and {(Problems.Count < MostProblems ? "" : "at least ")}{-left} more\n");
         return text.ToString();
     }
 }

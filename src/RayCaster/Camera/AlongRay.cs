@@ -7,7 +7,7 @@ namespace RayCaster;
 /// is the point (0, 0), and what it passes lies around that point.
 /// </summary>
 /// <typeparam name="N">The kind of number.</typeparam>
-internal readonly struct AlongRay<N> where N : struct, IReal<N>
+public readonly struct AlongRay<N> where N : struct, IReal<N>
 {
     private readonly Vector3<N> origin;
     private readonly N mostlyX, ratherY;     // masks: which axis d follows most; neither means z

@@ -18,7 +18,6 @@ public sealed class Camera
         W = -(Target - Position).Normalized;
         U = (Up % W).Normalized;
         V = W % U;
-        Skew = Math.Max(Math.Max(Math.Abs(U * W), Math.Abs(V * W)), Math.Max(Math.Abs(U * U - 1), Math.Abs(V * V - 1)));
         PlaneHeight = 2 * Math.Tan(FovY * Math.PI / 180 / 2);
         PlaneWidth = PlaneHeight * Width / Height;
         Reach = (2 * (Target - Position)).Length;
@@ -61,9 +60,6 @@ public sealed class Camera
     /// <inheritdoc cref="CameraParameters.Sample"/>
     public Sample Sample => Parameters.Sample;
 
-    /// <summary>How far from its pixel's lower left corner a ray passes, to the right and upwards, in pixels.</summary>
-    internal double SampleOffset => Sample == Sample.Center ? 0.5 : 0;
-
     /// <summary>W = −(T − P) normalised: backwards.</summary>
     public Vector3 W { get; }
 
@@ -81,17 +77,6 @@ public sealed class Camera
 
     /// <summary>2 |T − P|: the distance at which all light is lost.</summary>
     public double Reach { get; }
-
-    /// <summary>
-    /// By how much U, V and W are not at right angles and of length 1. That is all rounding, but much of it where up is nearly the view
-    /// direction; a ray
-    /// then meets a point a little beside the pixel on which U and V put it.
-    /// </summary>
-    internal double Skew { get; }
-
-    /// <summary>Whether points are put so far beside the rays that meet them that margins of 1e-12 of their distance do not make up for
-    /// it.</summary>
-    internal bool IsSkewed => Skew > 1e-13;
 
     /// <summary>Bias, zNear and zFar as one question.</summary>
     public ClipRange ClipRange { get; }
@@ -131,7 +116,7 @@ public sealed class Camera
 
     /// <summary>The same from its parts, for a caller that has many rays of one column and one row.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
+    public Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
         var pixel = (across + upwards - W).As("pixel", "uc * U + ur * V - W"); // on the picture plane, seen from P
         return (pixel / N.Sqrt(pixel * pixel)).As("d");
@@ -139,7 +124,7 @@ public sealed class Camera
 
     /// <summary>uc U, where uc = w c / width − w / 2.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal Vector3<N> Across<N>(N c) where N : struct, IReal<N>
+    public Vector3<N> Across<N>(N c) where N : struct, IReal<N>
     {
         if (Sample == Sample.Center) c += 0.5;
         var uc = (PlaneWidth * c / Width - PlaneWidth / 2).As("uc");
@@ -148,7 +133,7 @@ public sealed class Camera
 
     /// <summary>ur V, where ur = h r / height − h / 2.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal Vector3<N> Upwards<N>(N r) where N : struct, IReal<N>
+    public Vector3<N> Upwards<N>(N r) where N : struct, IReal<N>
     {
         if (Sample == Sample.Center) r += 0.5;
         var ur = (PlaneHeight * r / Height - PlaneHeight / 2).As("ur");

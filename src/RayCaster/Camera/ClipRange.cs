@@ -45,13 +45,13 @@ public readonly struct ClipRange
     }
 
     /// <summary>The part of <see cref="Counts"/> that asks whether a crossing is beyond the bias.</summary>
-    internal bool IsAhead(double t) => t >= least;
+    public bool IsAhead(double t) => t >= least;
 
     /// <summary>The part that asks whether it is not nearer than zNear.</summary>
-    internal bool IsBeyondNear(double z) => z >= zNear;
+    public bool IsBeyondNear(double z) => z >= zNear;
 
     /// <summary>The part that asks whether it is not beyond zFar.</summary>
-    internal bool IsWithinFar(double z) => z <= zFar;
+    public bool IsWithinFar(double z) => z <= zFar;
 
     /// <summary>The first of two crossings that counts, or NaN: the far side of a body shows where its near side is clipped away.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -60,6 +60,6 @@ public readonly struct ClipRange
 
     /// <summary>The same for a caller that knows where the first of the two counts.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal N First<N>(Crossings<N> crossings, N zPerT, N nearCounts) where N : struct, IReal<N> =>
+    public N First<N>(Crossings<N> crossings, N zPerT, N nearCounts) where N : struct, IReal<N> =>
         N.Select(nearCounts, crossings.Near, N.If(Counts(crossings.Far, zPerT), crossings.Far));
 }

@@ -28,11 +28,11 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     /// <summary>The same, for a caller that asks about many triangles and one ray.</summary>
     // not inlined: in a caller grown too large operators, silently, become calls
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    internal Crossings<N> Intersect<N>(in AlongRay<N> along) where N : struct, IReal<N> => Intersect(along, A, B, C);
+    public Crossings<N> Intersect<N>(in AlongRay<N> along) where N : struct, IReal<N> => Intersect(along, A, B, C);
 
     /// <summary>The same for corners over any kind of number: in a packet each lane has its own triangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static Crossings<N> Intersect<N>(in AlongRay<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
+    public static Crossings<N> Intersect<N>(in AlongRay<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
         where N : struct, IReal<N>
     {
         var (a, b, c) = (along.See(cornerA), along.See(cornerB), along.See(cornerC));

@@ -17,7 +17,7 @@ public sealed class Picture
     /// <param name="width">Pixels in a line.</param>
     /// <param name="height">Lines.</param>
     /// <param name="rgb">Its bytes, as many as there must be; they are not copied.</param>
-    internal Picture(int width, int height, byte[] rgb) => (Width, Height, Rgb) = (width, height, rgb);
+    public Picture(int width, int height, byte[] rgb) => (Width, Height, Rgb) = (width, height, rgb);
 
     /// <summary>Pixels in a line.</summary>
     public int Width { get; }
@@ -27,9 +27,6 @@ public sealed class Picture
 
     /// <summary>Width · Height · 3 bytes: red, green, blue; from left to right, then from top to bottom.</summary>
     public byte[] Rgb { get; }
-
-    /// <summary>Whether all pixels are equal.</summary>
-    internal bool IsOneColor => Rgb.AsSpan(3).SequenceEqual(Rgb.AsSpan(0, Rgb.Length - 3));
 
     /// <summary>A pixel's three bytes.</summary>
     /// <param name="x">The column, from the left.</param>
