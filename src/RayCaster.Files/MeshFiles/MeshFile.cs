@@ -12,10 +12,7 @@ public static class MeshFile
     /// <exception cref="MeshFileException">The file is not there, is of another kind, or is broken.</exception>
     public static MeshData Read(string path, int? threads = null) => Read(path, threads, new FileNames());
 
-    /// <summary>The same for one of many files.</summary>
-    /// <param name="path">The file.</param>
-    /// <param name="threads">How many threads read a large file; one per core if left out.</param>
-    /// <param name="names">Finds what is meant by the names of files that are not there.</param>
+    /// <summary>The same for one of many files; <paramref name="names"/> suggests names for files that are missing.</summary>
     internal static MeshData Read(string path, int? threads, FileNames names)
     {
         var reader = ReaderOf(path);
@@ -52,7 +49,7 @@ public static class MeshFile
             if (Directory.Exists(path)) throw new MeshFileException(path, "is a folder, not a mesh file");
             var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
             if (file.CanSeek && file.Length > 0) return file;
-            using (file) return Copy(file, path); // a pipe, or one of those files that only seem to be empty
+            using (file) return Copy(file, path); // a pipe, or a file like those in /proc, which seem to be empty
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
@@ -68,19 +65,10 @@ public static class MeshFile
         }
     }
 
-    private static MemoryStream Copy(Stream stream, string path)
-    {
-        var copy = new MemoryStream();
-        var buffer = new byte[1 << 16];
-        while (stream.Read(buffer) is > 0 and var count)
-        {
-            copy.Write(buffer, 0, count);
-            if (copy.Length > MostBytesAtOnce)
-                throw new MeshFileException(path, FormattableString.Invariant(
-                    $"a pipe or device of more than {MostBytesAtOnce:N0} bytes is not read, but a file of any size is"));
-        }
-        return copy;
-    }
+    private static MemoryStream Copy(Stream stream, string path) => StreamBytes.ReadToEnd(stream, MostBytesAtOnce) is { } bytes
+        ? new(bytes.Array!, 0, bytes.Count, writable: false)
+        : throw new MeshFileException(path, FormattableString.Invariant(
+            $"a pipe or device of more than {MostBytesAtOnce:N0} bytes is not read, but a file of any size is"));
 
     private static string? FullPath(string path) =>
         Path.IsPathFullyQualified(path) ? null : $"; looked for {PrintableText.Of(Path.GetFullPath(path))}";

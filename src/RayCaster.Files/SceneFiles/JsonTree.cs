@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace RayCaster.Files;
 
-/// <summary>A JSON text as a tree whose values know their place in the text. Comments and trailing commas are allowed.</summary>
+/// <summary>A JSON text as a tree whose values know their places in the text. Comments and trailing commas are allowed.</summary>
 internal sealed class JsonTree
 {
     /// <summary>How deep arrays and objects may be nested.</summary>
@@ -13,11 +13,10 @@ internal sealed class JsonTree
 
     private JsonTree(SourceText text) => (Text, nodes) = (text, new Node[16 + text.Utf8.Length / 4]);
 
-    /// <summary>A token; an object's keys stand before their values. Plain fields: each property would be one more method to compile at
-    /// start-up.</summary>
+    /// <summary>A token; an object's keys stand before their values. It has plain fields because the runtime would have to compile
+    /// properties at start-up.</summary>
     public struct Node
     {
-        /// <summary>What it is.</summary>
         public JsonTokenType Kind;
 
         /// <summary>The place of its first byte.</summary>
@@ -26,33 +25,31 @@ internal sealed class JsonTree
         /// <summary>The place after its last byte.</summary>
         public int End;
 
-        /// <summary>The node after this one and all that is in it.</summary>
+        /// <summary>The node after this one and all nodes in it.</summary>
         public int Next;
     }
 
-    /// <summary>The text.</summary>
     public SourceText Text { get; }
 
-    /// <summary>How many keys were looked at to find some: what a reader may not do once for each error.</summary>
+    /// <summary>How many keys were compared in searches. It must grow only in proportion to the text, also in a file with many errors.</summary>
     public long KeysLookedAt { get; set; }
 
     /// <summary>The outermost value.</summary>
     public JsonValue Root => new(this, 0);
 
-    /// <summary>A token by its number in the text.</summary>
     public ref Node this[int node] => ref nodes[node];
 
-    /// <summary>What stands between the quotes of a text or key.</summary>
+    /// <summary>The bytes between the quotes of a text or key.</summary>
     public ReadOnlySpan<byte> Written(int node) => Text.Utf8[(nodes[node].Start + 1)..(nodes[node].End - 1)];
 
     /// <summary>The token that was added last.</summary>
     public Node Last => nodes[count - 1];
 
-    /// <summary>The key of the object that was closed last; null if it has none, since it stands in an array or is the outermost.</summary>
+    /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>
     public int? KeyOfLastClosed => lastClosed > 0 && nodes[lastClosed - 1].Kind == JsonTokenType.PropertyName ? lastClosed - 1 : null;
 
     /// <summary>Reads a text.</summary>
-    /// <param name="text">The text; valid UTF-8.</param>
+    /// <param name="text">Valid UTF-8.</param>
     /// <param name="mistake">Why it is not JSON, if null is returned.</param>
     public static JsonTree? Parse(SourceText text, out JsonMistake mistake)
     {
