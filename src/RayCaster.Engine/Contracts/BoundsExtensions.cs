@@ -38,7 +38,8 @@ public static class BoundsExtensions
             get
             {
                 var (min, max) = (bounds.Min, bounds.Max);
-                var near = new Vector3(Math.Max(0, Math.Max(min.X, -max.X)), Math.Max(0, Math.Max(min.Y, -max.Y)), Math.Max(0, Math.Max(min.Z, -max.Z)));
+                var near = new Vector3(
+                    Math.Max(0, Math.Max(min.X, -max.X)), Math.Max(0, Math.Max(min.Y, -max.Y)), Math.Max(0, Math.Max(min.Z, -max.Z)));
                 var far = new Vector3(Math.Max(-min.X, max.X), Math.Max(-min.Y, max.Y), Math.Max(-min.Z, max.Z));
                 return LeastTOf<Scalar>(near, far);
             }

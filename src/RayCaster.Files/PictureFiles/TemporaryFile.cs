@@ -87,7 +87,8 @@ internal static class TemporaryFile
         return digits[0] == '.' && !digits[1..].ContainsAnyExcept("0123456789abcdef");
     }
 
-    /// <summary>Whether the own file is locked. On some network drives it is not; then every file looks like an orphan, and none may be deleted.</summary>
+    /// <summary>Whether the own file is locked. On some network drives it is not; then every file looks like an orphan, and none may be
+    /// deleted.</summary>
     private static bool IsLocked(string own)
     {
         try

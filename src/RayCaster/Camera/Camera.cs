@@ -11,7 +11,8 @@ public sealed class Camera
     /// <summary>The most pixels in all.</summary>
     public const long MaxPixels = 10_000_000_000;
 
-    /// <summary>Computes the camera's axes and the size of its picture plane.</summary>
+    /// <summary>Computes the camera's axes and the size of its picture plane. If they cannot be computed, they are NaN or infinite
+    /// (<see cref="Flaw"/>).</summary>
     public Camera(CameraParameters parameters)
     {
         Parameters = parameters;
@@ -75,13 +76,13 @@ public sealed class Camera
     /// <summary>w = h · width / height.</summary>
     public double PlaneWidth { get; }
 
-    /// <summary>2 |T − P|: the distance at which all light is lost.</summary>
+    /// <summary>2 |T − P|: the distance from which on all is black.</summary>
     public double Reach { get; }
 
-    /// <summary>Bias, zNear and zFar as one question.</summary>
+    /// <summary>Decides by bias, zNear and zFar which crossings count.</summary>
     public ClipRange ClipRange { get; }
 
-    /// <summary>Why no picture can be taken from here, in words; null where one can.</summary>
+    /// <summary>Why this camera cannot take a picture, in words; null if it can.</summary>
     public string? Flaw
     {
         get
@@ -114,7 +115,10 @@ public sealed class Camera
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Direction<N>(N c, N r) where N : struct, IReal<N> => Direction(Across(c), Upwards(r));
 
-    /// <summary>The same from its parts, for a caller that has many rays of one column and one row.</summary>
+    /// <summary>The same from uc U and ur V, for a caller that computes many rays of one column or row.</summary>
+    /// <param name="across">uc U.</param>
+    /// <param name="upwards">ur V.</param>
+    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
@@ -123,6 +127,8 @@ public sealed class Camera
     }
 
     /// <summary>uc U, where uc = w c / width − w / 2.</summary>
+    /// <param name="c">The column; any kind of number.</param>
+    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Across<N>(N c) where N : struct, IReal<N>
     {
@@ -132,6 +138,8 @@ public sealed class Camera
     }
 
     /// <summary>ur V, where ur = h r / height − h / 2.</summary>
+    /// <param name="r">The row, from the bottom.</param>
+    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Upwards<N>(N r) where N : struct, IReal<N>
     {
@@ -140,7 +148,7 @@ public sealed class Camera
         return ur * (Vector3<N>)V;
     }
 
-    /// <summary>What z gains for one unit of t along d: −d·W for planes across the view, 1 for spheres.</summary>
+    /// <summary>The z of one unit of t along d: −d·W if z is the depth, 1 if it is the distance.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N ZPerT<N>(Vector3<N> direction) where N : struct, IReal<N> =>
         Clip == Clip.Depth ? -(direction * W) : 1;
