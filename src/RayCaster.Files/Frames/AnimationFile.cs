@@ -32,7 +32,7 @@ public static class AnimationFile
             {
                 var header = png.Header;
                 Check(header, first ?? header, frames[0]);
-                if (png.IsAnimation) throw new PictureFileException("it is an animation already, of which only the first picture would be taken");
+                if (png.IsAnimation) throw new PictureFileException("it is an animation, not a single picture");
                 png.CheckLines(); // otherwise the animation could contain damaged data
                 if (first is null)
                 {

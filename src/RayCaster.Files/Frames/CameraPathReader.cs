@@ -43,7 +43,7 @@ public static class CameraPathReader
     /// <param name="report">All mistakes in it.</param>
     public static CameraPath? Parse(byte[] utf8, string displayName, Camera camera, out string report)
     {
-        var path = SceneReader.Parse(utf8, displayName, "", "the camera's way", o => ReadPath(o, camera), out var problems);
+        var path = SceneReader.Parse(utf8, displayName, "", "the camera's path", o => ReadPath(o, camera), out var problems);
         report = new SceneReading(null, problems).Report();
         return path;
     }

@@ -22,11 +22,11 @@ public sealed class PartFile : IDisposable
     {
         if (!file.CanSeek) throw new PictureFileException("it is a pipe or a device; a part is a file");
         if (file.ReadByte() is var first && first != PngChunk.Signature[0])
-            throw new PictureFileException(first < 0 ? "the file is empty" : "it is no PNG, and so no part of a picture");
+            throw new PictureFileException(first < 0 ? "the file is empty" : "it is not a PNG, so it is not a part of a picture");
         var reader = new PngReader(file, 3 * Camera.MaxPixels);
         if (reader.PartText is not { } text) return null;
         if (PartFacts.Parse(text) is not { } facts)
-            throw new PictureFileException("what it says about its part of the picture cannot be understood; a newer raycaster may have drawn it");
+            throw new PictureFileException("its text about its part of the picture is unknown; perhaps a newer raycaster drew it");
         var header = reader.Header;
         if ((header.Width, header.Height) != (facts.Width, facts.Lines.Count))
             throw new PictureFileException($"it says that it holds the lines {facts.Lines}, each of {facts.Width} pixels, "
@@ -49,7 +49,7 @@ public sealed class PartFile : IDisposable
         try
         {
             using var part = Open(path);
-            reason = part is null ? "it does not say which scene it shows, as pictures do that are drawn with --rows or --resume"
+            reason = part is null ? "it does not say which scene it shows; only pictures drawn with --rows or --resume do"
                 : part.Facts.Version != facts.Version ? $"it was drawn by version {part.Facts.Version}"
                 : part.Facts != facts ? "it shows another scene, another size or other lines"
                 : null;

@@ -84,7 +84,7 @@ public sealed class SceneDigest : IModelVisitor, IDisposable
     }
 
     private static NotSupportedException Unknown(Type type) => new(
-        $"is of the class {type.Name}, which does not say what it is made of; have it override Numbers (docs/adding-a-primitive.md)");
+        $"is of the class {type.Name}, which does not tell its numbers; override Numbers in it (docs/adding-a-primitive.md)");
 
     /// <inheritdoc/>
     public void Dispose() => hash.Dispose();

@@ -133,6 +133,6 @@ public static class PictureFile
         [0xFF, 0xD8, ..] => "it is a JPEG, whose colours are not exact",
         [(byte)'G', (byte)'I', (byte)'F', ..] => "it is a GIF",
         [(byte)'B', (byte)'M', ..] => "it is a BMP",
-        _ => $"it begins with '{Printable(file[..Math.Min(8, file.Length)])}', which is no picture that is known",
+        _ => $"it begins with '{Printable(file[..Math.Min(8, file.Length)])}', which is no known picture format",
     };
 }

@@ -18,7 +18,7 @@ internal sealed class PngChunkReader
         this.file = file;
         file.Position = 0;
         if (Fill(frame) < frame.Length || !frame.AsSpan().SequenceEqual(PngChunk.Signature))
-            throw new PictureFileException("it begins like a PNG, but its first eight bytes are damaged, as by a transfer as text");
+            throw new PictureFileException("it begins like a PNG, but its first eight bytes are damaged; perhaps it was transferred as text");
     }
 
     /// <summary>The chunk's four letters.</summary>

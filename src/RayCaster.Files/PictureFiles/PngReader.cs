@@ -67,7 +67,7 @@ internal sealed class PngReader : IDisposable
                 default:
                     // A capital first letter says that the picture cannot be shown without this chunk.
                     if (char.IsAsciiLetterUpper(chunks.Type[0]))
-                        throw new PictureFileException($"its chunk {chunks.Type} is not known here or out of place");
+                        throw new PictureFileException($"its chunk {chunks.Type} is unknown or in the wrong place");
                     break;
             }
             chunks.Check();
@@ -80,7 +80,7 @@ internal sealed class PngReader : IDisposable
         if (Header.DataBytes > (Int128)dataBytes * MostBytesFromOne)
             throw new PictureFileException("the file is cut short: "
                 + $"{Header.Width:N0} × {Header.Height:N0} pixels are {Header.DataBytes:N0} bytes, "
-                + $"which no compression brings down to the {dataBytes:N0} that it holds");
+                + $"which cannot be compressed to the {dataBytes:N0} that the file holds");
     }
 
     public PngHeader Header { get; }

@@ -124,7 +124,7 @@ internal sealed class PnmReader
     {
         while (IsBlank(file.Peek()) || file.Peek() == '#')
             if (file.Next() == '#') SkipComment();
-        if (file.Peek() < 0) throw new PictureFileException($"the file is cut short: it ends where {what} is due");
+        if (file.Peek() < 0) throw new PictureFileException($"the file is cut short: it ends where {what} should be");
     }
 
     /// <summary>Skips from # to the end of the line; the line end is left.</summary>
@@ -151,5 +151,5 @@ internal sealed class PnmReader
         + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
 
     private PictureFileException Unexpected(string due) =>
-        new($"'{PictureFile.Printable([(byte)file.Peek()])}' at byte {file.Place}, where {due} is due");
+        new($"'{PictureFile.Printable([(byte)file.Peek()])}' at byte {file.Place}, where {due} should be");
 }

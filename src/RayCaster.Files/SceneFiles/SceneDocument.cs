@@ -29,25 +29,19 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
         if (isError) ErrorCount++;
         else if (findings.Count >= SceneReading.MostProblems) return;
         if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
-        findings.Add(new(isError, start, end, path, PrintableText.Of(message)));
+        findings.Add(new(findings.Count, isError, start, end, path, PrintableText.Of(message)));
     }
 
-    /// <summary>The problems in the order of the text.</summary>
+    /// <summary>The problems in the order of the text; at one place, in the order in which they were found.</summary>
     public Problem[] Problems()
     {
         if (findings.Count == 0) return [];
-        // Not with LINQ, whose first use costs milliseconds. The number keeps the order of problems at one place.
-        var order = new (int Start, int Number)[findings.Count];
-        for (var i = 0; i < order.Length; i++) order[i] = (findings[i].Start, i);
-        Array.Sort(order);
-        var problems = new Problem[order.Length];
-        for (var i = 0; i < order.Length; i++)
+        findings.Sort((a, b) => a.Start == b.Start ? a.Number - b.Number : a.Start - b.Start);
+        return Array.ConvertAll(findings.ToArray(), finding =>
         {
-            var (isError, start, end, path, message) = findings[order[i].Number];
-            var (line, column) = text.Locate(start);
-            problems[i] = new(isError, text.Name, line, column, path, message, text.Excerpt(start, end));
-        }
-        return problems;
+            var (line, column) = text.Locate(finding.Start);
+            return new Problem(finding.IsError, text.Name, line, column, finding.Path, finding.Message, text.Excerpt(finding.Start, finding.End));
+        });
     }
 
     /// <summary>The content of a mesh file. A file that several models name is read only once.</summary>
@@ -74,5 +68,5 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
         }
     }
 
-    private sealed record Finding(bool IsError, int Start, int End, string Path, string Message);
+    private sealed record Finding(int Number, bool IsError, int Start, int End, string Path, string Message);
 }

@@ -102,7 +102,7 @@ internal sealed class SceneObject
     {
         var direction = Vector(key, KeyKind.Direction, meaning, orElse);
         if (direction.Length != 0) return direction;
-        Refuse(key, $" must not be {Place(key, null)?.AsWritten}: a direction has a length");
+        Refuse(key, $" must not be {Place(key, null)?.AsWritten}, which has no direction");
         return NoVector;
     }
 

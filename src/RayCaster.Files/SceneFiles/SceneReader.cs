@@ -200,7 +200,7 @@ public static class SceneReader
     }
 
     private static SceneReading TooLong(string path) => Unreadable(path, FormattableString.Invariant(
-        $"the scene file has more than {MostBytes:N0} bytes, which is the limit; let mesh files hold what is large"));
+        $"the scene file has more than {MostBytes:N0} bytes, which is the limit; put large meshes into mesh files"));
 
     private static SceneReading Unreadable(string path, string message) =>
         new(null, [new Problem(true, path, 0, 0, "", message, "")]);

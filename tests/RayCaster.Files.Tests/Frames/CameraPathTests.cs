@@ -92,7 +92,7 @@ public class CameraPathTests
     [InlineData("""{ "keys": [ { "time": 0, "position": [9, 0, 0], "fov": 3 }, { "time": 1, "position": [8, 0, 0] } ] }""",
         "keys[0].fov is an unknown key; did you mean \"fovY\"?")]
     [InlineData("""{ "interpolation": "curve", "keys": [] }""", "interpolation must be \"smooth\" or \"linear\", but is \"curve\"")]
-    [InlineData("""[]""", "the camera's way must be an object in braces { }, but is ")]
+    [InlineData("""[]""", "the camera's path must be an object in braces { }, but is ")]
     [InlineData("""{ "keys": """, "way.json(1,")]
     public void WhatIsWrongInAFileIsToldWithItsPlace(string json, string message)
     {
