@@ -124,7 +124,7 @@ public static class PictureFile
     }
 
     private static MemoryStream InMemory(ReadOnlySpan<byte> begun, Stream stream) =>
-        StreamBytes.ReadToEnd(stream, MostBytes - 1, begun) is { } bytes
+        StreamBytes.TryReadToEnd(stream, MostBytes - 1, out var bytes, begun)
             ? new(bytes.Array!, bytes.Offset, bytes.Count)
             : throw new PictureFileException($"the file is longer than {MostBytes:N0} bytes, which is the limit");
 

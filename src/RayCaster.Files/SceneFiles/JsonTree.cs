@@ -32,7 +32,7 @@ internal sealed class JsonTree
     public SourceText Text { get; }
 
     /// <summary>How many keys were compared in searches. It must grow only in proportion to the text, also in a file with many errors.</summary>
-    public long KeysLookedAt { get; set; }
+    public long KeysLookedAt;
 
     /// <summary>The outermost value.</summary>
     public JsonValue Root => new(this, 0);

@@ -33,7 +33,7 @@ public static class SceneReader
     /// <exception cref="IOException">The stream fails.</exception>
     public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
-        if (StreamBytes.ReadToEnd(stream, MostBytes) is not { } bytes) return TooLong(displayName);
+        if (!StreamBytes.TryReadToEnd(stream, MostBytes, out var bytes)) return TooLong(displayName);
         look?.Invoke(bytes);
         return Parse(bytes, displayName, folder, threads);
     }
@@ -105,20 +105,20 @@ public static class SceneReader
 
     private static Camera? ReadCamera(SceneObject o)
     {
+        var orElse = new CameraParameters(default, default);
         var camera = new CameraParameters(
             o.Vector("position", "P, where the rays start."),
             o.Vector("target",
                 "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
-                    "at twice its distance all is black."));
-        camera = camera with
+                    "at twice its distance all is black."))
         {
-            Up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", camera.Up),
-            FovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), camera.FovY),
-            Width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, camera.Width),
-            Height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, camera.Height),
-            ZNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, camera.ZNear),
-            ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", camera.ZFar),
-            Bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, camera.Bias),
+            Up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", orElse.Up),
+            FovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), orElse.FovY),
+            Width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
+            Height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
+            ZNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
+            ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", orElse.ZFar),
+            Bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
             Clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
                 "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth,
             Sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",

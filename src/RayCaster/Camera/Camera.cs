@@ -17,12 +17,12 @@ public sealed class Camera
     {
         Parameters = parameters;
         W = -(Target - Position).Normalized;
-        U = (Up % W).Normalized;
+        U = (parameters.Up % W).Normalized;
         V = W % U;
-        PlaneHeight = 2 * Math.Tan(FovY * Math.PI / 180 / 2);
+        PlaneHeight = 2 * Math.Tan(parameters.FovY * Math.PI / 180 / 2);
         PlaneWidth = PlaneHeight * Width / Height;
         Reach = (2 * (Target - Position)).Length;
-        ClipRange = new ClipRange(Bias, ZNear, ZFar);
+        ClipRange = new ClipRange(parameters.Bias, parameters.ZNear, parameters.ZFar);
     }
 
     /// <summary>The numbers that define the camera. <c>new Camera(camera.Parameters with { FovY = 60 })</c> makes a changed copy.</summary>
