@@ -13,7 +13,7 @@ internal sealed class MarkedScene
         (Name, Path, Scene) = (name, path, scene);
         Right = Renderer.Render(scene);
         Places = new GoldenSteps(Right.Width * Right.Height);
-        hidden = new(() => [.. SceneFitness.Of([scene]).Hidden.Select(mistake => mistake.Id)]);
+        hidden = new(() => [.. SceneFitness.HiddenIn(scene, null).Select(mistake => mistake.Id)]);
     }
 
     /// <summary>The scene file's name without its extension.</summary>
