@@ -62,9 +62,6 @@ public sealed class LiveScene : IDisposable
         }
     }
 
-    /// <summary>Draws again what has not changed: the code has.</summary>
-    public void Redraw() => Publish(State with { Version = State.Version + 1 });
-
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="version">Which state of the file the user has seen.</param>
