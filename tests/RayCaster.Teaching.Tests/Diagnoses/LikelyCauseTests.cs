@@ -5,7 +5,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>Pictures of scenes with a wrong number in them: no mistake of the program makes these, and none may be accused.</summary>
 public class LikelyCauseTests
 {
-    private static readonly Scene room = Small("room"), generic = Small("mistakes/generic");
+    private static readonly Scene room = SceneFolder.Small("room"), generic = SceneFolder.Small("mistakes/generic");
 
     [Fact]
     public void AFartherTargetIsNoMistakeOfThePrograms()
@@ -63,11 +63,5 @@ public class LikelyCauseTests
         {
             Camera = new(c.Position, target ?? c.Target, c.Up, fovY ?? c.FovY, c.Width, c.Height, c.ZNear, zFar ?? c.ZFar, c.Bias, c.Clip, c.Sample),
         };
-    }
-
-    private static Scene Small(string name)
-    {
-        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
-        return scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) };
     }
 }
