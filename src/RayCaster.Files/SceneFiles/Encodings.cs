@@ -3,7 +3,7 @@ using System.Text.Unicode;
 
 namespace RayCaster.Files;
 
-/// <summary>Tells what is not UTF-8.</summary>
+/// <summary>Recognises files that are not UTF-8.</summary>
 internal static class Encodings
 {
     /// <summary>The byte order mark of UTF-8, which a file may begin with.</summary>
@@ -11,7 +11,7 @@ internal static class Encodings
 
     /// <summary>What is wrong with a text's encoding, or null.</summary>
     public static JsonMistake? MistakeIn(ReadOnlySpan<byte> text) =>
-        text is [(byte)'{', not 0, ..] && Utf8.IsValid(text) ? null : LookFor(text); // most files need no more code than this
+        text is [(byte)'{', not 0, ..] && Utf8.IsValid(text) ? null : LookFor(text); // for most files the runtime need not compile LookFor
 
     private static JsonMistake? LookFor(ReadOnlySpan<byte> text)
     {
