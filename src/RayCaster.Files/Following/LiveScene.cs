@@ -60,9 +60,6 @@ public sealed class LiveScene : IDisposable
         }
     }
 
-    /// <summary>Reports a change although the file is the same: the code has changed.</summary>
-    public void Redraw() => Publish(State with { Version = State.Version + 1 });
-
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
     /// <param name="camera">The camera.</param>
     /// <param name="version">The version that the user has seen.</param>

@@ -8,7 +8,7 @@ public class MapMakerTests
     [Fact]
     public void TAndModelAreTheDefinitions()
     {
-        for (var seed = 0; seed < 20; seed++)
+        for (var seed = 0; seed < 8; seed++)
         {
             var scene = RandomScene.Make(new Random(seed));
             var (t, model) = (MapMaker.Make(scene, MapKind.T), MapMaker.Make(scene, MapKind.Model));
@@ -49,7 +49,7 @@ public class MapMakerTests
     [Fact]
     public void NormalsAreOneLongAndFaceTheCamera()
     {
-        for (var seed = 0; seed < 20; seed++)
+        for (var seed = 0; seed < 8; seed++)
         {
             var scene = RandomScene.Make(new Random(seed));
             var map = MapMaker.Make(scene, MapKind.Normal);
@@ -69,7 +69,7 @@ public class MapMakerTests
     public void OfAMeshItIsTheNearestTrianglesNormal()
     {
         var triangles = 0;
-        for (var seed = 0; seed < 40; seed++)
+        for (var seed = 0; seed < 16; seed++)
         {
             var scene = RandomScene.Make(new Random(seed));
             var map = MapMaker.Make(scene, MapKind.Normal);
@@ -86,7 +86,7 @@ public class MapMakerTests
                     Assert.Equal(1, Math.Abs(n * expected), 1e-6);
                 }
         }
-        Assert.InRange(triangles, 1000, int.MaxValue);
+        Assert.InRange(triangles, 400, int.MaxValue);
     }
 
     [Fact]
