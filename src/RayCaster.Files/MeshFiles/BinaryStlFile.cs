@@ -14,7 +14,6 @@ internal sealed class BinaryStlFile(MeshSource source) : MeshFormat
     private const int normal = 12;
     private long position = Header;
 
-    /// <inheritdoc/>
     public override bool Next(MeshBlock block)
     {
         if (position == source.Length) return false;
@@ -22,7 +21,6 @@ internal sealed class BinaryStlFile(MeshSource source) : MeshFormat
         return true;
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {

@@ -18,7 +18,6 @@ internal sealed class ObjFile : TextFormat
         throw source.Error("the file changed while it was read");
     }
 
-    /// <inheritdoc/>
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {
         var scanner = TextScanner.OfBlock(block, isObj: true);

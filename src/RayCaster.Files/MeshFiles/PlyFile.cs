@@ -44,7 +44,6 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
         return true;
     }
 
-    /// <inheritdoc/>
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {
         var values = rows.ValuesOf(block);

@@ -27,7 +27,6 @@ internal sealed class AsciiPlyRows : PlyRows
         return element.Count <= (bytes + 1) / leastRow;                                    // the last line may have no end
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count)
     {
@@ -63,7 +62,6 @@ internal sealed class BinaryPlyRows(bool bigEndian) : PlyRows
         return element.Count <= bytes / leastRow;
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count)
     {

@@ -5,7 +5,6 @@ internal abstract class TextFormat(MeshSource source) : MeshFormat
 {
     private long position = -1;
 
-    /// <inheritdoc/>
     public override bool Next(MeshBlock block)
     {
         if (position == source.Length) return false;

@@ -68,7 +68,7 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
         (collected, FilteredBytes) = (0, 0);
     }
 
-    /// <summary>Keeps lines for <see cref="Start"/>.</summary>
+    /// <summary>Copies lines for <see cref="Start"/>.</summary>
     public void Collect(ReadOnlySpan<byte> more)
     {
         lines ??= GC.AllocateUninitializedArray<byte>(lineBytes * mostLines);

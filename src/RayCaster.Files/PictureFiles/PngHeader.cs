@@ -54,7 +54,6 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     /// <summary>The bytes of a line, without the number of its filter; some bits of the last byte may mean nothing.</summary>
     public long LineBytes(int columns) => ((long)columns * BitsPerPixel + 7) / 8;
 
-    /// <summary>The chunk's data.</summary>
     public byte[] ToBytes()
     {
         var data = new byte[Bytes]; // compression and filter method stay 0, the only ones

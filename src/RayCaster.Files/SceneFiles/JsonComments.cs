@@ -26,9 +26,9 @@ internal static class JsonComments
                 continue;
             }
             var end = EndOf(utf8, i);
-            if (end > i) copy ??= utf8.ToArray();
-            for (var blank = i; blank < end; blank++) copy![blank] = (byte)' '; // Span.Fill is a long method to compile at start-up
-            i = Math.Max(end, i + 1);
+            if (end == i) break; // the JSON reader refuses this slash; to look for more comments could take quadratic time
+            copy ??= utf8.ToArray();
+            for (; i < end; i++) copy[i] = (byte)' '; // Span.Fill is a long method to compile at start-up
         }
         return copy ?? utf8;
     }

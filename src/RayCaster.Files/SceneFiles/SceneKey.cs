@@ -1,6 +1,5 @@
 namespace RayCaster.Files;
 
-/// <summary>What kind of value a key has.</summary>
 internal enum KeyKind
 {
     Number,

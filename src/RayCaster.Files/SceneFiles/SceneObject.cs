@@ -230,7 +230,7 @@ internal sealed class SceneObject
         document!.Add(true, value.Start, value.End, whole, $"{name ?? whole} must be an object in braces {{ }}, but is {value.InWords}");
     }
 
-    /// <summary>The value of a key that is asked for the first time; null, and an error if it is required, where it is not written.</summary>
+    /// <summary>The value of a key, which is asked for only once. Null, after an error if it is required, where the key is missing.</summary>
     private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
     {
         if (document is null) return null;

@@ -40,8 +40,8 @@ public static class SceneReader
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text, with or without a byte order mark.</param>
-    /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
-    /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <param name="displayName">Its name in messages; <c>&lt;stdin&gt;</c> for standard input.</param>
+    /// <param name="folder">The folder where paths of mesh files start.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, int? threads = null)
     {

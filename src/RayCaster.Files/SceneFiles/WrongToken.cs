@@ -2,8 +2,8 @@ using System.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>Says what is wrong with a word, a number or a text that JSON does not know. Each method returns null where it finds nothing wrong,
-/// and where the file ends too early.</summary>
+/// <summary>Finds the mistake in a word, a number or a text that is not JSON. Each method returns null if there is none, or if the file ends too
+/// early.</summary>
 /// <param name="text">The text that is not JSON.</param>
 internal readonly ref struct WrongToken(SourceText text)
 {
