@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Microsoft.Playwright;
 using Xunit.Abstractions;
 
 namespace RayCaster.Live.Tests;
