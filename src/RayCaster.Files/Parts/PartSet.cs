@@ -75,7 +75,8 @@ public sealed class PartSet
         foreach (var (path, other) in parts)
         {
             if ((other.Width, other.Height) != (mine.Width, mine.Height))
-                problems.Add($"{path} belongs to a picture of {other.Width} x {other.Height} pixels, {first} to one of {mine.Width} x {mine.Height}");
+                problems.Add($"{path} belongs to a picture of {other.Width} x {other.Height} pixels, "
+                    + $"{first} to one of {mine.Width} x {mine.Height}");
             else if (other.Digest != mine.Digest)
                 problems.Add($"{path} shows another scene than {first}: {Short(other)} instead of {Short(mine)}");
             else if (other.Version != mine.Version)
