@@ -4,7 +4,7 @@ namespace RayCaster.Engine;
 
 /// <summary>Finds where in the picture balls and boxes may show, and how near they are, for all lanes of a packet at once.</summary>
 /// <remarks>What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
-/// (<see cref="Bounds.PaddedFrom"/>), and what the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.</remarks>
+/// (<see cref="BoundsExtensions.PaddedFrom"/>), and what the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.</remarks>
 internal sealed class ScreenBounds
 {
     /// <summary>How many are processed together.</summary>

@@ -41,7 +41,7 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
         Column < other.EndColumn && other.Column < EndColumn && Row < other.EndRow && other.Row < EndRow;
 
     /// <summary>The pixels where something within bounds may show; empty if the bounds are behind the camera.</summary>
-    /// <remarks>The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="Bounds.PaddedFrom"/>). The
+    /// <remarks>The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="BoundsExtensions.PaddedFrom"/>). The
     /// projection itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.</remarks>
     /// <param name="padded">The bounds relative to the camera, padded.</param>
     /// <param name="camera">The camera.</param>

@@ -3,8 +3,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>Screen space: the column and row of a point (samples lie at whole numbers) and w = |T − P| / depth, which is linear over the picture
-/// on every flat surface; in floats, with margins for what they and the triangle's formula round.</summary>
+/// <summary>Screen space: the column and row of a point (samples lie at whole numbers) and w = |T − P| / depth, which is linear over the picture on
+/// every flat surface; in floats, with margins for what they and the triangle's formula round.</summary>
 internal sealed class ScreenSpace
 {
     private readonly Vector3 origin, u, v, w;

@@ -10,7 +10,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
     /// <summary>Equal for trials that differ in wordings and samples alone.</summary>
-    public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id).Order(StringComparer.Ordinal)));
+    public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id)).Order(StringComparer.Ordinal));
 
     /// <summary>Draws the scene so.</summary>
     public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Wordings, .. OtherSample ? (Mistake[])[center] : []]));
