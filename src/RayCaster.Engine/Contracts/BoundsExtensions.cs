@@ -20,16 +20,6 @@ public static class BoundsExtensions
 
     extension(Bounds bounds)
     {
-        /// <summary>Half of the surface; 0 for bounds of nothing.</summary>
-        internal double HalfArea
-        {
-            get
-            {
-                var size = bounds.Max - bounds.Min;
-                return size.X < 0 ? 0 : size.X * size.Y + size.Y * size.Z + size.Z * size.X;
-            }
-        }
-
         /// <summary>No ray from the origin of space has a hit in the bounds at a lesser t; 0 where they contain that origin.</summary>
         internal double LeastT
         {
