@@ -14,7 +14,6 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
 
     /// <summary>Casts all rays of a tile.</summary>
     /// <param name="others">Intersects a stream with the models that are not in the batch; null if there are none.</param>
-    /// <param name="consumer">Takes the streams.</param>
     public void Cast(in Tile tile, Action<RayStream>? others, IHitConsumer consumer)
     {
         var (firstColumn, firstRow) = (tile.Column / Side * Side, tile.Row / Side * Side);

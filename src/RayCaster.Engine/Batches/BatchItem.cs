@@ -24,10 +24,6 @@ internal readonly struct Sides(Vector128<int> numbers)
 {
     private readonly Vector128<int> numbers = numbers;
 
-    /// <param name="left">The first column.</param>
-    /// <param name="bottom">The first row.</param>
-    /// <param name="right">The column after the last.</param>
-    /// <param name="top">The row after the last.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Sides(int left, int bottom, int right, int top) : this(Vector128.Create(left, bottom, -right, -top)) { }
 

@@ -9,12 +9,9 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     /// <summary>Finds where the shapes show.</summary>
     /// <param name="members">Takes those that may show.</param>
     /// <param name="others">Takes the models of which nothing is known.</param>
-    /// <param name="share">Which share of the shapes to look at.</param>
     public abstract void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares);
 
     /// <summary>Copies the shapes of some members into the order of the members.</summary>
-    /// <param name="first">The first of the members.</param>
-    /// <param name="end">The one after the last.</param>
     public abstract void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end);
 
     public abstract void Reserve(int members);
@@ -24,14 +21,9 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
     public abstract void Free();
 
     /// <summary>Intersects rays with shapes as the part lists them.</summary>
-    /// <param name="part">The part with the list.</param>
-    /// <param name="first">The first in the list.</param>
-    /// <param name="end">The one after the last.</param>
-    /// <param name="isClear">Whether all hits certainly count.</param>
     public abstract void Meet(BatchTile<N> part, int first, int end, bool isClear);
 }
 
-/// <param name="clip">Which hits count.</param>
 internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>
 {
     private readonly PooledList<(P Shape, int Model)> arranged = new();

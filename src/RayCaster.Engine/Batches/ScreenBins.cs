@@ -91,9 +91,6 @@ internal sealed class ScreenBins
         return level.First + (bottom >> level.Side) * level.Across + (left >> level.Side);
     }
 
-    /// <param name="First">The number of the first cell.</param>
     /// <param name="Side">The logarithm of a cell's side in pixels.</param>
-    /// <param name="Across">Cells side by side.</param>
-    /// <param name="Up">Cells one upon another.</param>
     private readonly record struct Level(int First, int Side, int Across, int Up);
 }

@@ -60,7 +60,6 @@ internal sealed class ScreenBounds
     }
 
     /// <summary>Reads the result for one of them.</summary>
-    /// <param name="i">Which.</param>
     /// <param name="member">Receives where it shows and how near it is.</param>
     /// <returns>Whether it may show; null if that is not known, since it reaches to the eye's plane or numbers overflow.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -3,7 +3,6 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>What the rays of a column have in common: uc U (<see cref="Camera.Across"/>).</summary>
-/// <param name="capacity">The most columns.</param>
 internal sealed class Columns(Camera camera, int capacity)
 {
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];

@@ -1,7 +1,5 @@
 namespace RayCaster.Engine;
 
 /// <summary>A part of the picture in which all rays certainly hit one shape, and nothing else can be nearer.</summary>
-/// <param name="View">The shape's view.</param>
-/// <param name="Index">The shape's place in the scene.</param>
 /// <param name="IsNear">Whether each hit is certainly the shape's first crossing.</param>
 internal readonly record struct CoveredTile(Tile Part, ICoveringView View, int Index, bool IsNear);

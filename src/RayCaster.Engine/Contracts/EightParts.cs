@@ -33,7 +33,6 @@ internal sealed class EightParts(Camera camera)
 
     /// <summary>Cuts a rectangle into parts, from left to right and then upwards.</summary>
     /// <param name="whole">The rectangle; parts that lie beyond its sides are narrower, lower or empty.</param>
-    /// <param name="side">The columns and rows of a part.</param>
     /// <param name="across">How many lie side by side.</param>
     public void Cut(in Tile whole, int side, int across)
     {

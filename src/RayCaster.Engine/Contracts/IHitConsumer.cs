@@ -13,6 +13,5 @@ internal interface IHitConsumer
     bool TryTake(in CoveredTile covered);
 
     /// <summary>Offers a tile in which only one model may show; returns whether the model's view has painted it.</summary>
-    /// <param name="view">The model's view, which has entered the tile.</param>
     bool TryTake(in Tile tile, ITileView view, int index);
 }

@@ -5,6 +5,5 @@ internal interface IStripCaster
 {
     /// <summary>Casts all rays of a strip.</summary>
     /// <param name="strip">Up to eight tiles side by side; none crosses a multiple of <see cref="Tile.MaxSide"/>.</param>
-    /// <param name="consumer">Takes the hits.</param>
     void Cast(in Tile strip, IHitConsumer consumer);
 }

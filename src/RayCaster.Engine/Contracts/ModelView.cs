@@ -15,11 +15,9 @@ internal abstract class ModelView<N> where N : struct, IPacket<N>
     public virtual ModelView<N> ForThread(ThreadTools? tools = null) => this;
 
     /// <summary>Goes to a tile, before <see cref="Meet"/> is called for its rows; returns the range of the model's hits.</summary>
-    /// <param name="known">The range that is known already.</param>
     public virtual HitRange Enter(in Tile tile, HitRange known) => known;
 
     /// <summary>Returns the ranges of the model's hits in some parts; not called for a model whose <see cref="Extent"/> is small.</summary>
-    /// <param name="whole">The range in all of them.</param>
     public virtual HitRanges Narrow(EightParts parts, HitRange whole) => new(whole);
 
     /// <summary>Intersects some rays in the tile with the model and keeps hits that are nearer than all before.</summary>

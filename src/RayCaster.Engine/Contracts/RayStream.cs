@@ -56,7 +56,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     }
 
     /// <summary>Prepares the columns that the next rows have in common.</summary>
-    /// <param name="column">The first column.</param>
     /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
     /// <param name="pitch">The distance from row to row; the number of columns if left out.</param>
     public void Enter<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
@@ -66,7 +65,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     }
 
     /// <summary>Computes the directions of a row's rays, or of several rows', and forgets all hits.</summary>
-    /// <param name="row">The lowest row, from the bottom.</param>
     /// <param name="rows">How many rows; more than one only if the pitch is a multiple of the packet's width.</param>
     public void Aim<N>(int row, int rows = 1) where N : struct, IPacket<N>
     {
@@ -141,8 +139,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     }
 
     /// <summary>Keeps those of the stored crossings that count and are nearer than all hits before.</summary>
-    /// <param name="first">The first pixel, where a packet begins.</param>
-    /// <param name="end">The pixel after the last.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public void KeepNoted<N>(int first, int end, int modelIndex) where N : struct, IPacket<N>
     {
@@ -156,7 +152,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         camera.ClipRange.First(crossings, N.Load(zPerT, pixel));
 
     /// <summary>Keeps the hits of a model that are nearer than all before.</summary>
-    /// <param name="pixel">Where the packet begins.</param>
     /// <param name="hit">The model's t in each lane, NaN for none.</param>
     /// <param name="modelIndex">The model's index in the scene: of equal hits, the first model's stays, in whatever order they are found.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -20,13 +20,11 @@ internal abstract class Corners
     }
 
     /// <summary>Fetches the indices of a cluster that will be needed soon.</summary>
-    /// <param name="group">Its first triangle.</param>
     public virtual void Fetch(int group)
     {
     }
 
     /// <summary>Fetches the vertices of a cluster that will be needed next.</summary>
-    /// <param name="group">Its first triangle.</param>
     public virtual void FetchVertices(int group)
     {
     }

@@ -4,7 +4,6 @@ namespace RayCaster.Engine;
 
 /// <summary>The corners of a mesh's triangles. They are projected at each use: storing all projected vertices takes longer, because memory is slower
 /// than arithmetic.</summary>
-/// <param name="indices">Three valid indices for each triangle.</param>
 internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
 {
     public override int Count => indices.Length / 3;

@@ -9,7 +9,6 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     private readonly Bins<int> triangles; // two places for each tile, one for each side of a triangle
     private readonly Bins<TriangleCluster> groups;
 
-    /// <param name="corners">Where the triangles' corners are seen.</param>
     /// <param name="owners">The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</param>
     /// <param name="boxes">The boxes of the clusters; null if triangles are sorted one by one.</param>
     /// <param name="twins">Makes a table of duplicates; null if it is not needed.</param>

@@ -67,7 +67,6 @@ internal sealed class TilePixels
     }
 
     /// <summary>Queues some pixels of a triangle.</summary>
-    /// <param name="count">The number of packets.</param>
     /// <param name="pixels">The first pixel of each packet.</param>
     /// <param name="lanes">A bit for each pixel of a packet that is queued.</param>
     /// <param name="mostW">The greatest w of each pixel.</param>

@@ -119,8 +119,6 @@ internal sealed class TriangleBoxes
     }
 
     /// <summary>The least and the greatest coordinates of some triangles; the fourth number is meaningless.</summary>
-    /// <param name="first">The first triangle.</param>
-    /// <param name="end">The one after the last.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {

@@ -67,9 +67,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     }
 
     /// <summary>Covers samples of eight small triangles, one sample of each at a time.</summary>
-    /// <param name="names">The mesh's triangles.</param>
-    /// <param name="firstName">The position of the first triangle there.</param>
-    /// <param name="shows">A bit for each triangle to process.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void CoverSmall(RawSpan<int> names, int firstName, uint shows)
     {
@@ -126,9 +123,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         up, Field(setup, field + 2), Vector256.MultiplyAddEstimate(right, Field(setup, field + 1), Field(setup, field)));
 
     /// <summary>Covers samples of triangles one by one, eight pixels of two rows at a time.</summary>
-    /// <param name="names">The mesh's triangles.</param>
-    /// <param name="firstName">The position of the first triangle there.</param>
-    /// <param name="shows">A bit for each triangle to process.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Cover(RawSpan<int> names, int firstName, uint shows)
     {

@@ -98,8 +98,6 @@ internal static class TriangleSetUp
     }
 
     /// <summary>Where a sample in a triangle's box is certainly outside the triangle.</summary>
-    /// <param name="column">The samples' columns.</param>
-    /// <param name="row">The samples' rows.</param>
     /// <param name="size">The boxes' widths and heights together.</param>
     /// <param name="margin">How far off the corners may be.</param>
     /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>

@@ -5,7 +5,6 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>Finds the tiles of triangles, eight at a time; each thread has its own.</summary>
-/// <param name="corners">Where the triangles' corners are seen.</param>
 /// <param name="twins">The large triangles so far; null if duplicates do not matter.</param>
 internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplicates? twins)
 {

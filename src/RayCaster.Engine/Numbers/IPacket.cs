@@ -30,7 +30,6 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
 
     /// <summary>A corner of several triangles, one in each lane. The mesh's indices have been checked.</summary>
     /// <param name="first">The position of the first lane's triangle; the other lanes' follow.</param>
-    /// <param name="corner">Which corner.</param>
     static abstract Vector3<N> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner);
 
     /// <summary>Eight numbers as floats; a packet of eight ignores the upper one.</summary>

@@ -11,8 +11,6 @@ namespace RayCaster.Engine;
 /// or an end is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything". Of a quotient, though, it is still
 /// known how near to 0 it cannot be: rays along a plane cross it far away, before or behind the eye.
 /// </remarks>
-/// <param name="lo">The least number.</param>
-/// <param name="hi">The greatest number.</param>
 /// <param name="missing">0: every ray has a number. 1: some may have NaN. 2: all have NaN; the ends mean nothing.</param>
 /// <param name="gap">No number is nearer to 0 than this.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -26,11 +26,8 @@ internal sealed class BandQueue
     private long nextStrip, bandsWritten;
     private Exception? failure;
 
-    /// <param name="firstLine">The first line, counted from the top.</param>
-    /// <param name="endLine">The line after the last.</param>
     /// <param name="isPlain">Whether each ray is simply intersected with each model.</param>
     /// <param name="linesDone">Called from any thread with the number of further lines that are done.</param>
-    /// <param name="cancellation">Stops the work.</param>
     public BandQueue(Frame frame, int firstLine, int endLine, int threads, bool isPlain, Action<int>? linesDone, CancellationToken cancellation)
     {
         (this.frame, camera, this.isPlain) = (frame, frame.Scene.Camera, isPlain);
@@ -49,7 +46,6 @@ internal sealed class BandQueue
     }
 
     /// <summary>Draws it all.</summary>
-    /// <param name="write">Takes whole lines, in order, on this thread.</param>
     public void WriteAll(Action<ReadOnlySpan<byte>> write)
     {
         var shader = frame.Shader; // before other threads need it

@@ -11,8 +11,6 @@ internal abstract class Frame : IDisposable
 
     private readonly int threads;
 
-    /// <param name="threads">How many threads may prepare it.</param>
-    /// <param name="manyFrames">Whether many pictures follow each other.</param>
     protected Frame(Scene scene, int threads, bool manyFrames)
     {
         (Scene, this.threads) = (scene, threads);
@@ -28,7 +26,6 @@ internal abstract class Frame : IDisposable
     public HitShader Shader => field ??= new(Scene, IsLong, threads);
 
     /// <summary>A frame for the widest packets of the machine; everything else is generic over this choice.</summary>
-    /// <param name="manyFrames">Whether many pictures follow each other.</param>
     public static Frame Of(Scene scene, int threads, bool manyFrames) => Vector512.IsHardwareAccelerated
         ? new Frame<WidePacket>(scene, threads, manyFrames)
         : new Frame<Packet>(scene, threads, manyFrames);

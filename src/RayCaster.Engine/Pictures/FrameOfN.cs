@@ -13,7 +13,8 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
         var models = scene.Models;
         if (models.Count > FewModels && !camera.IsSkewed)
             PrimitiveBatch = new(camera, ShapeLists.Of(models, manyFrames, threads), models.Count, threads);
-        Places = PrimitiveBatch is null ? [.. Enumerable.Range(0, models.Count)] : [.. PrimitiveBatch.Others];
+        Places = PrimitiveBatch is null ? new int[models.Count] : [.. PrimitiveBatch.Others];
+        for (var i = 0; PrimitiveBatch is null && i < models.Count; i++) Places[i] = i;
         Views = Array.ConvertAll(Places, i => ViewMaker<N>.See(models[i], camera, manyFrames, threads));
         Extents = Array.ConvertAll(Views, view => view.Extent);
     }

@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>One thread's consumer of hits that writes the pixels of some lines of a picture.</summary>
-/// <param name="width">Pixels in a line.</param>
 internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsumer
 {
     private byte[] rgb = [];

@@ -24,7 +24,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private readonly EightParts tiles, parts;         // the strip's, and some of a tile
     private readonly List<Candidate>[] ofTiles = [[], [], [], [], [], [], [], []], ofParts = [[], [], [], [], [], [], [], []];
 
-    /// <param name="frame">What all threads share.</param>
     public TileCaster(Frame<N> frame)
     {
         this.frame = frame;
@@ -136,8 +135,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 
     /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
     /// ones.</summary>
-    /// <param name="lists">The models that may show in them.</param>
-    /// <param name="first">The first part.</param>
     /// <returns>How many parts are done, from the first on.</returns>
     private int TakeAlike(EightParts parts, List<Candidate>[] lists, int first)
     {
@@ -186,6 +183,4 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 }
 
 /// <summary>A model that may show in a tile.</summary>
-/// <param name="Index">The index of its view.</param>
-/// <param name="Range">Where its hits lie.</param>
 internal readonly record struct Candidate(int Index, HitRange Range);

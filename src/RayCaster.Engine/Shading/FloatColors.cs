@@ -54,7 +54,6 @@ internal sealed class FloatColors
 
     /// <summary>The channels of sixteen pixels, in steps.</summary>
     /// <param name="packed">The first of <see cref="Packed"/>, or null.</param>
-    /// <param name="places">The indices of the pixels' colours.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public unsafe (Vector512<float> R, Vector512<float> G, Vector512<float> B) At(long* packed, Vector512<int> places)
     {

@@ -35,7 +35,6 @@ internal sealed class FloatPainter : IShapeVisitor
     }
 
     /// <summary>Writes a part's bytes, if its width is a multiple of a packet's and the error is small enough.</summary>
-    /// <param name="covered">The part and the shape.</param>
     /// <param name="first">The position of the lowest row's first pixel.</param>
     /// <param name="step">The distance from a pixel to the one above it.</param>
     public bool Paint(in CoveredTile covered, byte[] rgb, int first, int step)

@@ -24,7 +24,6 @@ internal sealed class HitShader
     public Scene Scene { get; }
 
     /// <summary>Writes the pixels of a stream.</summary>
-    /// <param name="rgb">Room for three bytes a pixel.</param>
     /// <param name="first">The position of the lowest row's first pixel.</param>
     /// <param name="step">The distance from a pixel to the one above it.</param>
     public void Shade(RayStream rays, byte[] rgb, int first, int step)
@@ -36,8 +35,6 @@ internal sealed class HitShader
     }
 
     /// <summary>Writes some pixels.</summary>
-    /// <param name="first">The first of the pixels in the stream.</param>
-    /// <param name="rgb">Three bytes for each of the pixels.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, int first, Span<byte> rgb)
     {
@@ -63,7 +60,6 @@ internal sealed class HitShader
     }
 
     /// <summary>Writes pixels that show the background.</summary>
-    /// <param name="rgb">Room for three bytes a pixel.</param>
     public void ShadeMiss(Span<byte> rgb)
     {
         for (; rgb.Length > missed.Length; rgb = rgb[missed.Length..]) missed.CopyTo(rgb);

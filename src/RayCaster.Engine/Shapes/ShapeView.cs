@@ -5,8 +5,6 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
 {
     private readonly ClipRange clip;
 
-    /// <param name="bounds">The shape's, if it has any.</param>
-    /// <param name="camera">Where it is seen from.</param>
     protected ShapeView(Bounds? bounds, Camera camera)
     {
         (clip, Extent) = (camera.ClipRange, Tile.Everywhere);
@@ -49,7 +47,5 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
     protected abstract void Intersect(EightParts parts, out Crossings<Interval> crossings);
 
     /// <summary>Stores where the rays of some pixels cross the shape.</summary>
-    /// <param name="first">The first pixel, where a packet begins.</param>
-    /// <param name="end">The pixel after the last.</param>
     protected abstract void Intersect(RayStream rays, int first, int end);
 }
