@@ -32,7 +32,7 @@ internal static class OwnWays
         return new(name, Answer.Hits, threads =>
         {
             var (scene, map) = (next(), hits.Value);
-            return Time(() => new Renderer(scene, threads) { ManyFrames = true }.CastHits(map));
+            return Time(threads, () => new Renderer(scene, threads) { ManyFrames = true }.CastHits(map));
         });
     }
 
@@ -42,7 +42,7 @@ internal static class OwnWays
         return new(name, Answer.Bytes, threads =>
         {
             var (scene, kept) = (next(), picture.Value);
-            return Time(() => new Renderer(scene, threads) { ManyFrames = manyFrames }.DrawInto(kept));
+            return Time(threads, () => new Renderer(scene, threads) { ManyFrames = manyFrames }.DrawInto(kept));
         });
     }
 
@@ -108,7 +108,7 @@ internal static class OwnWays
 
     private static int Gcd(int a, int b) => b == 0 ? a : Gcd(b, a % b);
 
-    private static double Scaled(int step, int pixels, Action work) => Time(work) * pixels / ((pixels + step - 1) / step);
+    private static double Scaled(int step, int pixels, Action work) => Time(1, work) * pixels / ((pixels + step - 1) / step);
 
     private static Scene Fresh(BenchmarkScene scene, int width, int height)
     {
@@ -125,8 +125,14 @@ internal static class OwnWays
         return () => kept.Value with { Camera = Orbit.Frame(kept.Value.Camera, frame++ % Frames, OfOrbit) };
     }
 
-    private static double Time(Action work)
+    /// <summary>The milliseconds that work takes: on one thread its processor time, which other work of the machine hardly changes.</summary>
+    private static double Time(int threads, Action work)
     {
+        if (threads == 1 && Workshop.ProcessorTimeOfThread() is var before && !double.IsNaN(before))
+        {
+            work();
+            return Workshop.ProcessorTimeOfThread() - before;
+        }
         var start = Stopwatch.GetTimestamp();
         work();
         return Stopwatch.GetElapsedTime(start).TotalMilliseconds;

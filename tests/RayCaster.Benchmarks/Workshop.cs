@@ -95,12 +95,16 @@ internal sealed class Workshop : IDisposable
         return (elapsed, ProcessorTimeOfChildren() - processor);
     }
 
-    private static double ProcessorTimeOfChildren()
+    /// <summary>The milliseconds that the processor has spent on this thread; NaN if the system does not tell.</summary>
+    public static double ProcessorTimeOfThread() => ProcessorTimeOf(1);
+
+    private static double ProcessorTimeOfChildren() => ProcessorTimeOf(-1);
+
+    private static double ProcessorTimeOf(int who)
     {
         if (!OperatingSystem.IsLinux()) return double.NaN;
-        const int Children = -1;
         var usage = new long[36]; // seconds and microseconds in user mode, then in the kernel, then what is of no interest here
-        return GetResourceUsage(Children, usage) == 0 ? (usage[0] + usage[2]) * 1e3 + (usage[1] + usage[3]) / 1e3 : double.NaN;
+        return GetResourceUsage(who, usage) == 0 ? (usage[0] + usage[2]) * 1e3 + (usage[1] + usage[3]) / 1e3 : double.NaN;
     }
 
     [DllImport("libc", EntryPoint = "getrusage")]
