@@ -79,7 +79,7 @@ internal sealed class ExplanationText
             return;
         }
         var t = $"t = {(crossing.Numbers.Length == 0 ? "" : $"{crossing.Numbers} = ")}{Digits.Of(crossing.T)}";
-        Line(6, $"→ {t}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Verdict) : crossing.Reason)}");
+        Line(6, $"→ {t}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Outcome) : crossing.Reason)}");
     }
 
     private void Slabs(IReadOnlyList<SlabExplanation> slabs)
@@ -131,11 +131,11 @@ internal sealed class ExplanationText
 
     private static string Signed(int difference) => difference > 0 ? $"+{difference}" : Digits.Of(difference);
 
-    private static string Word(Verdict verdict) => verdict switch
+    private static string Word(Outcome outcome) => outcome switch
     {
-        Verdict.Shows => "shows",
-        Verdict.Hidden => "counts, but is hidden",
-        Verdict.Missed => "no crossing",
+        Outcome.Shows => "shows",
+        Outcome.Hidden => "counts, but is hidden",
+        >= Outcome.Outside => "no crossing",
         _ => "does not count",
     };
 

@@ -4,10 +4,7 @@ namespace RayCaster.Teaching;
 /// <param name="label">What messages call the model.</param>
 public sealed class LedgerEntry(string label)
 {
-    /// <summary>How many outcomes there are.</summary>
-    internal const int Outcomes = (int)Outcome.NoNumber + 1;
-
-    private readonly long[] counts = new long[Outcomes];
+    private readonly long[] counts = new long[Outcomes.Count];
 
     /// <summary>The model's name, or its place in the scene file and its kind.</summary>
     public string Label { get; } = label;

@@ -19,7 +19,7 @@ internal static class LedgerTable
         (Outcome.BeyondFar, "z > zFar"),
         (Outcome.Outside, "outside"),
         (Outcome.PassesBy, "passes by"),
-        (Outcome.Along, "along it"),
+        (Outcome.Parallel, "along it"),
         (Outcome.NoNumber, "no number"),
     ];
 

@@ -148,7 +148,7 @@ internal static class LedgerVerdict
         Outcome.UnderBias => one ? "is crossed only at t <= bias" : "are crossed only at t <= bias",
         Outcome.BeforeNear => one ? "lies nearer than zNear" : "lie nearer than zNear",
         Outcome.BeyondFar => one ? "lies beyond zFar" : "lie beyond zFar",
-        Outcome.Along => one ? "is seen edge on" : "are seen edge on",
+        Outcome.Parallel => one ? "is seen edge on" : "are seen edge on",
         Outcome.NoNumber => one ? "gives no number (NaN)" : "give no number (NaN)",
         _ => one ? "lies beside every ray" : "lie beside every ray",
     };

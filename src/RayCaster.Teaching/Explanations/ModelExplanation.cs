@@ -6,11 +6,11 @@ namespace RayCaster.Teaching;
 /// <param name="Index">Its place in the scene, from 0.</param>
 /// <param name="Name">Its name, or its path in the scene file.</param>
 /// <param name="Type">What kind of shape it is.</param>
-/// <param name="Verdict">What becomes of it.</param>
-/// <param name="Reason">The verdict's reason in words.</param>
+/// <param name="Outcome">What becomes of it.</param>
+/// <param name="Reason">The reason for the outcome, in words.</param>
 /// <param name="Steps">Its formula; empty for a model in plain doubles and ifs, which tells its t and nothing more.</param>
 /// <param name="Crossings">Where the ray crosses it, nearest first; where there is no crossing, one that says why.</param>
-public sealed record ModelExplanation(int Index, string Name, string Type, Verdict Verdict, string Reason,
+public sealed record ModelExplanation(int Index, string Name, string Type, Outcome Outcome, string Reason,
     IReadOnlyList<FormulaStep> Steps, IReadOnlyList<CrossingExplanation> Crossings)
 {
     /// <summary>A box's slabs; empty for other shapes.</summary>

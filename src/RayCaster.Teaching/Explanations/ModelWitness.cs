@@ -29,7 +29,7 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
 
         // Of two crossings the far one comes nearest to counting: the near one would, if that were only too near.
         t = double.IsFinite(crossings.Far) ? crossings.Far : crossings.Near;
-        if (double.IsFinite(t)) return Refused(ray, t);
+        if (double.IsFinite(t)) return Outcomes.Of(t, ray);
         var witness = model.Intersect(new Ray<Witness>(ray.Origin, ray.Direction))!.Value.Near.Loss;
         return witness == Outcome.Shows ? Outcome.NoNumber : witness;
     }
@@ -47,7 +47,7 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
             {
                 double crossing = ((Mesh)model)[part].Intersect(along).Near;
                 if (!double.IsFinite(crossing)) continue;
-                var other = ray.Counts(crossing) ? Outcome.Shows : Refused(ray, crossing);
+                var other = Outcomes.Of(crossing, ray);
                 if (outcome == Outcome.Shows ? other != Outcome.Shows || crossing >= nearest
                     : other != Outcome.Shows && outcome != Outcome.PassesBy && crossing <= nearest) continue;
                 (outcome, nearest) = (other, crossing);
@@ -65,19 +65,10 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
         if (ray.Counts(t)) return Outcome.Shows;
         if (double.IsNaN(t) || double.IsPositiveInfinity(t)) return Outcome.NoNumber;
         t = model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN;
-        if (double.IsFinite(t)) return Refused(ray, t);
+        if (double.IsFinite(t)) return Outcomes.Of(t, ray);
         t = -(model.Intersect(new Ray(ray.Origin, -ray.Direction)) ?? double.NaN);
         return double.IsFinite(t) ? Outcome.Behind : Outcome.PassesBy;
     }
-
-    private static Outcome Refused(Ray ray, double t) => ray.Clip.Refuse(t, ray.ZPerT) switch
-    {
-        Refusal.Behind => Outcome.Behind,
-        Refusal.UnderBias => Outcome.UnderBias,
-        Refusal.BeforeNear => Outcome.BeforeNear,
-        Refusal.BeyondFar => Outcome.BeyondFar,
-        _ => Outcome.NoNumber,
-    };
 
     private static Bounds[] BlocksOf(Mesh mesh, Vector3 origin)
     {

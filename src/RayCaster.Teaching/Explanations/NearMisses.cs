@@ -15,7 +15,7 @@ internal static class NearMisses
         if (winner is { } index) chosen.Add(index);
         chosen.UnionWith(trials.Where(trial => trial.Hit is not null && trial.Index != winner)
             .OrderBy(trial => trial.Hit).Take(OfEachKind).Select(trial => trial.Index));
-        chosen.UnionWith(trials.Where(trial => trial.Refusal is not (Refusal.None or Refusal.NoNumber))
+        chosen.UnionWith(trials.Where(trial => !trial.Outcome.Counts() && !trial.Outcome.IsMiss())
             .OrderBy(trial => Lacking(trial, ray, camera)).Take(OfEachKind).Select(trial => trial.Index));
         foreach (var neighbour in neighbours)
             if (neighbour.Model is { } model) chosen.Add(model);
@@ -27,12 +27,12 @@ internal static class NearMisses
     {
         return Math.Min(Distance(trial.Near), Distance(trial.Far));
 
-        double Distance(double t) => ray.Clip.Refuse(t, ray.ZPerT) switch
+        double Distance(double t) => Outcomes.Of(t, ray) switch
         {
-            Refusal.Behind => -t,
-            Refusal.UnderBias => camera.Bias - t,
-            Refusal.BeforeNear => camera.ZNear - t * ray.ZPerT,
-            Refusal.BeyondFar => t * ray.ZPerT - camera.ZFar,
+            Outcome.Behind => -t,
+            Outcome.UnderBias => camera.Bias - t,
+            Outcome.BeforeNear => camera.ZNear - t * ray.ZPerT,
+            Outcome.BeyondFar => t * ray.ZPerT - camera.ZFar,
             _ => double.PositiveInfinity,
         };
     }

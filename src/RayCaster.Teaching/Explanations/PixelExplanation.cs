@@ -136,10 +136,10 @@ public sealed class PixelExplanation
 
     private static OtherModels Count(IEnumerable<Trial> trials)
     {
-        var counts = new int[(int)Refusal.BeyondFar + 1];
-        foreach (var trial in trials) counts[(int)trial.Refusal]++;
-        return new(counts[(int)Refusal.None], counts[(int)Refusal.Behind], counts[(int)Refusal.UnderBias], counts[(int)Refusal.BeforeNear],
-            counts[(int)Refusal.BeyondFar], counts[(int)Refusal.NoNumber]);
+        var counts = new int[Outcomes.Count];
+        foreach (var trial in trials) counts[(int)trial.Outcome]++;
+        return new(counts[(int)Outcome.Shows], counts[(int)Outcome.Behind], counts[(int)Outcome.UnderBias], counts[(int)Outcome.BeforeNear],
+            counts[(int)Outcome.BeyondFar], counts[(int)Outcome.NoNumber]);
     }
 }
 

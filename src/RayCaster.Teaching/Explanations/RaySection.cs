@@ -28,7 +28,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
             foreach (var crossing in model.Crossings)
                 if (double.IsFinite(crossing.T))
                     crossings.Add(
-                        new(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)], crossing.Verdict, crossing.Reason));
+                        new(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)], crossing.Outcome.Verdict(), crossing.Reason));
 
         var shown = double.IsFinite(pixel.Ray.HitParameter) ? pixel.Ray.HitParameter : camera.Reach / 2;
         var length = crossings.Where(crossing => crossing.T > 0 && crossing.T <= 2 * shown).Select(crossing => crossing.T).Append(shown).Max();
@@ -145,6 +145,6 @@ public sealed record ModelSection(int Index, string Name, string Color, IReadOnl
 /// <param name="Name">Its name.</param>
 /// <param name="T">The ray parameter.</param>
 /// <param name="At">Where it lies, (u, v).</param>
-/// <param name="Verdict">What becomes of it.</param>
+/// <param name="Verdict">shows, hidden, notNeeded, refused or missed.</param>
 /// <param name="Reason">Why.</param>
-public sealed record SectionCrossing(int Model, string Name, double T, double[] At, Verdict Verdict, string Reason);
+public sealed record SectionCrossing(int Model, string Name, double T, double[] At, string Verdict, string Reason);

@@ -4,13 +4,12 @@ namespace RayCaster.Teaching;
 internal static class Reasons
 {
     /// <summary>Why a crossing does not count.</summary>
-    public static string Of(Refusal refusal, double t, double z, Camera camera) => refusal switch
+    public static string Of(Outcome outcome, double t, double z, Camera camera) => outcome switch
     {
-        Refusal.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",
-        Refusal.UnderBias => Compare("t", t, "≤", "bias", camera.Bias) + ": too near to where the ray starts",
-        Refusal.BeforeNear => Compare("z", z, "<", "zNear", camera.ZNear) + ": clipped away, nearer than the near plane",
-        Refusal.BeyondFar => Compare("z", z, ">", "zFar", camera.ZFar) + ": clipped away, beyond the far plane",
-        Refusal.NoNumber => double.IsInfinity(t) ? "t is infinite: the ray runs along the surface" : "no crossing",
+        Outcome.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",
+        Outcome.UnderBias => Compare("t", t, "≤", "bias", camera.Bias) + ": too near to where the ray starts",
+        Outcome.BeforeNear => Compare("z", z, "<", "zNear", camera.ZNear) + ": clipped away, nearer than the near plane",
+        Outcome.BeyondFar => Compare("z", z, ">", "zFar", camera.ZFar) + ": clipped away, beyond the far plane",
         _ => "counts",
     };
 

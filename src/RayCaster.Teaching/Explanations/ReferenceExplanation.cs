@@ -36,7 +36,7 @@ public sealed record ReferenceExplanation(
             foreach (var crossing in model.Crossings)
             {
                 var t = crossing.Untested ?? crossing.T;
-                if (crossing.Verdict is Verdict.Shows || !double.IsFinite(t) || !AreNear(scene.Shade(t, trial.Model).ToBytes(), other)) continue;
+                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !AreNear(scene.Shade(t, trial.Model).ToBytes(), other)) continue;
                 yield return $"the other picture's colour is what {model.Name} would give: its crossing at t = {Digits.Of(t)} {Fate(crossing)}";
             }
             if (AreNear(trial.Model.Color.ToBytes(), other)) yield return $"the other picture's colour is that of {model.Name}, not attenuated";
@@ -47,11 +47,11 @@ public sealed record ReferenceExplanation(
                 yield return $"the other picture's colour is that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
     }
 
-    private static string Fate(CrossingExplanation crossing) => crossing.Verdict switch
+    private static string Fate(CrossingExplanation crossing) => crossing.Outcome switch
     {
-        Verdict.NotNeeded => "is not needed, for the one before it counts",
-        Verdict.Hidden => $"is {crossing.Reason}",
-        Verdict.Missed => $"is none, for {crossing.Reason}",
+        Outcome.NotNeeded => "is not needed, for the one before it counts",
+        Outcome.Hidden => $"is {crossing.Reason}",
+        >= Outcome.Outside => $"is none, for {crossing.Reason}",
         _ => $"does not count, for {crossing.Reason}",
     };
 

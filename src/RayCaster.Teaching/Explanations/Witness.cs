@@ -23,7 +23,7 @@ internal readonly record struct Witness(double Value, Outcome Loss) : IReal<Witn
 
     public static Witness operator *(Witness a, Witness b) => Result(a.Value * b.Value, a, b);
 
-    public static Witness operator /(Witness a, Witness b) => Result(a.Value / b.Value, a, b, b.Value == 0 ? Outcome.Along : Outcome.NoNumber);
+    public static Witness operator /(Witness a, Witness b) => Result(a.Value / b.Value, a, b, b.Value == 0 ? Outcome.Parallel : Outcome.NoNumber);
 
     public static Witness operator <(Witness a, Witness b) => Mask(a.Value < b.Value, a, b);
 

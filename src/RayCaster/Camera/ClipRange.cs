@@ -30,20 +30,6 @@ public readonly struct ClipRange
         return (t >= least) & (z >= zNear) & (z <= zFar);
     }
 
-    /// <summary>Why a crossing does not count; <see cref="Refusal.None"/> exactly where <see cref="Counts"/> holds.</summary>
-    /// <param name="t">The ray parameter of the crossing.</param>
-    /// <param name="zPerT">What z gains for one unit of t.</param>
-    public Refusal Refuse(double t, double zPerT)
-    {
-        var z = t * zPerT;
-        return !double.IsFinite(t) ? Refusal.NoNumber
-            : t < 0 ? Refusal.Behind
-            : t < least ? Refusal.UnderBias
-            : z < zNear ? Refusal.BeforeNear
-            : z <= zFar ? Refusal.None
-            : Refusal.BeyondFar;
-    }
-
     /// <summary>The part of <see cref="Counts"/> that asks whether a crossing is beyond the bias.</summary>
     internal bool IsAhead(double t) => t >= least;
 
