@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Explains models for one ray, by their own formulas over numbers that write down what they compute.</summary>
+/// <summary>Explains models for one ray: evaluates their formulas over <see cref="Derivation"/>, which records each step.</summary>
 /// <param name="scene">The scene.</param>
-/// <param name="cast">The ray, come back with the nearest hit.</param>
+/// <param name="cast">The ray with its nearest hit.</param>
 /// <param name="shown">The place of the model that the pixel shows; null for none.</param>
 internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
 {
@@ -68,7 +68,7 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         foreach (var crossing in (Derivation[])[derived.Near, derived.Far])
         {
             var (t, term) = (crossing.Value, crossing.Term);
-            if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed once, or the same reason once more
+            if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed only once, or the same reason again
             var (outcome, reason) = Outcomes.Of(t, cast) switch
             {
                 Outcome.Shows when isHit => (Outcome.NotNeeded, "the crossing before it counts already"),
@@ -83,8 +83,8 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
     }
 
     /// <summary>
-    /// A triangle's corners as they are seen along the ray. Its own formula does not name them: one name more there, and the compiler
-    /// no longer inlines the formula's operators where it draws.
+    /// A triangle's corners as seen along the ray. The triangle's formula does not name them: with one more name there, the compiler would no
+    /// longer inline the operators when it draws.
     /// </summary>
     private IReadOnlyList<FormulaStep> Corners(Model shape)
     {
@@ -96,7 +96,7 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
 
     private static bool IsStep(Term term) => term.Chosen.Operation is Operation.Name;
 
-    /// <summary>The t of "a crossing here, if …" where the test failed.</summary>
+    /// <summary>The t that a crossing would have without the test that failed.</summary>
     private static double? Untested(Term term) =>
         double.IsNaN(term.Value) && term.Operation is Operation.If && double.IsFinite(term.B.Value) ? term.B.Value : null;
 

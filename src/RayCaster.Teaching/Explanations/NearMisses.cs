@@ -1,13 +1,13 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Of many models those that have to do with a pixel.</summary>
+/// <summary>Chooses, from many models, those that matter for a pixel.</summary>
 internal static class NearMisses
 {
     private const int OfEachKind = 3;
 
     /// <summary>
-    /// The winner; the nearest of the hidden; those whose crossing fails by least; those that the ray passes so close by that they show
-    /// in the next pixel. In the scene's order.
+    /// The model that shows; the nearest hidden models; the models whose crossings nearly count; and the models that a neighbouring pixel
+    /// shows. In the scene's order.
     /// </summary>
     public static IEnumerable<Trial> Of(IReadOnlyList<Trial> trials, int? winner, IReadOnlyList<Neighbour> neighbours, Ray ray, Camera camera)
     {

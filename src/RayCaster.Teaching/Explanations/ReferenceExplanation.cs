@@ -1,10 +1,10 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What another picture has where a pixel was explained, and which model would have made it so.</summary>
+/// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour.</summary>
 /// <param name="Bytes">The other picture's bytes.</param>
-/// <param name="Difference">The other picture's bytes less the pixel's.</param>
-/// <param name="Agrees">Whether no channel differs by more than 1, which rounding may do.</param>
-/// <param name="Causes">If not: what would give the other picture's colour, each a sentence; empty if nothing in the scene does.</param>
+/// <param name="Difference">The other picture's bytes minus the pixel's.</param>
+/// <param name="Agrees">Whether each channel differs by at most 1, as by rounding.</param>
+/// <param name="Causes">If they do not agree: sentences that say what in the scene would give the other colour.</param>
 public sealed record ReferenceExplanation(
     (byte R, byte G, byte B) Bytes, (int R, int G, int B) Difference, bool Agrees, IReadOnlyList<string> Causes)
 {

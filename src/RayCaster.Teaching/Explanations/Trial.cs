@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>How one model fares with a ray, in plain doubles: enough to sort thousands of models by how much they have to do with a pixel.</summary>
+/// <summary>The crossings of one model with a ray, in plain doubles. Quick enough to choose from thousands of models.</summary>
 internal readonly struct Trial
 {
     /// <param name="model">The model.</param>
@@ -18,7 +18,7 @@ internal readonly struct Trial
         }
         else if (model.Intersect(Plain(ray)) is { } crossings)
             (Near, Far) = (crossings.Near, crossings.Far);
-        else // plain doubles and ifs: without clipping it tells where it would be hit
+        else // a model in plain doubles and ifs: without clipping it tells where it would be hit
             (Near, Far) = (Hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
         Outcome = Hit is null ? Reason(ray, Near, Far) : Outcome.Shows;
     }
@@ -41,7 +41,7 @@ internal readonly struct Trial
     /// <summary>Why it is not hit, for the crossing that comes closer to counting; <see cref="Outcome.Shows"/> for a hit.</summary>
     public Outcome Outcome { get; }
 
-    /// <summary>How a mesh's triangles fare.</summary>
+    /// <summary>The outcomes of a mesh's triangles; null for other shapes.</summary>
     public MeshExplanation? Mesh { get; }
 
     /// <summary>A ray for a formula.</summary>
@@ -58,7 +58,7 @@ internal readonly struct Trial
         var counts = new int[Outcomes.Count];
         var along = new AlongRay<Scalar>(Plain(ray));
         int? chosen = null;
-        var nearest = double.PositiveInfinity; // of the refused, the one with the least |t|
+        var nearest = double.PositiveInfinity; // the least |t| of crossings that do not count
         for (var i = 0; i < mesh.TriangleCount; i++)
         {
             double t = mesh[i].Intersect(along).Near;

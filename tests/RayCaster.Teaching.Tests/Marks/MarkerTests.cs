@@ -84,6 +84,6 @@ public class MarkerTests
     {
         var marks = Mark(scene => new Picture(scene.Camera.Width, scene.Camera.Height));
         Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
-        Assert.Equal("all pictures are of one colour: many things make them so", Assert.Single(marks.LookYourself));
+        Assert.Equal("all pictures are of one colour: many mistakes cause that", Assert.Single(marks.LookYourself));
     }
 }
