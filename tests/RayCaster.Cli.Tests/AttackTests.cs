@@ -167,7 +167,7 @@ public sealed class AttackTests : IDisposable
     public void APictureThatDoesNotSayWhatItIsIsDrawnAnewWithAReason()
     {
         raycaster.Run(Room, "-s", "9x9", "-q").Run(Room, "-s", "9x9", "--resume");
-        Assert.StartsWith("room.png is drawn anew: it does not say which scene it shows, as pictures do that are drawn with --rows or --resume\n",
+        Assert.StartsWith("room.png is drawn anew: it does not say which scene it shows; only pictures drawn with --rows or --resume do\n",
             raycaster.Error);
         raycaster.Run(Room, "-s", "9x9", "--resume");
         Assert.Equal("room.png: there already\n", raycaster.Error);

@@ -66,7 +66,7 @@ public class DiagnosisTests
     [Fact]
     public void APictureOfNothingProvesNothing()
     {
-        var empty = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, width: 6, height: 4), []);
+        var empty = new Scene(new Camera(new(new(20, 0, 0), Vector3.Zero) { Width = 6, Height = 4 }), []);
         Assert.Contains("it proves nothing", DiagnosisReport.Text(Diagnosis.Of(empty, new Picture(6, 4)), "mine.png", "scene.json"));
     }
 
@@ -124,7 +124,8 @@ public class DiagnosisTests
     public void ATwinIsNamedWithIt()
     {
         // Nothing but a plane before black: a camera that looks backwards sees none of it, and neither does one whose best t starts at 0.
-        var plain = new Scene(new Camera(new(20, 0, 0), Vector3.Zero, width: 60, height: 40), [Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)))]);
+        var plain = new Scene(
+            new Camera(new(new(20, 0, 0), Vector3.Zero) { Width = 60, Height = 40 }), [Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)))]);
         var suspect = Diagnosis.Of(plain, new Picture(60, 40)).Suspects[0];
         Assert.Contains("w-sign", Named(suspect));
         Assert.Contains("best0", Named(suspect));

@@ -61,7 +61,7 @@ public class LikelyCauseTests
         var c = scene.Camera;
         return scene with
         {
-            Camera = new(c.Position, target ?? c.Target, c.Up, fovY ?? c.FovY, c.Width, c.Height, c.ZNear, zFar ?? c.ZFar, c.Bias, c.Clip, c.Sample),
+            Camera = new(c.Parameters with { Target = target ?? c.Target, FovY = fovY ?? c.FovY, ZFar = zFar ?? c.ZFar }),
         };
     }
 }
