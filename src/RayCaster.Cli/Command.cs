@@ -5,11 +5,12 @@ internal abstract class Command
 {
     /// <summary>The names of commands. Without one of them, the app draws a scene.</summary>
     public static readonly string[] Names =
-        ["check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "handout", "mark", "vary", "live", "help"];
+        ["draw", "check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "handout", "mark", "vary", "live", "help"];
 
     /// <summary>The command with a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
     {
+        "draw" => new DrawCommand(),
         "check" => new CheckCommand(),
         "compare" => new CompareCommand(),
         "diagnose" => new DiagnoseCommand(),

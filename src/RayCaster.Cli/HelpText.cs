@@ -17,7 +17,7 @@ internal static class HelpText
           Casts one ray per pixel through a scene file and writes the picture.
 
         Usage:
-          raycaster <scene> [options]
+          raycaster [draw] <scene> [options]
           raycaster <command> ...
 
         For students:
