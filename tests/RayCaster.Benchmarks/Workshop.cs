@@ -96,16 +96,24 @@ internal sealed class Workshop : IDisposable
     }
 
     /// <summary>The milliseconds that the processor has spent on this thread; NaN if the system does not tell.</summary>
-    public static double ProcessorTimeOfThread() => ProcessorTimeOf(1);
+    public static double ProcessorTimeOfThread()
+    {
+        const int ThreadCpuTime = 3;
+        if (!OperatingSystem.IsLinux()) return double.NaN;
+        var time = new long[2]; // seconds and nanoseconds
+        return GetClock(ThreadCpuTime, time) == 0 ? time[0] * 1e3 + time[1] / 1e6 : double.NaN;
+    }
 
-    private static double ProcessorTimeOfChildren() => ProcessorTimeOf(-1);
-
-    private static double ProcessorTimeOf(int who)
+    private static double ProcessorTimeOfChildren()
     {
         if (!OperatingSystem.IsLinux()) return double.NaN;
+        const int Children = -1;
         var usage = new long[36]; // seconds and microseconds in user mode, then in the kernel, then what is of no interest here
-        return GetResourceUsage(who, usage) == 0 ? (usage[0] + usage[2]) * 1e3 + (usage[1] + usage[3]) / 1e3 : double.NaN;
+        return GetResourceUsage(Children, usage) == 0 ? (usage[0] + usage[2]) * 1e3 + (usage[1] + usage[3]) / 1e3 : double.NaN;
     }
+
+    [DllImport("libc", EntryPoint = "clock_gettime")]
+    private static extern int GetClock(int clock, long[] time);
 
     [DllImport("libc", EntryPoint = "getrusage")]
     private static extern int GetResourceUsage(int who, long[] usage);
