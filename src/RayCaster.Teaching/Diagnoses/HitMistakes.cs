@@ -16,13 +16,31 @@ internal static class HitMistakes
             "A crossing counts only if t > bias, and from zNear on.")
             .Or("no least t for planes", lab => BackToo(lab, Concerns.Planes))
             .Or("no least t for spheres", lab => BackToo(lab, Concerns.Spheres))
-            .Or("no least t for boxes", lab => BackToo(lab, Concerns.Boxes)),
+            .Or("no least t for boxes", lab => BackToo(lab, Concerns.Boxes))
+            .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
+            {
+                lab.Ahead.Is(t => t > double.NegativeInfinity);
+                lab.Clipped.Is((t, _) => t <= double.MaxValue);
+            })
+            .Or("|t| for planes", lab => lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near))))
+            .Or("the crossing with the least |t| for spheres and boxes", lab =>
+            {
+                lab.Sphere.Becomes(cross => (sphere, d) => Closest(cross(sphere, d)));
+                lab.Box.Becomes(cross => (box, d) => Closest(cross(box, d)));
+            }),
         new Mistake("last-hit", Concerns.Hit, Slides.RayCasting, "the last model hit shows, not the nearest",
             lab => lab.Better.Is((_, _) => true),
             "Far things cover near ones; the order of the models changes the picture.",
             "When may a hit replace the one that was found before?",
             "Keep a hit only if its t is less than the best t so far.")
-            .Or("the first model hit shows, not the nearest", lab => lab.Better.Is((_, best) => double.IsPositiveInfinity(best))),
+            .Or("the first model hit shows, not the nearest", lab => lab.Better.Is((_, best) => double.IsPositiveInfinity(best)))
+            .Or("the best t is replaced by that of each hit: the braces of the if are missing", lab => lab.Replaces.Is((_, _) => true))
+            .Or("the model is replaced by that of each hit, the best t only by a lesser one", lab =>
+            {
+                lab.Replaces.Is((t, best) => t < best);
+                lab.Better.Is((_, _) => true);
+            })
+            .Or("the best t stays that of the first hit", lab => lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best))),
         new("far-hit", Concerns.Hit, Slides.RayCasting, "the farthest hit shows",
             lab =>
             {
@@ -48,7 +66,7 @@ internal static class HitMistakes
             "What the far plane cuts is cut along a wrong line: round for straight, or straight for round.",
             "What does the scene's \"clip\" say that zFar measures?",
             "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar."),
-        new("zboth-t", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
+        new Mistake("zboth-t", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
             lab =>
             {
                 lab.Near.Becomes(near => (t, depth) => near(depth, t));
@@ -56,7 +74,13 @@ internal static class HitMistakes
             },
             "What the near and the far plane cut is cut along wrong lines.",
             "What does the scene's \"clip\" say that zNear and zFar measure?",
-            "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar."),
+            "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar.")
+            .Or("zNear and zFar compared with the hit's distance from the origin of the world", lab =>
+            {
+                lab.Depth.Is((t, d) => lab.Length.Do(lab.P + t * d));
+                lab.Near.Becomes(near => (_, distance) => near(distance, distance));
+                lab.Far.Becomes(far => (_, distance) => far(distance, distance));
+            }),
         new Mistake("clip-after", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar asked only after the nearest hit was chosen",
             lab => lab.Clipped.Becomes(clipped =>
             {
@@ -100,6 +124,10 @@ internal static class HitMistakes
             "If the first crossing is cut away, what of the second?",
             "The first crossing that counts is the hit; ask both."),
     ];
+
+    /// <summary>The crossing nearest to P, before it or behind it.</summary>
+    private static Crossings<Scalar> Closest(Crossings<Scalar> crossed) =>
+        new(Math.Abs(crossed.Far) < Math.Abs(crossed.Near) ? crossed.Far : crossed.Near);
 
     /// <summary>The first crossing of such shapes counts, behind the camera too.</summary>
     private static void BackToo(Lab lab, Concerns shapes) => lab.Hit.Becomes(hit => (model, d) =>

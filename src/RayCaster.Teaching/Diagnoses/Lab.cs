@@ -44,6 +44,8 @@ internal sealed class Lab
         First = new((crossed, d) => Counts(crossed.Near, d) ? crossed.Near : Counts(crossed.Far, d) ? crossed.Far : null);
         Hit = new(HitOf);
 
+        Replaces = new((t, best) => Better.Do(t, best));
+
         Norm = new(a => Length.Do(a));
         Reach = new(() => Length.Do(2 * (T - P)));
         Attenuation = new(t => 1 - t / reach);
@@ -200,8 +202,11 @@ internal sealed class Lab
     /// <summary>→ the best t before the first hit.</summary>
     public Step<Func<double>> Start { get; } = new(() => double.PositiveInfinity);
 
-    /// <summary>(t, best t) → whether t takes its place.</summary>
+    /// <summary>(t, best t) → whether the model hit at t takes the place of the best one.</summary>
     public Step<Func<double, double, bool>> Better { get; } = new((t, best) => t < best);
+
+    /// <summary>(t, best t) → whether t takes the place of the best t.</summary>
+    public Step<Func<double, double, bool>> Replaces { get; }
 
     /// <summary>(t, depth) → whether the hit that was chosen shows.</summary>
     public Step<Func<double, double, bool>> Kept { get; } = new((_, _) => true);
@@ -289,7 +294,9 @@ internal sealed class Lab
         var best = Start.Do();
         for (var i = 0; i < models.Length; i++)
         {
-            if (Hit.Do(models[i], d) is { } t && Better.Do(t, best)) (hit, best) = (models[i], t);
+            if (Hit.Do(models[i], d) is not { } t) continue;
+            if (Better.Do(t, best)) hit = models[i];
+            if (Replaces.Do(t, best)) best = t;
         }
         if (hit is null || !Kept.Do(best, Depth.Do(best, d))) return Bytes(Scene.Background);
         return Bytes(Dark.Do(Attenuation.Do(Distance.Do(best, d))) * hit.Color);

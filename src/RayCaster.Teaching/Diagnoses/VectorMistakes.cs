@@ -152,8 +152,8 @@ internal static class VectorMistakes
         var (i, k) = ((axes.IndexOf(axis) + 1) % 3, (axes.IndexOf(axis) + 2) % 3);
         var named = new List<(string What, Func<Vector3, Vector3, double> Is)>
         {
-            ($"a{axes[k]} b{axes[i]} − a{axes[i]} b{axes[k]}", (a, b) => At(a, k) * At(b, i) - At(a, i) * At(b, k)),
-            ($"a{axes[i]} b{axes[k]} + a{axes[k]} b{axes[i]}", (a, b) => At(a, i) * At(b, k) + At(a, k) * At(b, i)),
+            ($"a{axes[k]} b{axes[i]} − a{axes[i]} b{axes[k]}", (a, b) => a.At(k) * b.At(i) - a.At(i) * b.At(k)),
+            ($"a{axes[i]} b{axes[k]} + a{axes[k]} b{axes[i]}", (a, b) => a.At(i) * b.At(k) + a.At(k) * b.At(i)),
         };
         for (var place = 0; place < 4; place++)
         {
@@ -162,7 +162,7 @@ internal static class VectorMistakes
                 int[] letters = [i, k, k, i]; // a_i b_k − a_k b_i
                 letters[place] = (letters[place] + turn) % 3;
                 named.Add(($"a{axes[letters[0]]} b{axes[letters[1]]} − a{axes[letters[2]]} b{axes[letters[3]]}",
-                    (a, b) => At(a, letters[0]) * At(b, letters[1]) - At(a, letters[2]) * At(b, letters[3])));
+                    (a, b) => a.At(letters[0]) * b.At(letters[1]) - a.At(letters[2]) * b.At(letters[3])));
             }
         }
         foreach (var (what, component) in named)
@@ -174,12 +174,16 @@ internal static class VectorMistakes
                 _ => n with { Z = component(a, b) },
             };
             if (what != first) yield return ($"the cross product's {axis} is {what}", lab => MistakeCross(lab, Other));
+            yield return ($"the cross product's {axis} is {what}, and triangles take only n from it", lab =>
+            {
+                lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b)));
+                lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside, sides: (a, b) => a % b));
+                lab.TrianglesReachOut = true;
+            });
             yield return ($"the cross product's {axis} is {what}, but triangles do without it",
                 lab => lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b))));
         }
     }
-
-    private static double At(Vector3 a, int axis) => axis switch { 0 => a.X, 1 => a.Y, _ => a.Z };
 
     /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
     private static void MistakeCross(Lab lab, Func<Vector3, Vector3, Vector3, Vector3> other)
