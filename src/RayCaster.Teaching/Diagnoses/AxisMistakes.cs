@@ -17,6 +17,7 @@ internal static class AxisMistakes
             "Nothing before the camera is in the picture.",
             "W points backwards. With which sign does it go into d?",
             "d = (uc U + ur V − W) normalised.")
+            .Or("d = −(uc U + ur V − W)", lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, ur)))
             .Or("d = uc U + ur V + W, and the depth is measured along +W, too", lab =>
             {
                 lab.AxisW.Becomes(W => (p, t) => -W(p, t)); // turns U about, but not V
@@ -52,6 +53,7 @@ internal static class AxisMistakes
             "A tilted camera shows everything stretched upwards, and shifted.",
             "Which angle do V and W have where the camera looks down?",
             "V = W × U.")
+            .Or("V = −up", lab => lab.AxisV.Is((w, u) => -lab.Unit(lab.Camera.Up)))
             .Or("V = up, not normalised", lab => lab.AxisV.Is((w, u) => lab.Camera.Up))
             .Or("V = (0, 0, 1)", lab => lab.AxisV.Is((w, u) => new(0, 0, 1)))
             .Or("V = up × U", lab => lab.AxisV.Is((w, u) => lab.Cross.Do(lab.Camera.Up, u)))

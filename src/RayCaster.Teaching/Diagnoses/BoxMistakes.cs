@@ -14,8 +14,8 @@ internal static class BoxMistakes
             "If t0 > t1, swap them, for each of x, y and z.")
             .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", Unsorted(axes)))
             .Or("box: t0 and t1 always swapped", Each((lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (t1, t0) : default))
-            .Or("box: t0 = t1 where both should be swapped",
-                Each((lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (Math.Min(t0, t1), t1) : default)),
+            .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t0 changed where both should be swapped{Of(axis)}", Half(axis, first: true)))
+            .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t1 changed where both should be swapped{Of(axis)}", Half(axis, first: false))),
         new Mistake("slab-minmin", Concerns.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
             lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Min)),
             "Boxes smear over the picture.",
@@ -71,6 +71,9 @@ internal static class BoxMistakes
         for (var axis = 0; axis < 3; axis++)
         {
             var i = axis;
+            yield return ($"box: {axes[i]} alone in t_min and t_max", Alone(i, first: true, last: true));
+            yield return ($"box: {axes[i]} alone in t_min", Alone(i, first: true, last: false));
+            yield return ($"box: {axes[i]} alone in t_max", Alone(i, first: false, last: true));
             yield return ($"box: {axes[i]} forgotten in t_min", One(i, (_, _, _, slab) => slab with { In = double.NegativeInfinity }));
             yield return ($"box: {axes[i]} forgotten in t_max", One(i, (_, _, _, slab) => slab with { Out = double.PositiveInfinity }));
             foreach (var k in (int[])[(i + 1) % 3, (i + 2) % 3])
@@ -79,6 +82,10 @@ internal static class BoxMistakes
                     One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(i), d.At(k))));
                 yield return ($"box: the slab of {axes[i]} with the {axes[k]} of P",
                     One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(k), d.At(i))));
+                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0",
+                    One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(i), P.At(i), d.At(i))));
+                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B1",
+                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(k), P.At(i), d.At(i))));
                 yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0 and B1",
                     One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(k), P.At(i), d.At(i))));
             }
@@ -92,6 +99,24 @@ internal static class BoxMistakes
             InSlab other = (lo, hi, origin, direction) => slab(box, lab.P, d, Slab(lo, hi, origin, direction));
             return Slabs(lab, box, d, (axis == 0 ? other : Slab, axis == 1 ? other : Slab, axis == 2 ? other : Slab), Math.Max, Math.Min);
         });
+
+    /// <summary>t_min or t_max or both are those of one axis, as where each axis overwrites the one before.</summary>
+    private static Action<Lab> Alone(int axis, bool first, bool last) => lab => lab.Box.Is((box, d) =>
+    {
+        InSlab other = (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1)
+            ? (first ? double.NegativeInfinity : t0, last ? double.PositiveInfinity : t1) : default;
+        return Slabs(lab, box, d, (axis == 0 ? Slab : other, axis == 1 ? Slab : other, axis == 2 ? Slab : other), Math.Max, Math.Min);
+    });
+
+    /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays; for one axis, or with −1 for all.</summary>
+    private static Action<Lab> Half(int axis, bool first) => lab => lab.Box.Is((box, d) =>
+    {
+        InSlab half = (lo, hi, origin, direction) => Faces(lo, hi, origin, direction) is var (t0, t1) && t0 <= t1 ? (t0, t1)
+            : first ? (t1, t1) : (t0, t0);
+        return Slabs(lab, box, d, (axis is 0 or -1 ? half : Slab, axis is 1 or -1 ? half : Slab, axis is 2 or -1 ? half : Slab), Math.Max, Math.Min);
+    });
+
+    private static string Of(int axis) => axis < 0 ? "" : $", for {"xyz"[axis]}";
 
     /// <summary>Another slab of each axis.</summary>
     private static Action<Lab> Each(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Math.Max, Math.Min));

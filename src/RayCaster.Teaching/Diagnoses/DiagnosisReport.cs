@@ -99,7 +99,7 @@ public static class DiagnosisReport
             text.AppendLine();
             text.AppendLine("If not that, then, ever less likely:");
             foreach (var suspect in suspects.Skip(1))
-                text.AppendLine($"  {Names(suspect),-16} would leave {Rest(diagnosis, suspect)}");
+                text.AppendLine($"  {Names(suspect),-16} {(suspect.SamePicture ? "draws the same picture" : $"would leave {Rest(diagnosis, suspect)}")}");
         }
         AppendNotTried(text, diagnosis);
         if (level < HintLevel.Answer)
@@ -199,6 +199,7 @@ public static class DiagnosisReport
         json.WriteEndArray();
         json.WriteNumber("unexplained", Math.Round(suspect.Unexplained));
         json.WriteBoolean("otherSample", suspect.OtherSample);
+        json.WriteBoolean("samePicture", suspect.SamePicture);
         WriteStrings(json, "twins", suspect.Twins.Select(twin => twin.Id));
         WriteStrings(json, "notYet", suspect.NotYet);
         json.WriteEndObject();

@@ -36,6 +36,12 @@ internal static class FileMistakes
                 var last = lab.Height - 1;
                 lab.Shown.Becomes(shown => (x, y) => shown(last - y, x));
             })
+            .Or("row and column swapped, both counted from the other end", lab =>
+            {
+                lab.SwapSides();
+                var (right, bottom) = (lab.Width - 1, lab.Height - 1);
+                lab.Shown.Becomes(shown => (x, y) => shown(bottom - y, right - x));
+            })
             .Or("row and column swapped when the ray is cast", lab => lab.Sample.Becomes(sample => (c, r) => sample(r, c)))
             .Or("row and column swapped when the ray is cast, each divided by its own side",
                 lab => lab.Sample.Becomes(sample => (c, r) => sample(r * lab.Wide, c * lab.Tall)))
@@ -81,7 +87,10 @@ internal static class FileMistakes
             "Which bytes follow the 255 of the header, and how many?",
             "Exactly one white-space byte, then the pixels: write \"\\n\", not WriteLine, which ends with \"\\r\\n\" on Windows.")
             .Or("two bytes too many between the header and the pixels", Bytes(2))
-            .Or("one byte too few between the header and the pixels", Bytes(-1)),
+            .Or("three bytes too many between the header and the pixels", Bytes(3))
+            .Or("one byte too few between the header and the pixels", Bytes(-1))
+            .Or("two bytes too few between the header and the pixels", Bytes(-2))
+            .Or("three bytes too few between the header and the pixels", Bytes(-3)),
         new Mistake("row-off", Concerns.File, Slides.Template, "line y shows row height − y, not height − 1 − y",
             lab => lab.Row.Becomes(row => y => row(y) + 1),
             "The picture is one line or one column off.",

@@ -22,7 +22,21 @@ internal static class HitMistakes
                 lab.Ahead.Is(t => t > double.NegativeInfinity);
                 lab.Clipped.Is((t, _) => t <= double.MaxValue);
             })
+            .Or("|t · (−d·W)| compared with zNear and zFar, and no t > bias", lab =>
+            {
+                lab.Ahead.Is(t => t > double.NegativeInfinity);
+                lab.Clipped.Becomes(clipped => (t, depth) => clipped(Math.Abs(t), Math.Abs(depth)));
+            })
             .Or("|t| for planes", lab => lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near))))
+            .Or("|t| for every shape", lab =>
+            {
+                lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near)));
+                lab.Sphere.Becomes(cross => (sphere, d) => Unsigned(cross(sphere, d)));
+                lab.Box.Becomes(cross => (box, d) => Unsigned(cross(box, d)));
+                lab.Circle.Becomes(cross => (circle, d) => new(Math.Abs(cross(circle, d).Near)));
+                lab.Triangle.Becomes(cross => (triangle, d) => new(Math.Abs(cross(triangle, d).Near)));
+                lab.TrianglesReachOut = true;
+            })
             .Or("the crossing with the least |t| for spheres and boxes", lab =>
             {
                 lab.Sphere.Becomes(cross => (sphere, d) => Closest(cross(sphere, d)));
@@ -55,7 +69,8 @@ internal static class HitMistakes
             "There is nothing but background.",
             "With which t is the first hit compared?",
             "Start with the best t = +∞.")
-            .Or("the best t starts at 1", lab => lab.Start.Is(() => 1)),
+            .Or("the best t starts at 1", lab => lab.Start.Is(() => 1))
+            .Or("the best t starts at 10", lab => lab.Start.Is(() => 10)),
         new("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)),
             "What the near plane cuts is cut along a wrong line.",
@@ -95,14 +110,19 @@ internal static class HitMistakes
                 lab.Kept.Is(near);
                 return (_, _) => true;
             })),
-        new("no-znear", Concerns.Hit, Slides.ClipPlanes, "zNear ignored", lab => lab.Near.Is((_, _) => true),
+        new Mistake("no-znear", Concerns.Hit, Slides.ClipPlanes, "zNear ignored", lab => lab.Near.Is((_, _) => true),
             "Something close to the camera is in the way.",
             "Which test uses zNear?",
-            "A crossing counts only from zNear on."),
-        new("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
+            "A crossing counts only from zNear on.")
+            .Or("zNear ignored for spheres", Unclipped(Concerns.Spheres, near: true, far: false)),
+        new Mistake("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
             "There is something where the background should be, far away.",
             "Which test uses zFar?",
-            "A crossing counts only up to zFar."),
+            "A crossing counts only up to zFar.")
+            .Or("zFar ignored for planes", Unclipped(Concerns.Planes, near: false, far: true))
+            .Or("zNear and zFar ignored for planes", Unclipped(Concerns.Planes, near: true, far: true))
+            .Or("zNear and zFar ignored for spheres", Unclipped(Concerns.Spheres, near: true, far: true))
+            .Or("zNear and zFar asked for planes alone", Unclipped(~Concerns.Planes, near: true, far: true)),
         new Mistake("bias-big", Concerns.Hit, Slides.Bias, "a bias of 1 in place of zNear",
             lab =>
             {
@@ -124,6 +144,26 @@ internal static class HitMistakes
             "If the first crossing is cut away, what of the second?",
             "The first crossing that counts is the hit; ask both."),
     ];
+
+    /// <summary>zNear or zFar or both not asked where such shapes are hit.</summary>
+    private static Action<Lab> Unclipped(Concerns kinds, bool near, bool far) => lab =>
+    {
+        lab.Hit.Becomes(hit => (model, d) =>
+        {
+            if ((Mistake.KindOf(model) & kinds) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);
+            return Counts(crossed.Near, d) ? crossed.Near : Counts(crossed.Far, d) ? crossed.Far : null;
+        });
+
+        bool Counts(double t, Vector3 d) => lab.Ahead.Do(t) && t <= double.MaxValue
+            && (near || lab.Near.Do(t, lab.Depth.Do(t, d))) && (far || lab.Far.Do(t, lab.Depth.Do(t, d)));
+    };
+
+    /// <summary>Both crossings without their signs, the lesser first.</summary>
+    private static Crossings<Scalar> Unsigned(Crossings<Scalar> crossed)
+    {
+        var (near, far) = SlideFormulas.Sorted(Math.Abs(crossed.Near), Math.Abs(crossed.Far));
+        return new(near, far);
+    }
 
     /// <summary>The crossing nearest to P, before it or behind it.</summary>
     private static Crossings<Scalar> Closest(Crossings<Scalar> crossed) =>

@@ -12,7 +12,12 @@ internal static class ImagePlaneMistakes
             "h = 2 · Math.Tan(fovY · Math.PI / 180 / 2).")
             .Or("fovY · 180 / π", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * (180 / Math.PI) * (180 / Math.PI))))
             .Or("fovY · π, without / 180", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180)))
-            .Or("fovY / 180, without π", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY / Math.PI))),
+            .Or("fovY / 180, without π", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY / Math.PI)))
+            .Or("fovY · 3 / 180: π cut to an integer", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 3 / Math.PI)))
+            .Or("2 tan(fovY / 2) · π / 180", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180 / Math.PI) * Math.PI / 180))
+            .Or("2 tan(fovY / 2) · 180 / π", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180 / Math.PI) * 180 / Math.PI))
+            .Or("2 tan(fovY) · π / 180 / 2", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY * 180 / Math.PI) * Math.PI / 360))
+            .Or(OneSide("degrees in the tangent", a => Math.Tan(a * 180 / Math.PI))),
         new Mistake("nohalf", Concerns.Camera, Slides.Camera, "h = 2 tan(fovY): the half of the angle is missing",
             lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY)),
             "Everything is too small: the angle of view is too wide.",
@@ -20,15 +25,17 @@ internal static class ImagePlaneMistakes
             "h = 2 tan(fovY / 2).")
             .Or("h = tan(fovY)", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY) / 2))
             .Or("h = tan(fovY) / 2", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY) / 4))
-            .Or("h = 2 tan(fovY / 4): the angle is halved twice", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY / 2))),
+            .Or("h = 2 tan(fovY / 4): the angle is halved twice", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY / 2)))
+            .Or(OneSide("tan(fovY)", a => Math.Tan(2 * a)))
+            .Or(OneSide("tan(fovY / 4)", a => Math.Tan(a / 2))),
         new Mistake("no2", Concerns.Camera, Slides.Camera, "h = tan(fovY / 2): half of the plane's height",
             lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / 2),
             "Everything is twice as large as it should be.",
             "tan(fovY / 2) reaches from the axis to the upper edge. How far is it from edge to edge?",
             "h = 2 tan(fovY / 2).")
             .Or("h = 4 tan(fovY / 2)", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) * 2))
-            .Or("h = tan(fovY / 2), while w is right", lab => Stretch(lab, 1, 0.5))
-            .Or("w = tan(fovY / 2) · width / height, while h is right", lab => Stretch(lab, 0.5, 1))
+            .Or(OneSide("tan(fovY / 2) without the 2", a => Math.Tan(a) / 2))
+            .Or(OneSide("4 tan(fovY / 2)", a => 2 * Math.Tan(a)))
             .Or("h = tan(fovY / 2) / 2", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / 4)),
         new Mistake("no-tan", Concerns.Camera, Slides.Camera, "the tangent is forgotten: h = 2 · fovY / 2",
             lab => lab.Tan.Is(a => a),
@@ -39,7 +46,9 @@ internal static class ImagePlaneMistakes
             .Or("the cosine for the tangent", lab => lab.Tan.Is(Math.Cos))
             .Or("the arc tangent for the tangent", lab => lab.Tan.Is(Math.Atan))
             .Or("1 / tan", lab => lab.Tan.Is(a => 1 / Math.Tan(a)))
-            .Or("h = 2 · fovY", lab => lab.Tan.Is(a => 2 * a)),
+            .Or("h = 2 · fovY", lab => lab.Tan.Is(a => 2 * a))
+            .Or("h = fovY, in degrees", lab => lab.Tan.Is(a => a * 180 / Math.PI))
+            .Or(OneSide("fovY / 2, in radians", a => a)),
         new Mistake("aspect-inv", Concerns.Camera, Slides.Camera, "w = h · height / width",
             lab => lab.PlaneWidth.Is(h => h * lab.Camera.Height / lab.Camera.Width),
             "Spheres are ellipses, far too long along the picture's longer side.",
@@ -69,6 +78,17 @@ internal static class ImagePlaneMistakes
                 lab => lab.PlaneWidth.Is(_ => 2 * lab.Tan.Do(lab.Camera.FovY * lab.Wide * Math.PI / 180 / 2)))
             .Or("h = 2 tan(fovY · height / width / 2)", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * lab.Tall))),
     ];
+
+    /// <summary>Another formula for h alone, and for w alone.</summary>
+    /// <param name="what">The formula in words.</param>
+    /// <param name="tangent">Half of fovY, in radians → what stands for its tangent.</param>
+    private static IEnumerable<(string, Action<Lab>)> OneSide(string what, Func<double, double> tangent)
+    {
+        yield return ($"h alone: {what}", lab => Stretch(lab, 1, Times(lab.Camera.FovY * Math.PI / 360)));
+        yield return ($"w alone: {what}", lab => Stretch(lab, Times(lab.Camera.FovY * Math.PI / 360), 1));
+
+        double Times(double half) => tangent(half) / Math.Tan(half);
+    }
 
     /// <summary>w and h, each so many times what they are.</summary>
     private static void Stretch(Lab lab, double w, double h)

@@ -225,6 +225,9 @@ internal sealed class Lab
     /// <summary>That → the same, not below 0.</summary>
     public Step<Func<double, double>> Dark { get; } = new(attenuation => Math.Max(0, attenuation));
 
+    /// <summary>(attenuation, the model's colour) → the hit's colour.</summary>
+    public Step<Func<double, Color, Color>> Lit { get; } = new((attenuation, color) => attenuation * color);
+
     /// <summary>A channel → the same between 0 and 1.</summary>
     public Step<Func<double, double>> Clamp { get; } = new(channel => Math.Min(Math.Max(channel, 0), 1));
 
@@ -299,7 +302,7 @@ internal sealed class Lab
             if (Replaces.Do(t, best)) best = t;
         }
         if (hit is null || !Kept.Do(best, Depth.Do(best, d))) return Bytes(Scene.Background);
-        return Bytes(Dark.Do(Attenuation.Do(Distance.Do(best, d))) * hit.Color);
+        return Bytes(Lit.Do(Dark.Do(Attenuation.Do(Distance.Do(best, d))), hit.Color));
     }
 
     private double? HitOf(Model model, Vector3 d) => model switch

@@ -12,6 +12,8 @@ internal static class SphereMistakes
             "Spheres have a wrong size, or a wrong depth; one of radius 1 is right.",
             "Are both sides of your equation squares?",
             "thc = √(R² − D²).")
+            .Or("sphere: 2 R where R² is meant", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = Math.Sqrt(2 * s.Radius) }, d)))
+            .Or("sphere: R⁴ where R² is meant", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius * s.Radius }, d)))
             .Or("sphere: D² > R asked where D² > R² is meant", Sphere((R, tca, D2) => D2 > R ? None : Roots(tca, Math.Sqrt(R * R - D2))))
             .Or("sphere: D > R² asked where D > R is meant", Sphere((R, tca, D2) => D2 > R * R * R * R ? None : Roots(tca, Math.Sqrt(R * R - D2)))),
         new Mistake("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
@@ -50,6 +52,8 @@ internal static class SphereMistakes
             .Or("sphere: b = d·(P − C) without its 2, while the discriminant is b² − 4 a c",
                 Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - 4 * a * c)))
             .Or("sphere: discriminant b² − 2 a c", Quadratic((a, b, c) => Roots(a, b, b * b - 2 * a * c)))
+            .Or("sphere: discriminant 2 b − 4 a c", Quadratic((a, b, c) => Roots(a, b, 2 * b - 4 * a * c)))
+            .Or("sphere: b = d·(P − C) without its 2, and √(b² − c) / 2", Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - c)))
             .Or("sphere: discriminant b − 4 a c", Quadratic((a, b, c) => Roots(a, b, b - 4 * a * c)))
             .Or("sphere: discriminant b² + 4 a c", Quadratic((a, b, c) => Roots(a, b, b * b + 4 * a * c)))
             .Or("sphere: divided by a where 2a is meant", Quadratic((a, b, c) => Roots(a / 2, b, b * b - 4 * a * c)))
@@ -70,6 +74,8 @@ internal static class SphereMistakes
             .Or("sphere: thc = √(R² − D⁴)", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - D2 * D2))))
             .Or("sphere: D² = |L| − tca²", Distances((L2, tca) => Math.Sqrt(L2) - tca * tca))
             .Or("sphere: D² = L² − tca", Distances((L2, tca) => L2 - tca))
+            .Or("sphere: D = |L| − tca", Distances((L2, tca) => (Math.Sqrt(L2) - tca) * (Math.Sqrt(L2) - tca)))
+            .Or("sphere: D = |L|", Distances((L2, _) => L2))
             .Or("sphere: D² = |L| − tca", Distances((L2, tca) => Math.Sqrt(L2) - tca)),
         new Mistake("thc-nosqrt", Concerns.Spheres, Slides.Sphere, "sphere: thc = R² − D² without the root",
             Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R * R - D2)),

@@ -19,7 +19,9 @@ internal static class SurfaceMistakes
             .Or("plane: (Q − P)·n / |d·n|", PlaneReaders.At(Concerns.Planes, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
             .Or("plane and circle: (Q − P)·n / |d·n|",
                 PlaneReaders.At(Concerns.Planes | Concerns.Circles, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
-            .Or("box: (P − B0) / d and (P − B1) / d", lab => lab.Box.Becomes(cross => (box, d) => cross(box, -d))),
+            .Or("box: (P − B0) / d and (P − B1) / d", lab => lab.Box.Becomes(cross => (box, d) => cross(box, -d)))
+            .Or("box: (B0 + P) / d and (B1 + P) / d",
+                lab => lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + 2 * lab.P, box.Max + 2 * lab.P), d))),
         new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.RayPlane,
             "plane: left out where n points away from the camera (d·n ≥ 0)",
             Cull(1, 0),
@@ -40,6 +42,8 @@ internal static class SurfaceMistakes
             "Circles have a wrong size; one of radius 1 is right.",
             "Are both sides of your comparison lengths, or both squares?",
             "|X − C| ≤ R, or |X − C|² ≤ R².")
+            .Or("circle: |X − C|² ≤ 2 R",
+                lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = Math.Sqrt(2 * circle.Radius) }, d)))
             .Or("circle: |X − C| ≤ R²",
                 lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = circle.Radius * circle.Radius }, d))),
         new Mistake("circ-inf", Concerns.Circles, Slides.Circle, "circle: the radius is not asked",
@@ -66,6 +70,7 @@ internal static class SurfaceMistakes
             .Or(ThirdSide("u + v ≤ 2", (u, v) => u + v <= 2))
             .Or(ThirdSide("u − v ≤ 1", (u, v) => u - v <= 1))
             .Or(ThirdSide("v − u ≤ 1", (u, v) => v - u <= 1))
+            .Or(ThirdSide("u + v ≥ 1", (u, v) => u + v >= 1))
             .Or(ThirdSide("u v ≤ 1", (u, v) => u * v <= 1)),
         new Mistake("tri-cull", Concerns.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
             lab => lab.Triangle.Becomes(cross => (triangle, d) => d * NormalOf(lab, triangle) >= 0 ? None : cross(triangle, d)),
@@ -80,6 +85,14 @@ internal static class SurfaceMistakes
             "Which conditions draw the two sides at A?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1.")
             .Or("triangle: nothing asked of u and v: an endless plane", TriangleWhere((_, _) => true))
+            .Or("triangle: u ≤ 0 where u ≥ 0 is meant", TriangleWhere((u, v) => u <= 0 && v >= 0 && u + v <= 1))
+            .Or("triangle: v ≤ 0 where v ≥ 0 is meant", TriangleWhere((u, v) => u >= 0 && v <= 0 && u + v <= 1))
+            .Or("triangle: u ≥ 0 or v ≥ 0 where both are meant", TriangleWhere((u, v) => (u >= 0 || v >= 0) && u + v <= 1))
+            .Or("triangle: u ≥ 0 and v ≥ 0, or u + v ≤ 1", TriangleWhere((u, v) => (u >= 0 && v >= 0) || u + v <= 1))
+            .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
+            .Or("triangle: u ≤ 1 and v ≤ 1, nothing else", TriangleWhere((u, v) => u <= 1 && v <= 1))
+            .Or("triangle: 0 ≤ u ≤ 1, nothing of v", TriangleWhere((u, _) => u is >= 0 and <= 1))
+            .Or("triangle: 0 ≤ v ≤ 1, nothing of u", TriangleWhere((_, v) => v is >= 0 and <= 1))
             .Or("triangle: no u ≥ 0", TriangleWhere((u, v) => v >= 0 && u + v <= 1))
             .Or("triangle: no v ≥ 0", TriangleWhere((u, v) => u >= 0 && u + v <= 1))
             .Or("triangle: u ≤ 1, v ≤ 1, u + v ≤ 1", TriangleWhere((u, v) => u <= 1 && v <= 1 && u + v <= 1)),

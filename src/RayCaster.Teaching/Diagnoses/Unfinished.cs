@@ -58,8 +58,9 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
         string[] missing = [.. kinds.Where((kind, i) => expected[i] > 0 && seen[i] <= expected[i] / 500 && !done.Contains(kind))];
         string[] doubtful = [.. kinds.Where((kind, i) => expected[i] == 0 && !done.Contains(kind))];
         return from more in Subsets(doubtful)
-               where missing.Length + more.Length is var count && count > 0 && count < kinds.Length
+               where missing.Length + more.Length < kinds.Length
                from rest in Rest(done)
+               where missing.Length + more.Length > 0 || rest.Contains(Clipping)
                select new Unfinished([.. missing, .. more, .. rest]);
     }
 

@@ -20,6 +20,7 @@ internal static class VectorMistakes
             "The plane lies at distance |W| before the camera. How long is your W?",
             "W = −(T − P) normalised.")
             .Or("W is not normalised in d alone", LengthenW)
+            .Or("W is not normalised in V alone", lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.T - lab.P) * V(w, u)))
             .Or("W is not normalised, but V is", lab =>
             {
                 LengthenW(lab);
@@ -75,6 +76,25 @@ internal static class VectorMistakes
                 lab.Norm.Is(a => a * a);
                 AssumeUnitLength(lab);
             })
+            .Or("W is divided by x² + y² + z²", lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p)))
+            .Or("W is divided by x² + y² + z², but V is of length 1", lab =>
+            {
+                lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p));
+                lab.AxisV.Becomes(V => (w, u) => lab.Unit(V(w, u)));
+            })
+            .Or("U is divided by x² + y² + z²",
+                lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
+            .Or("d is divided by x² + y² + z²", lab =>
+            {
+                lab.Direction.Is(d => d / (d * d));
+                AllowAnyLength(lab);
+            })
+            .Or("d is divided by x² + y² + z², and the sphere takes d·d = 1", lab =>
+            {
+                lab.Direction.Is(d => d / (d * d));
+                AssumeUnitLength(lab);
+            })
+            .Or("the light reaches (T − P)²", lab => lab.Reach.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
             .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
             .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
         new Mistake("cross-y", Concerns.Camera, Slides.Vectors, "the cross product's y has the wrong sign",
