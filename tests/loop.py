@@ -34,12 +34,12 @@ def copy_project(target):
 
 def write_empty_projects(folder):
     packages = "".join(re.findall(r"<PackageReference [^>]*/>", (ROOT / "tests/Directory.Build.props").read_text()))
-    for name, project in (("console", CONSOLE), ("xunit", XUNIT.format(packages=packages))):
+    for name, project in (("console", CONSOLE), ("tests", XUNIT.format(packages=packages))):
         (folder / name).mkdir(parents=True)
         (folder / name / f"{name}.csproj").write_text(project)
         shutil.copyfile(ROOT / "global.json", folder / name / "global.json")
     edit_console(folder / "console", 0)
-    edit_xunit(folder / "xunit", 0)
+    edit_xunit(folder / "tests", 0)
 
 
 def edit_console(folder, i):
@@ -83,7 +83,7 @@ def main():
 
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        clone, console, xunit = folder / "clone", folder / "console", folder / "xunit"
+        clone, console, xunit = folder / "clone", folder / "console", folder / "tests"
         write_empty_projects(folder)
         seconds(console, *empty_run)  # the compiler's server is there from now on
         seconds(xunit, *empty_test)

@@ -61,13 +61,9 @@ internal sealed class CompareCommand : Command
 
         var comparison = new PictureComparison(mine, reference, scene, threads);
         if (output is not null) PictureOutput.Write(output, SideBySide.Draw(comparison), format, cancellation);
-        if (line.Has(Option.Json))
-        {
-            using var json = new MemoryStream();
-            ComparisonJson.Write(json, comparison, mineFile, referenceFile);
-            StandardFile.WriteOutput(System.Text.Encoding.UTF8.GetString(json.ToArray()));
-        }
-        else StandardFile.WriteOutput(Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
+        StandardFile.WriteOutput(line.Has(Option.Json)
+            ? ComparisonJson.Of(comparison, mineFile, referenceFile)
+            : Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
         return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
     }
 

@@ -55,8 +55,7 @@ internal sealed class DiagnoseCommand : Command
         var operands = line.Exactly("<scene>", "<mine>");
         var (scenePath, picturePath) = (operands[0], operands[1]);
         var level = Level(line[Option.Hint]);
-        string[] parts = [.. NameList.Shapes, Diagnosis.Attenuation, Diagnosis.Clipping];
-        string[] done = line[Option.Done] is { } named ? NameList.Of(named, ',', parts, "a part of a program") : [];
+        string[] done = line[Option.Done] is { } named ? NameList.Of(named, ',', Diagnosis.Parts, "a part of a program") : [];
         var (threads, json) = (line.ThreadCount(), line.Has(Option.Json));
         if (SceneInput.Read(scenePath, null, threads, quiet: true, cancellation) is not { } scene)
         {

@@ -19,12 +19,13 @@ internal sealed class LiveServer : IAsyncDisposable
     private readonly CancellationTokenSource end = new();
     private readonly Gate gate;
     private readonly WebApplication app;
+    private byte[]? errors; // what the pages were told last of the code
     private int warmed;
 
     private LiveServer(LiveScene scene, MinePicture mine, int port, bool hasVersion6)
     {
         (Scene, Mine, Port) = (scene, mine, port);
-        gate = new(port, Gate.NewToken());
+        gate = new(port, WatchLine.Secret is { } secret ? Convert.ToHexStringLower(secret) : Gate.NewToken());
         var builder = WebApplication.CreateEmptyBuilder(new());
         builder.WebHost.UseKestrelCore().ConfigureKestrel(kestrel =>
         {
@@ -38,7 +39,6 @@ internal sealed class LiveServer : IAsyncDisposable
         app.Run(AnswerAsync);
         Scene.Changed += WakeAll;
         Mine.Changed += LookAtMine;
-        CodeWatch.Changed += Scene.Redraw;
     }
 
     /// <summary>The scene that is shown.</summary>
@@ -61,7 +61,9 @@ internal sealed class LiveServer : IAsyncDisposable
     /// <exception cref="ProblemException">The port is taken.</exception>
     public static async Task<LiveServer> StartAsync(LiveOptions options)
     {
-        var (port, hasVersion6) = FreePort(options.Port);
+        var (port, hasVersion6) = WatchLine.Secret is [var high, var low, ..] && options.Port == 0
+            ? TryPort(49152 + (high << 8 | low) % 16384) ?? FreePort(0) // the same after a restart, so that open pages find it
+            : FreePort(options.Port);
         var server = new LiveServer(new(options.Scene), new(options.Mine), port, hasVersion6);
         try
         {
@@ -73,6 +75,7 @@ internal sealed class LiveServer : IAsyncDisposable
         }
         _ = server.Scene.FollowAsync();
         _ = server.Mine.FollowAsync();
+        _ = WatchLine.FollowAsync(server.TellErrors, server.end.Token);
         return server;
     }
 
@@ -84,11 +87,22 @@ internal sealed class LiveServer : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        CodeWatch.Changed -= Scene.Redraw;
         await end.CancelAsync();
         Scene.Dispose();
         Mine.Dispose();
         await app.DisposeAsync();
+    }
+
+    private static (int Port, bool HasVersion6)? TryPort(int wanted)
+    {
+        try
+        {
+            return FreePort(wanted);
+        }
+        catch (ProblemException)
+        {
+            return null;
+        }
     }
 
     /// <summary>A port that is free on both of the machine's own addresses; without version 6 of the protocol on one.</summary>
@@ -153,6 +167,7 @@ internal sealed class LiveServer : IAsyncDisposable
         using var socket = await context.WebSockets.AcceptWebSocketAsync();
         var tab = new Tab(socket, this, end.Token);
         tabs.TryAdd(tab, 0);
+        if (errors is { } known) tab.Post(known);
         try
         {
             await tab.RunAsync();
@@ -193,6 +208,13 @@ internal sealed class LiveServer : IAsyncDisposable
     {
         var name = string.Concat(Path.GetFileName(text.Replace('\\', '/')).Where(c => !char.IsControl(c)));
         return name.Length == 0 ? "your picture" : name[..Math.Min(100, name.Length)];
+    }
+
+    /// <summary>Tells all pages what keeps the code from being built.</summary>
+    internal void TellErrors(IReadOnlyList<CodeError> found)
+    {
+        errors = Messages.OfCode(found);
+        foreach (var tab in tabs.Keys) tab.Post(errors);
     }
 
     private void WakeAll()

@@ -48,6 +48,19 @@ internal static class Messages
         });
     }
 
+    /// <summary>What keeps the code from being built.</summary>
+    public static byte[] OfCode(IReadOnlyList<CodeError> errors) => Of(new
+    {
+        Kind = "code",
+        Errors = errors.Take(SceneReading.Printed).Select(error => new
+        {
+            error.Message,
+            Place = $"{error.File}:{error.Line}:{error.Column}",
+            Link = LinkTo(error.File, error.Line, error.Column),
+        }),
+        More = Math.Max(0, errors.Count - SceneReading.Printed),
+    });
+
     /// <summary>A camera as it stands in a scene file.</summary>
     public static byte[] OfCamera(Camera camera, bool isMoved) => Of(new
     {
@@ -112,9 +125,12 @@ internal static class Messages
         problem.Message,
         problem.Excerpt,
         Place = problem.Line > 0 ? $"{problem.File}:{problem.Line}:{problem.Column}" : problem.File,
-        Link = $"vscode://file/{Uri.EscapeDataString(live.FullPath.Replace('\\', '/').TrimStart('/')).Replace("%2F", "/")}" +
-            (problem.Line > 0 ? $":{problem.Line}:{problem.Column}" : ""),
+        Link = LinkTo(live.FullPath, problem.Line, problem.Column),
     };
+
+    /// <summary>Opens VS Code at a place.</summary>
+    private static string LinkTo(string file, int line, int column) =>
+        $"vscode://file/{Uri.EscapeDataString(file.Replace('\\', '/').TrimStart('/')).Replace("%2F", "/")}{(line > 0 ? $":{line}:{column}" : "")}";
 
     private static string TypeOf(Model model) => model.GetType() is { IsGenericType: true } type
         ? type.GetGenericArguments()[0].Name.ToLowerInvariant()

@@ -25,7 +25,7 @@ internal static class Program
                 throw new ProblemException(SceneReader.Read(options.Scene).Report().TrimEnd());
             var server = await LiveServer.StartAsync(options);
             Console.Out.WriteLine(Greeting(options, server));
-            if (options.OpensBrowser) Open(server.Address);
+            if (options.OpensBrowser && !WatchLine.IsRestart) Open(server.Address);
             return await end.Task;
         }
         catch (ProblemException problem)

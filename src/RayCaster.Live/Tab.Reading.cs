@@ -129,7 +129,13 @@ internal sealed partial class Tab
     {
         var camera = default(Camera);
         if (value.ValueKind != JsonValueKind.Null && server.Scene.State.Scene is { } scene)
-            camera = scene.Camera.WithView(VectorOf(value.GetProperty("position")), VectorOf(value.GetProperty("target")), scene.Camera.FovY);
+        {
+            camera = new(scene.Camera.Parameters with
+            {
+                Position = VectorOf(value.GetProperty("position")),
+                Target = VectorOf(value.GetProperty("target")),
+            });
+        }
         view = view with { Camera = camera?.Flaw is null ? camera : null };
         outdated.Cancel();
         Rest();

@@ -175,18 +175,4 @@ public sealed class CompareTests : IDisposable
         Assert.Contains("--scene <file>", app.OutputText);
         Assert.All(app.OutputText.Split('\n'), line => Assert.InRange(line.Length, 0, 95));
     }
-
-    [Fact]
-    public void WhatIsReadIsNotReplaced()
-    {
-        app.Run(Path.Combine(RayCasterProcess.Scenes, "room.json"), "-s", "8x8", "-o", "mine.png", "-q");
-        var before = File.ReadAllBytes(app.PathOf("mine.png"));
-        foreach (var arguments in (string[][])[["compare", "mine.png", "mine.png"], ["animate", "mine.png"], ["sheet", "mine.png"]])
-        {
-            app.Run([.. arguments, "-o", "mine.png"]);
-            Assert.Equal(2, app.ExitCode);
-            Assert.StartsWith("raycaster: mine.png is one of the files that are read", app.Error);
-        }
-        Assert.Equal(before, File.ReadAllBytes(app.PathOf("mine.png")));
-    }
 }

@@ -153,7 +153,7 @@ public sealed class DrawTests : IDisposable
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there
         using var process = raycaster.Start("-");
-        Thread.Sleep(500); // it reads by now; where it does not, the runtime's own answer to the signal is the same
+        Thread.Sleep(300); // it reads by now; where it does not, the runtime's own answer to the signal is the same
         Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
     }
 

@@ -53,7 +53,7 @@ public sealed class MarkTests : IDisposable
     public void HostileProgramsAreRows()
     {
         if (OperatingSystem.IsWindows()) return; // the programs are scripts of a POSIX shell
-        WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], "timeLimit": 2, "outputLimit": 1, """);
+        WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], "timeLimit": 1, "outputLimit": 1, """);
         void Write(string student, string script) => raycaster.Write(Folder(student) + "draw.sh", script);
         Write("crashes", "kill -SEGV $$");
         Write("hangs", "sleep 100");
@@ -70,13 +70,13 @@ public sealed class MarkTests : IDisposable
         string[] rows = Table();
         Assert.Equal(10, rows.Length);
         Assert.Contains("crashed", rows[1]);
-        Assert.Contains("out of time after 2 s", rows[2]);
+        Assert.Contains("out of time after 1 s", rows[2]);
         Assert.Contains("it is a JPEG", rows[3]);
         Assert.Contains("a link to another file", rows[4]);
         Assert.Contains("it wrote no picture; it printed: I cannot", rows[5]);
         Assert.Contains("the picture file is empty", rows[6]);
         Assert.Matches("printed more than 1 MB|out of time", rows[7]);
-        Assert.Matches("right,5,0,5|out of time", rows[8]); // two seconds are little on a machine that has much else to do
+        Assert.Matches("right,5,0,5|out of time", rows[8]); // a second is little on a machine that has much else to do
         Assert.Matches("the picture is 7 x 5, not 60 x 40 pixels|out of time", rows[9]);
     }
 

@@ -27,8 +27,8 @@ public sealed class PartTests : IDisposable
     [Fact]
     public void TheKthOfNPartsAreAllLines()
     {
-        for (var k = 1; k <= 7; k++) raycaster.Run(Room, "-s", "10x100", "--rows", $"{k}/7");
-        Assert.Equal(["room.part-0000-0013.png", "room.part-0014-0027.png"], raycaster.Files.Take(2));
+        for (var k = 1; k <= 3; k++) raycaster.Run(Room, "-s", "10x100", "--rows", $"{k}/3");
+        Assert.Equal(["room.part-0000-0032.png", "room.part-0033-0065.png", "room.part-0066-0099.png"], raycaster.Files);
         raycaster.Run("stitch", ".", "--missing");
         Assert.Equal((0, "", ""), (raycaster.ExitCode, raycaster.OutputText, raycaster.Error));
     }
@@ -36,7 +36,6 @@ public sealed class PartTests : IDisposable
     [Theory]
     [InlineData("room.json")]
     [InlineData("mesh.json")]
-    [InlineData("inside-sphere.json")]
     public void StitchedPartsAreThePictureThatIsDrawnInOneGo(string scene)
     {
         var path = Path.Combine(RayCasterProcess.Scenes, scene);

@@ -137,14 +137,29 @@ public class FollowingTests
     }
 
     [Fact]
-    public async Task AChangedFormulaIsDrawnAtOnce()
+    public async Task TheCompilersErrorsComeToAllPagesAndToThoseThatAreOpenedLater()
     {
         await using var page = await LivePage.OpenAsync();
         await page.ConnectAsync();
-        var before = await page.FrameAsync();
-        CodeWatch.UpdateApplication([]); // as the runtime calls it
-        Assert.Equal(before.Version + 1, (await page.FrameAsync()).Version);
+        page.Server.TellErrors(WatchLine.Parse(
+            """{"type":"ReportDiagnostics","diagnostics":["/course/Sphere (1).cs(27,56): error CS1002: ; expected"]}""")!);
+        await ToldAsync();
+        await page.ConnectAsync();
+        await ToldAsync();
+        page.Server.TellErrors(WatchLine.Parse("""{"type":"ReportDiagnostics","diagnostics":["Restarting application to apply changes ..."]}""")!);
+        Assert.Equal(0, (await page.MessageAsync("code")).GetProperty("errors").GetArrayLength());
+
+        async Task ToldAsync()
+        {
+            var error = (await page.MessageAsync("code")).GetProperty("errors")[0];
+            Assert.Equal("CS1002: ; expected", error.GetProperty("message").GetString());
+            Assert.Equal("/course/Sphere (1).cs:27:56", error.GetProperty("place").GetString());
+            Assert.Equal("vscode://file/course/Sphere%20%281%29.cs:27:56", error.GetProperty("link").GetString());
+        }
     }
+
+    [Fact]
+    public void OtherMessagesOfTheWatchTellNoErrors() => Assert.Null(WatchLine.Parse("""{"type":"RefreshBrowser"}"""));
 
     [Fact]
     public async Task AWatchedPictureIsComparedEachTimeItIsWritten()

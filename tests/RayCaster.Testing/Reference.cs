@@ -31,9 +31,8 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
     /// <summary>The same with rays half a pixel farther up and to the right, or back.</summary>
     public static Scene HalfAPixelAway(Scene scene)
     {
-        var c = scene.Camera;
-        var other = c.Sample == Sample.Corner ? Sample.Center : Sample.Corner;
-        return scene with { Camera = new Camera(c.Position, c.Target, c.Up, c.FovY, c.Width, c.Height, c.ZNear, c.ZFar, c.Bias, c.Clip, other) };
+        var other = scene.Camera.Sample == Sample.Corner ? Sample.Center : Sample.Corner;
+        return scene with { Camera = new(scene.Camera.Parameters with { Sample = other }) };
     }
 
     /// <summary>Reads a reference by its name, which is the scene's path under scenes without the extension.</summary>

@@ -7,7 +7,7 @@ namespace RayCaster.Engine;
 /// </summary>
 /// <remarks>
 /// What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
-/// (<see cref="Bounds.PaddedFrom"/>), and what
+/// (<see cref="BoundsExtensions.PaddedFrom"/>), and what
 /// the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.
 /// </remarks>
 internal sealed class ScreenBounds

@@ -42,8 +42,8 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
 
     /// <summary>Where in a picture something may show that lies in bounds; nowhere if that is behind the camera.</summary>
     /// <remarks>
-    /// The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="Bounds.PaddedFrom"/>). The projection
-    /// itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.
+    /// The bounds are padded by far more than a formula's rounding can move a hit sideways
+    /// (<see cref="BoundsExtensions.PaddedFrom"/>). The projection itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.
     /// </remarks>
     /// <param name="padded">The bounds, seen from the camera and padded.</param>
     /// <param name="camera">The camera.</param>

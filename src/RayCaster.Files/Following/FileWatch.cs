@@ -1,8 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// Tells when one of some files may have changed. The system's notices come within a millisecond; where there are none, as on many network drives,
-/// the files' times and lengths are compared a few times a second.
+/// Reports that one of some files may have changed. The system's notices come within a millisecond. Where there are none, as on many network
+/// drives, times and lengths of the files are compared a few times a second.
 /// </summary>
 public sealed class FileWatch : IDisposable
 {
@@ -16,8 +16,7 @@ public sealed class FileWatch : IDisposable
     /// <summary>Watches nothing yet.</summary>
     public FileWatch() => poll = new(_ => Poll(), null, PollMilliseconds, PollMilliseconds);
 
-    /// <summary>Says which files are watched from now on.</summary>
-    /// <param name="files">Full paths.</param>
+    /// <summary>Chooses the files to watch from now on, by their full paths.</summary>
     public void Watch(IEnumerable<string> files)
     {
         lock (folders)
@@ -38,7 +37,7 @@ public sealed class FileWatch : IDisposable
     /// <summary>Waits until a file may have changed.</summary>
     public Task WaitAsync(CancellationToken cancellation) => changes.WaitAsync(cancellation);
 
-    /// <summary>Waits for so long at most; tells whether a file may have changed.</summary>
+    /// <summary>Waits until a file may have changed, or until the time is over; false in that case.</summary>
     public Task<bool> WaitAsync(int milliseconds, CancellationToken cancellation) => changes.WaitAsync(milliseconds, cancellation);
 
     /// <inheritdoc/>
@@ -49,7 +48,7 @@ public sealed class FileWatch : IDisposable
             foreach (var watcher in folders.Values) watcher?.Dispose();
     }
 
-    /// <summary>A folder that cannot be watched is only polled.</summary>
+    /// <summary>Watches a folder; null where the system cannot, and only <see cref="Poll"/> sees changes.</summary>
     private FileSystemWatcher? Open(string folder)
     {
         try
@@ -100,7 +99,7 @@ public sealed class FileWatch : IDisposable
             if (changes.CurrentCount == 0) changes.Release();
     }
 
-    /// <summary>A file that is not there has length −1.</summary>
+    /// <summary>When a file was written, and its length: −1 for a file that is not there.</summary>
     public static (DateTime Time, long Length) StampOf(string file)
     {
         var info = new FileInfo(file);

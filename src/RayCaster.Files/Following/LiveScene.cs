@@ -1,24 +1,23 @@
 namespace RayCaster.Files;
 
-/// <summary>What a scene file says now, and the last scene that it said without a mistake.</summary>
+/// <summary>A scene file as it is now, and the last scene that it described without an error.</summary>
 /// <param name="Version">Counts the changes, from 1.</param>
-/// <param name="Text">The file's bytes as they were read; empty where it could not be read.</param>
-/// <param name="Problems">What is wrong with the file now.</param>
+/// <param name="Text">The file's bytes; empty if it could not be read.</param>
+/// <param name="Problems">The mistakes in the file now.</param>
 /// <param name="Scene">The last good scene; null if there was none.</param>
-/// <param name="IsGood">Whether that is what the file says now.</param>
+/// <param name="IsGood">Whether the file describes that scene now.</param>
 public sealed record SceneState(int Version, byte[] Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood);
 
-/// <summary>A scene file and the meshes that it names, read again whenever one of them is saved.</summary>
+/// <summary>Reads a scene file again whenever it, or a mesh that it names, is saved.</summary>
 public sealed class LiveScene : IDisposable
 {
     /// <summary>
-    /// How long a file must be broken before that is said: an editor may be in the middle of saving it. One that is empty or gone
-    /// is most likely about to be written.
+    /// How long a file must be broken before it is reported: an editor may be saving it. A file that is empty or missing is most likely about to
+    /// be written.
     /// </summary>
     private const int PatienceMilliseconds = 150, PatienceWithNothing = 600;
 
     private readonly FileWatch watch = new();
-    private readonly string folder;
     private readonly CancellationTokenSource end = new();
     private CancellationTokenSource outdated = new();
     private (DateTime, long)[] stamps = []; // of the meshes that are shown
@@ -28,7 +27,6 @@ public sealed class LiveScene : IDisposable
     public LiveScene(string path)
     {
         (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));
-        folder = System.IO.Path.GetDirectoryName(path) ?? "";
         watch.Watch([FullPath]);
         State = Next(Read(out var text), text);
     }
@@ -42,7 +40,7 @@ public sealed class LiveScene : IDisposable
     /// <summary>What the file says now.</summary>
     public SceneState State { get; private set; }
 
-    /// <summary>Cancelled as soon as the file says something else.</summary>
+    /// <summary>Cancelled as soon as the file changes.</summary>
     public CancellationToken Outdated => outdated.Token;
 
     /// <summary>Called after each change.</summary>
@@ -54,28 +52,25 @@ public sealed class LiveScene : IDisposable
         while (!end.IsCancellationRequested)
         {
             await watch.WaitAsync(end.Token);
-            await Task.Delay(1, end.Token); // most editors' second notice is there by then
+            await Task.Delay(1, end.Token); // most editors cause a second notice within this time
             var (reading, text) = await ReadPatiently();
             var isSame = text.AsSpan().SequenceEqual(State.Text) && reading.Scene is not null == State.IsGood;
-            if (isSame && stamps.AsSpan().SequenceEqual(StampsOf(reading))) continue; // a save tells of itself twice
+            if (isSame && stamps.AsSpan().SequenceEqual(StampsOf(reading))) continue; // a second notice of the same save
             Publish(Next(reading, text));
         }
     }
 
-    /// <summary>Draws again what has not changed: the code has.</summary>
-    public void Redraw() => Publish(State with { Version = State.Version + 1 });
-
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
     /// <param name="camera">The camera.</param>
-    /// <param name="version">Which state of the file the user has seen.</param>
-    /// <returns>Null if it is done; otherwise why not: the file says something else by now, or is broken.</returns>
+    /// <param name="version">The version that the user has seen.</param>
+    /// <returns>Null if it is done; otherwise the reason: the file has changed since, or is broken.</returns>
     /// <exception cref="PictureFileException">It cannot be written.</exception>
     public string? WriteCamera(Camera camera, int version)
     {
         var state = State;
-        if (!state.IsGood) return "the scene file has a mistake: mend it first";
+        if (!state.IsGood) return "the scene file has a mistake: correct it first";
         if (state.Version != version || !File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text))
-            return "the scene file was changed at the same time: look at it, then write again";
+            return "the scene file was changed at the same time: look at it, then try again";
         using var file = new ReplacedFile(File.ResolveLinkTarget(FullPath, returnFinalTarget: true)?.FullName ?? FullPath);
         file.Write(CameraEdit.Write(state.Text, camera));
         file.Commit();
@@ -96,7 +91,7 @@ public sealed class LiveScene : IDisposable
         Changed?.Invoke();
     }
 
-    /// <summary>Reads until the file is good, or has been broken for a while without a change.</summary>
+    /// <summary>Reads until the file is good, or stays broken for a while.</summary>
     private async Task<(SceneReading, byte[])> ReadPatiently()
     {
         while (true)
@@ -119,21 +114,9 @@ public sealed class LiveScene : IDisposable
 
     private SceneReading Read(out byte[] text)
     {
-        try
-        {
-            using var file = new FileStream(FullPath, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
-            if (file.Length <= SceneReader.MostBytes)
-            {
-                text = new byte[file.Length];
-                file.ReadExactly(text);
-                return SceneReader.Parse(text, Path, folder);
-            }
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            // It is not there, or becomes shorter at this moment; the reader of files finds the words.
-        }
-        text = [];
-        return SceneReader.Read(Path);
+        var bytes = Array.Empty<byte>();
+        var reading = SceneReader.Read(Path, look: utf8 => bytes = utf8.ToArray());
+        text = bytes;
+        return reading;
     }
 }

@@ -3,19 +3,18 @@ using System.Buffers.Binary;
 namespace RayCaster.Files;
 
 /// <summary>
-/// Joins pictures into one animated PNG (APNG, part of the third edition of the PNG specification), which browsers play for ever and other
-/// programs show as the
-/// first picture. What is compressed in the pictures goes into it as it is, a piece at a time.
+/// Joins pictures into one animated PNG (APNG, part of the third edition of the PNG specification). Browsers play it in a loop; programs that
+/// do not know APNG show the first picture. The pictures' compressed data are copied, a piece at a time.
 /// </summary>
 public static class AnimationFile
 {
     private const int Piece = 1 << 20;
 
     /// <summary>Writes an animation.</summary>
-    /// <param name="output">Takes the file's bytes in order.</param>
-    /// <param name="frames">The pictures: PNG of red, green and blue, 8 bits each and not interlaced, as they are drawn here; all of one
+    /// <param name="output">Receives the file's bytes in order.</param>
+    /// <param name="frames">The pictures, as this program draws them: PNG of red, green and blue, 8 bits each, not interlaced; all of one
     /// size.</param>
-    /// <param name="framesPerSecond">How many are shown in a second, 1 to 1000.</param>
+    /// <param name="framesPerSecond">1 to 1000.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="PictureFileException">A picture cannot be read, is damaged, or of another size or kind.</exception>
     public static void Write(Stream output, IReadOnlyList<string> frames, int framesPerSecond, CancellationToken cancellation = default)
@@ -29,19 +28,17 @@ public static class AnimationFile
         foreach (var path in frames)
         {
             cancellation.ThrowIfCancellationRequested();
-            PictureFile.Open(path, file =>
+            PngReader.OpenFile(path, png =>
             {
-                using var open = file;
-                using var png = new PngReader(file, 3 * Camera.MaxPixels);
                 var header = png.Header;
                 Check(header, first ?? header, frames[0]);
-                if (png.IsAnimation) throw new PictureFileException("it is an animation already, of which only the first picture would be taken");
-                png.CheckLines(); // or the animation would hold what no program can show
+                if (png.IsAnimation) throw new PictureFileException("it is an animation, not a single picture");
+                png.CheckLines(); // otherwise the animation could contain damaged data
                 if (first is null)
                 {
                     output.Write(PngChunk.Signature);
                     PngChunk.Write(output, "IHDR"u8, header.ToBytes());
-                    PngChunk.Write(output, "acTL"u8, Numbers((uint)frames.Count, 0)); // 0: plays for ever
+                    PngChunk.Write(output, "acTL"u8, Numbers((uint)frames.Count, 0)); // 0: plays without end
                 }
                 PngChunk.Write(output, "fcTL"u8, Control(sequence++, header, framesPerSecond));
                 using var data = png.OpenCompressed();
@@ -65,13 +62,13 @@ public static class AnimationFile
     private static void Check(PngHeader header, PngHeader first, string firstPath)
     {
         if (header is not { BitDepth: 8, ColorType: PngHeader.Rgb, Interlaced: false })
-            throw new PictureFileException("it is another kind of PNG than is drawn here: red, green and blue, 8 bits each, not interlaced");
+            throw new PictureFileException("a frame must be a PNG of red, green and blue, 8 bits each, not interlaced, as this program draws it");
         if (header != first)
             throw new PictureFileException(
                 $"it has {header.Width} x {header.Height} pixels, but {firstPath} has {first.Width} x {first.Height}: frames are of one size");
     }
 
-    /// <summary>The chunk before a frame: the whole picture, shown for its time, in place of the one before.</summary>
+    /// <summary>The chunk before a frame: it covers the whole picture, replaces the frame before, and is shown for 1 / framesPerSecond.</summary>
     private static byte[] Control(uint sequence, PngHeader header, int framesPerSecond) =>
         [.. Numbers(sequence, (uint)header.Width, (uint)header.Height, 0, 0), 0, 1, (byte)(framesPerSecond >> 8), (byte)framesPerSecond, 0, 0];
 

@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>Where a moving camera is at one moment.</summary>
-/// <param name="Time">The moment, in any unit: only the ratio of the times between keys counts.</param>
+/// <param name="Time">The moment, in any unit: only the ratios of the times between keys matter.</param>
 /// <param name="Position">P.</param>
 /// <param name="Target">T.</param>
 /// <param name="FovY">The vertical field of view in degrees.</param>

@@ -1,14 +1,13 @@
 namespace RayCaster.Files;
 
-/// <summary>The way of a camera through two or more keys.</summary>
-/// <param name="keys">The keys, in the order of their times, of which no two are equal.</param>
-/// <param name="isSmooth">Whether it goes through the keys in a curve (Catmull–Rom), or straight from one to the next.</param>
+/// <summary>The path of a camera through two or more keys.</summary>
+/// <param name="keys">The keys in the order of their times; no two times are equal.</param>
+/// <param name="isSmooth">Whether the path is a curve through the keys (Catmull–Rom), or straight from each key to the next.</param>
 public sealed class CameraPath(IReadOnlyList<CameraKey> keys, bool isSmooth)
 {
     /// <summary>
-    /// The camera of a frame. The first frame is at the first key's time, the last at the last one's, the others evenly between them. Size, up
-    /// and all else
-    /// are those of the scene's camera.
+    /// The camera of a frame. The first frame is at the first key's time, the last frame at the last key's, the others evenly between them. All
+    /// but position, target and fovY is the scene camera's.
     /// </summary>
     /// <param name="camera">The scene's camera.</param>
     /// <param name="frame">The frame, from 0.</param>
@@ -17,7 +16,7 @@ public sealed class CameraPath(IReadOnlyList<CameraKey> keys, bool isSmooth)
     {
         var (first, last) = (keys[0].Time, keys[^1].Time);
         var key = At(frame == 0 ? first : frame == frames - 1 ? last : first + (last - first) * frame / (frames - 1));
-        return camera.WithView(key.Position, key.Target, key.FovY);
+        return new(camera.Parameters with { Position = key.Position, Target = key.Target, FovY = key.FovY });
     }
 
     /// <summary>Where the camera is at a time from the first key's to the last one's.</summary>
@@ -30,7 +29,7 @@ public sealed class CameraPath(IReadOnlyList<CameraKey> keys, bool isSmooth)
         var s = (time - from.Time) / duration;
         if (!isSmooth) return new(time, Mix(from.Position, to.Position), Mix(from.Target, to.Target), (1 - s) * from.FovY + s * to.FovY);
 
-        // The cubic that begins and ends at the keys, with the velocities there (Hermite).
+        // The cubic that has the keys' values and velocities at both ends (Hermite).
         var (atFrom, atTo) = (Velocity(i), Velocity(i + 1));
         var (a, b, c, d) = ((2 * s - 3) * s * s + 1, ((s - 2) * s + 1) * s * duration, (3 - 2 * s) * s * s, (s - 1) * s * s * duration);
         return new(time,
@@ -41,8 +40,8 @@ public sealed class CameraPath(IReadOnlyList<CameraKey> keys, bool isSmooth)
         Vector3 Mix(Vector3 p, Vector3 q) => (1 - s) * p + s * q;
     }
 
-    /// <summary>How fast all changes at a key: from the key before it to the one behind it, as in a Catmull–Rom curve; at the ends to the only
-    /// neighbour.</summary>
+    /// <summary>The change per time at a key: from the key before to the key after it, as in a Catmull–Rom curve; at an end, from or to the
+    /// only neighbour.</summary>
     private CameraKey Velocity(int i)
     {
         var (before, behind) = (keys[Math.Max(i - 1, 0)], keys[Math.Min(i + 1, keys.Count - 1)]);

@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// Reads a camera's way from a file (docs/frames.md): JSON as in a scene file, an array of <c>keys</c> and how to go from one to the next.
+/// Reads a camera's path from a file (docs/frames.md): JSON as in a scene file, with an array of <c>keys</c> and an interpolation.
 /// </summary>
 public static class CameraPathReader
 {
@@ -10,9 +10,9 @@ public static class CameraPathReader
 
     /// <summary>Reads a file.</summary>
     /// <param name="path">The file.</param>
-    /// <param name="camera">The scene's camera: a key that leaves target or fovY out has its.</param>
-    /// <param name="report">All that is wrong with the file, as text for people; empty if nothing is.</param>
-    /// <returns>The way, or null if there is an error.</returns>
+    /// <param name="camera">The scene's camera: its target and fovY are the defaults of a key.</param>
+    /// <param name="report">All mistakes in the file, as text for people; empty if there are none.</param>
+    /// <returns>The path, or null if there is an error.</returns>
     public static CameraPath? Read(string path, Camera camera, out string report)
     {
         report = "";
@@ -40,10 +40,10 @@ public static class CameraPathReader
     /// <param name="utf8">The text.</param>
     /// <param name="displayName">What messages call it.</param>
     /// <param name="camera">The scene's camera.</param>
-    /// <param name="report">All that is wrong with it.</param>
+    /// <param name="report">All mistakes in it.</param>
     public static CameraPath? Parse(byte[] utf8, string displayName, Camera camera, out string report)
     {
-        var path = SceneReader.Parse(utf8, displayName, "", "the camera's way", o => ReadPath(o, camera), out var problems);
+        var path = SceneReader.Parse(utf8, displayName, "", "the camera's path", o => ReadPath(o, camera), out var problems);
         report = new SceneReading(null, problems).Report();
         return path;
     }

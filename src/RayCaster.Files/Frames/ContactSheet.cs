@@ -1,8 +1,8 @@
 namespace RayCaster.Files;
 
-/// <summary>Many pictures, made small, side by side on one.</summary>
+/// <summary>One picture that shows many pictures side by side, made small.</summary>
 /// <param name="pictures">The files, PNGs of any size that are not interlaced.</param>
-/// <param name="columns">How many in a row.</param>
+/// <param name="columns">How many small pictures stand in a row.</param>
 /// <param name="width">Pixels in a line of a small picture.</param>
 /// <param name="height">Lines of a small picture.</param>
 public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, int width, int height)
@@ -16,18 +16,16 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
     /// <summary>Lines of the sheet.</summary>
     public long Height => (long)((pictures.Count - 1) / columns + 1) * (height + Gap) + Gap;
 
-    /// <summary>How large small pictures are if nobody says: no wider than 160, in the shape of a picture.</summary>
+    /// <summary>The default size of small pictures: at most 160 pixels wide, with the proportions of the given picture.</summary>
     /// <exception cref="PictureFileException">It cannot be read.</exception>
-    public static (int Width, int Height) SizeFor(string picture) => PictureFile.Open(picture, file =>
+    public static (int Width, int Height) SizeFor(string picture) => PngReader.OpenFile(picture, png =>
     {
-        using var open = file;
-        using var png = new PngReader(file, 3 * Camera.MaxPixels);
         var width = Math.Min(png.Header.Width, 160);
         return (width, (int)Math.Clamp(((long)png.Header.Height * width + png.Header.Width / 2) / png.Header.Width, 1, 1000));
     });
 
     /// <summary>Writes the sheet, a row of small pictures at a time.</summary>
-    /// <param name="writer">Takes the lines; it is not finished.</param>
+    /// <param name="writer">Receives the lines; it is not finished.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="PictureFileException">A picture cannot be read.</exception>
     public void Write(PictureWriter writer, CancellationToken cancellation = default)
@@ -47,17 +45,15 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
         writer.WriteRows(new byte[Gap * lineBytes]);
     }
 
-    /// <summary>Makes a picture small: each pixel is the mean of those that it stands for, or shows the one that it lies in where there are
-    /// fewer.</summary>
+    /// <summary>Makes a picture small: each pixel is the mean of the pixels that it covers. A picture that is smaller already is
+    /// enlarged.</summary>
     private void Shrink(string picture, Span<byte> corner, int lineBytes)
     {
         var small = new byte[3 * width * height];
-        PictureFile.Open(picture, file =>
+        PngReader.OpenFile(picture, png =>
         {
-            using var open = file;
-            using var png = new PngReader(file, 3 * Camera.MaxPixels);
             var (fromWidth, fromHeight) = (png.Header.Width, png.Header.Height);
-            if (png.Header.Interlaced) throw new PictureFileException("it is interlaced, so that its lines cannot be read one after another");
+            png.RequireLines();
             var line = new byte[3 * fromWidth];
             var (sums, read) = (new long[3 * width], 0);
             for (var y = 0; y < height; y++)
@@ -84,7 +80,7 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
         });
         for (var y = 0; y < height; y++) small.AsSpan(3 * width * y, 3 * width).CopyTo(corner[(y * lineBytes)..]);
 
-        // Where many become one, all of them have a part in it; where one becomes many, there is at least one for each.
+        // The pixels that a small pixel covers; at least one.
         static (int From, int To) Of(int place, int places, int many)
         {
             var from = (int)((long)place * many / places);

@@ -1,19 +1,16 @@
 namespace RayCaster.Files;
 
-/// <summary>A camera that goes once around its target, about the direction that is up, and always looks at it.</summary>
+/// <summary>A camera that makes a full turn around its target, about the up direction.</summary>
 public static class Orbit
 {
-    /// <summary>The camera of a frame; frame 0 is the scene's own, and the frame after the last would be it again.</summary>
+    /// <summary>The camera of a frame. Frame 0 has the scene's camera, and so would the frame after the last.</summary>
     /// <param name="camera">The scene's camera.</param>
     /// <param name="frame">The frame, from 0.</param>
-    /// <param name="frames">How many make a full turn, counterclockwise seen from above.</param>
+    /// <param name="frames">How many frames make a full turn, counterclockwise seen from above.</param>
     public static Camera Frame(Camera camera, int frame, int frames)
     {
         if (frame == 0) return camera;
-        var axis = camera.Up.Normalized;
-        var (sin, cos) = Math.SinCos(2 * Math.PI * frame / frames);
-        var v = camera.Position - camera.Target;
-        var turned = cos * v + sin * (axis % v) + (1 - cos) * (axis * v) * axis; // Rodrigues
-        return camera.WithView(camera.Target + turned, camera.Target, camera.FovY);
+        var turned = CameraMotion.Rotate(camera.Position - camera.Target, camera.Up.Normalized, 2 * Math.PI * frame / frames);
+        return new(camera.Parameters with { Position = camera.Target + turned });
     }
 }

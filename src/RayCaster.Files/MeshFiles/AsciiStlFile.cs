@@ -2,10 +2,10 @@ using System.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>Ascii STL: words that may stand on any line, apart from the names of solids, which end with theirs.</summary>
+/// <summary>Ascii STL. Line ends separate words like blanks do, but the name of a solid ends with its line.</summary>
 internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
 {
-    /// <summary>A block is cut behind a facet, unless it is the last, so each but the first begins within a solid.</summary>
+    /// <summary>Blocks are cut after a facet, so each block but the first begins within a solid.</summary>
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {
         var scanner = TextScanner.OfBlock(block);
@@ -29,7 +29,7 @@ internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
         void ReadFacet()
         {
             Expect("normal");
-            for (var i = 0; i < 3; i++) scanner.Next(); // read by nobody: programs write nan into those of slivers
+            for (var i = 0; i < 3; i++) scanner.Next(); // the normal is not needed; for slivers some programs write nan
             Expect("outer");
             Expect("loop");
             mesh.BeginFace();
@@ -45,7 +45,7 @@ internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
             Expect("endfacet");
         }
 
-        // On a later line if need be, but where that has no number, it is this line that misses one.
+        // The number may stand on a later line. If it is missing there too, the error belongs to this line.
         double Number(string what)
         {
             var word = scanner.NextInLine();
@@ -54,7 +54,7 @@ internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
             return DecimalNumber.TryParse(scanner.Next(), out var number) ? number : throw scanner.ErrorAt(lineEnd, $"{what} is missing");
         }
 
-        // A solid's name is the rest of its line, unless somebody has written the whole solid as one line.
+        // A solid's name is the rest of its line, unless the whole solid is written in one line.
         ReadOnlySpan<byte> NextAfterName()
         {
             while (scanner.NextInLine() is { IsEmpty: false } word)
@@ -79,8 +79,8 @@ internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
     }
 
     /// <summary>
-    /// Behind the last line of a facet: endfacet, below endloop, below a vertex, each on a line of its own. These are so many words that
-    /// none of the places takes them in which anything may stand, a name or the three words of a normal; so whoever has come here has read a facet.
+    /// After the last line of a facet: a line of a vertex, then endloop, then endfacet. A name is one line, and a normal three words, so no name
+    /// or normal can contain these three lines by chance.
     /// </summary>
     protected override int LastCut(ReadOnlySpan<byte> text)
     {

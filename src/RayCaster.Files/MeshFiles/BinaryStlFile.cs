@@ -3,10 +3,10 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Files;
 
-/// <summary>Binary STL behind its header: normal, three vertices and two bytes for each triangle.</summary>
+/// <summary>Binary STL: after the header a normal, three vertices and two more bytes for each triangle.</summary>
 internal sealed class BinaryStlFile(MeshSource source) : MeshFormat
 {
-    /// <summary>The bytes in front of the first triangle.</summary>
+    /// <summary>The bytes before the first triangle.</summary>
     public const int Header = 84;
 
     public const int BytesPerTriangle = 50;
@@ -14,7 +14,6 @@ internal sealed class BinaryStlFile(MeshSource source) : MeshFormat
     private const int normal = 12;
     private long position = Header;
 
-    /// <inheritdoc/>
     public override bool Next(MeshBlock block)
     {
         if (position == source.Length) return false;
@@ -22,7 +21,6 @@ internal sealed class BinaryStlFile(MeshSource source) : MeshFormat
         return true;
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {

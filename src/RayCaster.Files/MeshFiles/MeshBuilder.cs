@@ -2,7 +2,7 @@ namespace RayCaster.Files;
 
 /// <summary>Collects the vertices and faces of a block; splits polygons into fans.</summary>
 /// <param name="source">The file, for messages.</param>
-/// <param name="isInOrder">Whether one builder collects all blocks of the file in order, and so knows what stands above.</param>
+/// <param name="isInOrder">Whether one builder collects all blocks of the file in order, so that it can count the vertices above.</param>
 internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
 {
     private Vector3[] vertices = [];
@@ -11,10 +11,10 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
     private long verticesBefore;
     private bool countsFromHere;
 
-    /// <summary>How many vertices the file has up to here; null where nobody knows yet.</summary>
+    /// <summary>How many vertices the file has up to here; null where that is not known yet.</summary>
     public long? VerticesAbove => isInOrder ? verticesBefore + vertexCount : null;
 
-    /// <summary>How many corners the face has that was begun last.</summary>
+    /// <summary>How many corners the current face has.</summary>
     public int CornerCount { get; private set; }
 
     public void AddVertex(Vector3 vertex)
@@ -25,7 +25,7 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
 
     public void BeginFace() => CornerCount = 0;
 
-    /// <summary>Makes room for so many triangles of one face at once: to double the room again and again takes twice the memory.</summary>
+    /// <summary>Makes room for all triangles of one face at once: doubling the room step by step would take twice the memory.</summary>
     public void Expect(long triangles)
     {
         var needed = indexCount + 3 * triangles;
@@ -33,12 +33,11 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
             Array.Resize(ref indices, (int)Math.Max(needed, Math.Min(2L * indices.Length, Array.MaxLength)));
     }
 
-    /// <summary>Adds a corner to the face; from the third on each makes a triangle with the first corner and the one before.</summary>
-    /// <param name="vertex">The place among the file's vertices, from 0. One beyond every array becomes the last int, which is too.</param>
+    /// <summary>Adds a corner to the face. Each corner from the third on makes a triangle with the first corner and the one before.</summary>
+    /// <param name="vertex">The place among the file's vertices, from 0. A place beyond every array becomes the last int, which is one too.</param>
     public void AddCorner(long vertex) => Add((int)Math.Min(vertex, int.MaxValue));
 
-    /// <summary>Adds a corner to the face by counting back.</summary>
-    /// <param name="back">-1 for the vertex that was added last.</param>
+    /// <summary>Adds a corner to the face; −1 is the vertex that was added last.</summary>
     public void AddCornerBack(long back)
     {
         if (VerticesAbove is { } above)
@@ -52,7 +51,7 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
         Add((int)place);
     }
 
-    /// <summary>What has been collected since the last time.</summary>
+    /// <summary>What was collected since the last piece.</summary>
     public MeshPiece TakePiece()
     {
         var piece = new MeshPiece(Copy(vertices, vertexCount), Copy(indices, indexCount), countsFromHere);
@@ -60,7 +59,7 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
         return piece;
     }
 
-    /// <summary>Forgets what has been collected; what stands above is still counted.</summary>
+    /// <summary>Forgets what was collected, but still counts its vertices.</summary>
     public void Drop()
     {
         verticesBefore += vertexCount;

@@ -3,16 +3,16 @@ namespace RayCaster.Files;
 /// <summary>Reads meshes that other programs write.</summary>
 public static class MeshFile
 {
+    /// <summary>The longest line or row, and the longest mesh from a pipe, in bytes: these are in memory as a whole.</summary>
+    public const int MostBytesAtOnce = 1 << 28;
+
     /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
     /// <param name="path">The file, of any size.</param>
     /// <param name="threads">How many threads read a large file; one per core if left out.</param>
     /// <exception cref="MeshFileException">The file is not there, is of another kind, or is broken.</exception>
     public static MeshData Read(string path, int? threads = null) => Read(path, threads, new FileNames());
 
-    /// <summary>The same for one of many files.</summary>
-    /// <param name="path">The file.</param>
-    /// <param name="threads">How many threads read a large file; one per core if left out.</param>
-    /// <param name="names">Finds what is meant by the names of files that are not there.</param>
+    /// <summary>The same for one of many files; <paramref name="names"/> suggests names for files that are missing.</summary>
     internal static MeshData Read(string path, int? threads, FileNames names)
     {
         var reader = ReaderOf(path);
@@ -20,8 +20,14 @@ public static class MeshFile
         return reader(new MeshSource(path, stream, threads: threads ?? Environment.ProcessorCount));
     }
 
-    /// <summary>Reads a mesh from the bytes that a file of this name would hold.</summary>
-    internal static MeshData Parse(string path, byte[] bytes, int blockSize = MeshSource.UsualBlockSize, int threads = 1) =>
+    /// <summary>Reads the bytes of a mesh file.</summary>
+    /// <param name="name">The file's name, for its extension and for messages.</param>
+    /// <param name="bytes">What the file holds.</param>
+    /// <exception cref="MeshFileException">They are not a mesh of that kind.</exception>
+    public static MeshData Parse(string name, byte[] bytes) => Parse(name, bytes, MeshSource.UsualBlockSize);
+
+    /// <summary>The same in blocks of another size, on some threads.</summary>
+    internal static MeshData Parse(string path, byte[] bytes, int blockSize, int threads = 1) =>
         ReaderOf(path)(new MeshSource(path, new MemoryStream(bytes, writable: false), blockSize, threads));
 
     /// <summary>Whether a file's name ends like that of a mesh.</summary>
@@ -43,7 +49,7 @@ public static class MeshFile
             if (Directory.Exists(path)) throw new MeshFileException(path, "is a folder, not a mesh file");
             var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
             if (file.CanSeek && file.Length > 0) return file;
-            using (file) return Copy(file, path); // a pipe, or one of those files that only seem to be empty
+            using (file) return Copy(file, path); // a pipe, or a file like those in /proc, which seem to be empty
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
@@ -59,19 +65,10 @@ public static class MeshFile
         }
     }
 
-    private static MemoryStream Copy(Stream stream, string path)
-    {
-        var copy = new MemoryStream();
-        var buffer = new byte[1 << 16];
-        while (stream.Read(buffer) is > 0 and var count)
-        {
-            copy.Write(buffer, 0, count);
-            if (copy.Length > MeshBlock.MostBytes)
-                throw new MeshFileException(path, FormattableString.Invariant(
-                    $"a pipe or device of more than {MeshBlock.MostBytes:N0} bytes is not read, but a file of any size is"));
-        }
-        return copy;
-    }
+    private static MemoryStream Copy(Stream stream, string path) => StreamBytes.TryReadToEnd(stream, MostBytesAtOnce, out var bytes)
+        ? new(bytes.Array!, 0, bytes.Count, writable: false)
+        : throw new MeshFileException(path, FormattableString.Invariant(
+            $"a pipe or device of more than {MostBytesAtOnce:N0} bytes is not read, but a file of any size is"));
 
     private static string? FullPath(string path) =>
         Path.IsPathFullyQualified(path) ? null : $"; looked for {PrintableText.Of(Path.GetFullPath(path))}";

@@ -3,16 +3,16 @@ namespace RayCaster.Files;
 /// <summary>What one block of a mesh file holds.</summary>
 /// <param name="Vertices">The vertices of the block.</param>
 /// <param name="Indices">
-/// Three corners for each triangle. One from 0 on is a place among all vertices of the file; a negative one, less <see cref="Here"/>, is a place
-/// counted from the first vertex of the block, as far as the block knows what stands above it: nothing.
+/// Three corners for each triangle. A corner from 0 on is a place among all vertices of the file. A negative corner minus <see cref="Here"/> is
+/// a place relative to the block's first vertex, whose own place is not known yet.
 /// </param>
 /// <param name="CountsFromHere">Whether there are negative ones.</param>
 internal readonly record struct MeshPiece(Vector3[] Vertices, int[] Indices, bool CountsFromHere)
 {
-    /// <summary>How a corner is kept that is the block's first vertex: in the middle of the negative numbers.</summary>
+    /// <summary>Stands for the block's first vertex: the middle of the negative numbers.</summary>
     public const int Here = int.MinValue / 2;
 
-    /// <summary>Puts the pieces behind one another. Takes each out of the list as soon as it is copied.</summary>
+    /// <summary>Joins the pieces in order. Takes each out of the list as soon as it is copied, so that its memory can be freed.</summary>
     /// <exception cref="MeshFileException">There is no face, or too many for an array, or one counts back beyond the first vertex.</exception>
     public static MeshData Join(List<MeshPiece> pieces, MeshSource source, int threads)
     {

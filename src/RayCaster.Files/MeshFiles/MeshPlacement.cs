@@ -5,13 +5,13 @@ namespace RayCaster.Files;
 /// <summary>Where a scene puts a mesh: a vertex p becomes Rz·Ry·Rx·(scale ∘ p) + translate.</summary>
 /// <param name="Scale">A factor for each axis, none of them 0; negative mirrors.</param>
 /// <param name="Rotate">Right-handed turns about the x, y and z axis, in degrees, in this order.</param>
-/// <param name="Translate">The way to go at last.</param>
+/// <param name="Translate">Is added last.</param>
 public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vector3 Translate)
 {
     /// <summary>The mesh as a model, without the triangles that have no area where they are placed.</summary>
     /// <param name="data">
-    /// The file's vertices and triangles. The model keeps the array of vertices where all stay in their places, and that of indices where no
-    /// triangle is dropped.
+    /// The file's vertices and triangles. The model shares the array of vertices if none is moved, and the array of indices if no triangle is
+    /// dropped.
     /// </param>
     /// <param name="dropped">How many triangles had no area.</param>
     /// <param name="threads">How many threads place a large mesh; one per core if left out.</param>
@@ -41,8 +41,7 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
         throw new OverflowException($"vertex {first + 1} is placed at {placed[first]}, beyond the largest number");
     }
 
-    /// <summary>Places some vertices.</summary>
-    /// <returns>Whether all are finite where they are placed.</returns>
+    /// <summary>Places some vertices; false where one is no longer finite.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // called a few times, for many vertices each
     private bool Place(ReadOnlySpan<Vector3> from, Span<Vector3> placed)
     {
@@ -67,7 +66,7 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     /// <summary>The triangles that have an area: the same array where all have.</summary>
     private static int[] WithoutFlat(int[] indices, Vector3[] vertices, int threads)
     {
-        var kept = new int[Ranges.CountIn(indices.Length) + 1]; // how many in the ranges before, when they are summed up
+        var kept = new int[Ranges.CountIn(indices.Length) + 1]; // after the sum below: how many indices the ranges before keep
         Ranges.Each(indices.Length, threads, (start, length) =>
         {
             kept[start / Ranges.Usual + 1] = length - 3 * CountFlat(indices.AsSpan(start, length), vertices);
@@ -104,10 +103,9 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
 
     /// <summary>Whether the first of some triangles has no area.</summary>
     /// <remarks>
-    /// <see cref="Triangle.IsOnOneLine"/> says |e1 × e2| ≤ 1e-12 · (longest side)². A triangle that has twice that in squares, which need no
-    /// root, has it
-    /// surely: the roots round by a few parts in 10¹⁶, and in these limits no square is too large or too small for a double. It spares
-    /// most of the time that a large mesh is checked.
+    /// Almost all triangles pass a test without roots: squared, and with twice the limit of <see cref="Triangle.IsOnOneLine"/>. A triangle that
+    /// passes it has an area by that definition too, because the roots round by only a few parts in 10¹⁶. The bounds 1e-100 and 1e100 keep all
+    /// products within a double.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static bool IsFlat(ReadOnlySpan<int> corners, Vector3[] vertices)

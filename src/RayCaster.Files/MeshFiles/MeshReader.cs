@@ -1,13 +1,11 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// Reads a mesh file block by block, several blocks side by side, and joins what they hold in file order.
-/// Where that fails, one thread reads the blocks one after another: it alone knows all that stands above a mistake, and meets the first one first.
+/// Reads a mesh file in blocks, several at once, and joins them in file order. If a block is broken, one thread reads all blocks again in
+/// order: it finds the first mistake first, and knows how many vertices stand above it.
 /// </summary>
 internal static class MeshReader
 {
-    /// <param name="source">The file.</param>
-    /// <param name="begin">The format, before its first block.</param>
     /// <exception cref="MeshFileException">The file is broken.</exception>
     public static MeshData Read(MeshSource source, Func<MeshFormat> begin)
     {
@@ -15,7 +13,7 @@ internal static class MeshReader
         return (threads > 1 ? ReadSideBySide(source, begin(), threads) : null) ?? ReadInOrder(source, begin());
     }
 
-    /// <summary>Reads a file anew and keeps nothing of it: for its first mistake, which only now can be told.</summary>
+    /// <summary>Reads a file again and keeps nothing of it, to find its first mistake.</summary>
     /// <exception cref="MeshFileException">The mistake.</exception>
     public static void Check(MeshSource source, MeshFormat format)
     {

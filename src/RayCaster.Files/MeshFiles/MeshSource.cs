@@ -1,13 +1,13 @@
 namespace RayCaster.Files;
 
-/// <summary>A mesh file, which is read in blocks so that it need not fit into memory, and what to say about a place in it.</summary>
+/// <summary>The bytes of a mesh file, which need not fit into memory, and the errors that name a place in it.</summary>
 /// <param name="path">The file, as the caller named it.</param>
-/// <param name="stream">What it holds; any place can be sought.</param>
-/// <param name="blockSize">How many bytes are read at once, where no line or row is longer.</param>
-/// <param name="threads">How many blocks are read side by side, at most.</param>
+/// <param name="stream">The file's bytes; it must be able to seek.</param>
+/// <param name="blockSize">How many bytes are read at once, unless a line or row is longer.</param>
+/// <param name="threads">How many blocks are read at the same time, at most.</param>
 internal sealed class MeshSource(string path, Stream stream, int blockSize = MeshSource.UsualBlockSize, int threads = 1)
 {
-    /// <summary>Small enough for a core's own cache. A file that is no larger is read without a thread being started.</summary>
+    /// <summary>Small enough for a core's own cache. A file that is no larger is read on the caller's thread.</summary>
     public const int UsualBlockSize = 1 << 20;
 
     /// <summary>The bytes of the file when it was opened.</summary>
@@ -17,8 +17,8 @@ internal sealed class MeshSource(string path, Stream stream, int blockSize = Mes
 
     public int Threads => threads;
 
-    /// <summary>Fills the buffer, from any thread.</summary>
-    /// <exception cref="MeshFileException">The file cannot be read, or not that far: somebody has made it shorter.</exception>
+    /// <summary>Fills the buffer; any thread may call it.</summary>
+    /// <exception cref="MeshFileException">The file cannot be read, or became shorter.</exception>
     public void Read(long offset, Span<byte> buffer)
     {
         try
@@ -39,7 +39,7 @@ internal sealed class MeshSource(string path, Stream stream, int blockSize = Mes
         }
     }
 
-    /// <summary>The place of the first byte from a place on that is neither blank nor 0; null if there is none.</summary>
+    /// <summary>The place of the first byte, from a place on, that is neither blank nor 0; null if there is none.</summary>
     public long? FirstNotBlank(long from)
     {
         if (from >= Length) return null;
@@ -59,7 +59,7 @@ internal sealed class MeshSource(string path, Stream stream, int blockSize = Mes
     /// <summary>A mistake in a binary part of the file.</summary>
     public MeshFileException ErrorAtByte(long offset, string reason) => new(path, reason, offset: offset);
 
-    /// <summary>A mistake in a text part of the file. Only now are its lines counted, so that readers need to know nothing but bytes.</summary>
+    /// <summary>A mistake in a text part of the file. Lines are counted only here, so that readers need not count them.</summary>
     public MeshFileException ErrorAtLine(long offset, string reason) => new(path, reason, LineAt(offset));
 
     private int LineAt(long offset)

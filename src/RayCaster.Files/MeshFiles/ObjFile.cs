@@ -7,20 +7,17 @@ internal sealed class ObjFile : TextFormat
 {
     private readonly long vertexCount;
 
-    /// <param name="source">The file.</param>
-    /// <param name="vertexCount">How many vertices it has, if that is known.</param>
     private ObjFile(MeshSource source, long vertexCount = long.MaxValue) : base(source) => this.vertexCount = vertexCount;
 
     public static MeshData Read(MeshSource source)
     {
         var mesh = MeshReader.Read(source, () => new ObjFile(source));
-        // A face may stand before its vertices, so only now is the range known. The second reading stops at the first index beyond it.
+        // A face may stand before its vertices, so the range of indices is known only now. A second reading stops at the first index beyond it.
         if (IsWhole(mesh, source.Threads)) return mesh;
         MeshReader.Check(source, new ObjFile(source, mesh.Vertices.Length));
         throw source.Error("the file changed while it was read");
     }
 
-    /// <inheritdoc/>
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {
         var scanner = TextScanner.OfBlock(block, isObj: true);
@@ -51,7 +48,7 @@ internal sealed class ObjFile : TextFormat
         while (scanner.NextLine());
     }
 
-    /// <summary>Behind any line that no backslash continues.</summary>
+    /// <summary>After any line that no backslash continues.</summary>
     protected override int LastCut(ReadOnlySpan<byte> text)
     {
         for (var left = text; TryTakeLastLine(ref left, out var line);)
@@ -74,9 +71,7 @@ internal sealed class ObjFile : TextFormat
         return isWhole;
     }
 
-    /// <summary>
-    /// The vertex of a corner, which is written <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c>: vertex, texture, normal.
-    /// </summary>
+    /// <summary>The vertex of a corner: <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c> (vertex, texture, normal).</summary>
     private static long ToIndex(ReadOnlySpan<byte> corner, TextScanner scanner)
     {
         var isCorner = Utf8Parser.TryParse(corner, out long index, out var length);

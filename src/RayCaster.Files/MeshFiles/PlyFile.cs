@@ -36,7 +36,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
             rowCount = rowsLeft;
             var length = rows.Measure(bytes, element, ref rowCount);
             if (!isEnd || rowCount == rowsLeft) return length;
-            rowCount = rowsLeft; // in ascii the last line may lack its end; where rows are missing, it is noticed when they are read
+            rowCount = rowsLeft; // in ascii the last line may have no end; rows that are missing are an error when they are read
             return bytes.Length;
         }).End;
         rowsLeft -= rowCount;
@@ -44,7 +44,6 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
         return true;
     }
 
-    /// <inheritdoc/>
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {
         var values = rows.ValuesOf(block);
@@ -58,13 +57,13 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
 
     private void Begin(PlyElement element)
     {
-        if (element.Properties.Count == 0) return; // its rows, however many, take no space
+        if (element.Properties.Count == 0) return; // its rows take no space
         if (!rows.CanHold(element, source.Length - position))
             throw source.ErrorAtLine(element.At, $"the header promises {element.Count} rows, more than the rest of the file can hold");
         rowsLeft = element.Count;
     }
 
-    /// <summary>Behind the last row may be nothing but blanks: what else is there was surely meant to be seen.</summary>
+    /// <summary>After the last row there may be nothing but blanks: anything else was meant to be part of the mesh.</summary>
     private void CheckRest()
     {
         if (source.FirstNotBlank(position) is not { } rest) return;

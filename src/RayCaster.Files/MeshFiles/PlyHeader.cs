@@ -9,19 +9,18 @@ internal enum PlyRole { X, Y, Z, Corners, Skipped }
 /// <summary>How a value is stored in a binary PLY file.</summary>
 internal enum PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 }
 
-/// <summary>One value of each row of an element, or, with a type for the count in front of it, a list.</summary>
+/// <summary>One value of each row of an element; a list if it has a type for its count.</summary>
 internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType? CountType)
 {
     /// <summary>The bytes of each value.</summary>
     public int Size => SizeOf(Type);
 
-    /// <summary>The fewest bytes that the property takes in a binary file; a face has three corners at least.</summary>
+    /// <summary>The fewest bytes that the property takes in a binary file.</summary>
     public int LeastSize => CountType is { } type ? SizeOf(type) + (LeastNumbers - 1) * Size : Size;
 
-    /// <summary>The fewest numbers that the property takes, the count of a list included.</summary>
+    /// <summary>The fewest numbers that the property takes, with the count of a list. A face has at least three corners.</summary>
     public int LeastNumbers => Role == PlyRole.Corners ? 4 : 1;
 
-    /// <summary>The bytes of a value.</summary>
     public static int SizeOf(PlyType type) => type switch
     {
         PlyType.Int8 or PlyType.UInt8 => 1,
@@ -34,7 +33,7 @@ internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType?
 /// <summary>A table of the file.</summary>
 /// <param name="Name">What its rows are: <c>vertex</c>, <c>face</c>, or anything else, which is skipped.</param>
 /// <param name="Count">The rows that the header promises.</param>
-/// <param name="At">Where the header says so.</param>
+/// <param name="At">The place of the header's line, for a message.</param>
 internal sealed record PlyElement(string Name, long Count, int At)
 {
     public List<PlyProperty> Properties { get; } = [];
@@ -58,7 +57,7 @@ internal sealed class PlyHeader
         var lineEnd = scanner.Position;
         ReadLines();
         BodyAt = scanner.Position;
-        // Where lines end with a lone CR, a byte 10 after the last one is no LF but the beginning of the binary data.
+        // If lines end with a lone CR, a byte 10 after the last one is not its LF but the first byte of the data.
         if (start.Bytes[lineEnd..] is [(byte)'\r', not (byte)'\n', ..] && start.Bytes[BodyAt - 1] == '\n') BodyAt--;
 
         VertexCount = Require("vertex", (PlyRole.X, "x"), (PlyRole.Y, "y"), (PlyRole.Z, "z")).Count;

@@ -1,21 +1,19 @@
-using System.Buffers.Binary;
 using System.Runtime.CompilerServices;
 
 namespace RayCaster.Files;
 
-/// <summary>How the rows of a PLY file follow one another: what tells where one ends, without reading what it says.</summary>
+/// <summary>Finds where the rows of a PLY file end, without reading their values.</summary>
 internal abstract class PlyRows
 {
-    /// <summary>Whether some bytes can be as many rows of an element as the header promises, the shortest that there can be.</summary>
+    /// <summary>Whether some bytes can hold all rows of an element that the header promises, if each row is as short as possible.</summary>
     public abstract bool CanHold(PlyElement element, long bytes);
 
     /// <summary>The length of the rows that are whole.</summary>
-    /// <param name="bytes">Some of the rest of the file, from the beginning of a row on.</param>
+    /// <param name="bytes">Some of the file, from the beginning of a row on.</param>
     /// <param name="element">What the rows are.</param>
-    /// <param name="count">At first how many rows are wanted, at last how many there are.</param>
+    /// <param name="count">In: how many rows are wanted. Out: how many there are.</param>
     public abstract int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count);
 
-    /// <summary>Begins to read the rows of a block.</summary>
     public abstract PlyValues ValuesOf(MeshBlock block);
 }
 
@@ -25,11 +23,10 @@ internal sealed class AsciiPlyRows : PlyRows
     public override bool CanHold(PlyElement element, long bytes)
     {
         var leastRow = 0L;
-        foreach (var property in element.Properties) leastRow += 2 * property.LeastNumbers; // each a digit and a blank or line end
-        return element.Count <= (bytes + 1) / leastRow;                                    // the last may go without
+        foreach (var property in element.Properties) leastRow += 2 * property.LeastNumbers; // each a digit, and a blank or line end
+        return element.Count <= (bytes + 1) / leastRow;                                    // the last line may have no end
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count)
     {
@@ -42,7 +39,7 @@ internal sealed class AsciiPlyRows : PlyRows
             at += end + 1;
             if (line[end] == '\r')
             {
-                if (at == bytes.Length) break; // an LF may follow that belongs to the same line end
+                if (at == bytes.Length) break; // the next byte may be an LF of the same line end
                 if (bytes[at] == '\n') at++;
             }
             if (!line[..end].ContainsAnyExcept(" \t\v\f"u8)) continue;
@@ -55,7 +52,7 @@ internal sealed class AsciiPlyRows : PlyRows
     public override PlyValues ValuesOf(MeshBlock block) => new AsciiPlyValues(block);
 }
 
-/// <summary>Rows have no ends; only the lists in them say how long they are.</summary>
+/// <summary>A row ends where the lists in it say.</summary>
 internal sealed class BinaryPlyRows(bool bigEndian) : PlyRows
 {
     public override bool CanHold(PlyElement element, long bytes)
@@ -65,7 +62,6 @@ internal sealed class BinaryPlyRows(bool bigEndian) : PlyRows
         return element.Count <= bytes / leastRow;
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count)
     {
@@ -82,7 +78,7 @@ internal sealed class BinaryPlyRows(bool bigEndian) : PlyRows
                 }
                 if (at + PlyProperty.SizeOf(type) > bytes.Length) return (int)rowsEnd;
                 // A count below 0 is refused when the row is read.
-                at += PlyProperty.SizeOf(type) + Math.Max(0, Count(bytes[(int)at..], type)) * property.Size;
+                at += PlyProperty.SizeOf(type) + Math.Max(0, (long)BinaryPlyValues.Number(bytes[(int)at..], type, bigEndian)) * property.Size;
             }
             if (at > bytes.Length) break;
             rowsEnd = at;
@@ -91,14 +87,4 @@ internal sealed class BinaryPlyRows(bool bigEndian) : PlyRows
     }
 
     public override PlyValues ValuesOf(MeshBlock block) => new BinaryPlyValues(block, bigEndian);
-
-    private long Count(ReadOnlySpan<byte> at, PlyType type) => type switch
-    {
-        PlyType.Int8 => (sbyte)at[0],
-        PlyType.UInt8 => at[0],
-        PlyType.Int16 => bigEndian ? BinaryPrimitives.ReadInt16BigEndian(at) : BinaryPrimitives.ReadInt16LittleEndian(at),
-        PlyType.UInt16 => bigEndian ? BinaryPrimitives.ReadUInt16BigEndian(at) : BinaryPrimitives.ReadUInt16LittleEndian(at),
-        PlyType.Int32 => bigEndian ? BinaryPrimitives.ReadInt32BigEndian(at) : BinaryPrimitives.ReadInt32LittleEndian(at),
-        _ => bigEndian ? BinaryPrimitives.ReadUInt32BigEndian(at) : BinaryPrimitives.ReadUInt32LittleEndian(at),
-    };
 }

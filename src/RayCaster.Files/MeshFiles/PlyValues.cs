@@ -3,22 +3,20 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Files;
 
-/// <summary>The numbers in some rows of a PLY file, one after another, however they are written.</summary>
+/// <summary>Reads the numbers in some rows of a PLY file, one after another.</summary>
 internal abstract class PlyValues
 {
-    /// <summary>Reads one number; it is finite.</summary>
+    /// <summary>Reads one number.</summary>
+    /// <exception cref="MeshFileException">It is missing or not finite.</exception>
     public abstract double Next(PlyType type);
 
-    /// <summary>Passes numbers by without looking at them.</summary>
     public abstract void Skip(PlyProperty property, long count);
 
-    /// <summary>No more numbers than this are left, whatever a count says.</summary>
+    /// <summary>An upper limit of the numbers that are left, whatever a count in the file says.</summary>
     public abstract long MostLeft { get; }
 
-    /// <summary>Goes to the next row of an element.</summary>
     public abstract void BeginRow();
 
-    /// <summary>Leaves the row.</summary>
     public abstract void EndRow();
 
     /// <summary>A mistake in the last number.</summary>
@@ -61,7 +59,7 @@ internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
     }
 }
 
-/// <summary>Numbers as bytes, the least first or the greatest first.</summary>
+/// <summary>Numbers in binary form.</summary>
 internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValues
 {
     private readonly byte[] buffer = block.Buffer;
@@ -78,19 +76,23 @@ internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValu
         if (size > length - position) throw TooShort();
         var at = buffer.AsSpan(position, size);
         position += size;
-        var value = type switch
-        {
-            PlyType.Int8 => (sbyte)at[0],
-            PlyType.UInt8 => at[0],
-            PlyType.Int16 => bigEndian ? BinaryPrimitives.ReadInt16BigEndian(at) : BinaryPrimitives.ReadInt16LittleEndian(at),
-            PlyType.UInt16 => bigEndian ? BinaryPrimitives.ReadUInt16BigEndian(at) : BinaryPrimitives.ReadUInt16LittleEndian(at),
-            PlyType.Int32 => bigEndian ? BinaryPrimitives.ReadInt32BigEndian(at) : BinaryPrimitives.ReadInt32LittleEndian(at),
-            PlyType.UInt32 => bigEndian ? BinaryPrimitives.ReadUInt32BigEndian(at) : BinaryPrimitives.ReadUInt32LittleEndian(at),
-            PlyType.Float32 => bigEndian ? BinaryPrimitives.ReadSingleBigEndian(at) : BinaryPrimitives.ReadSingleLittleEndian(at),
-            _ => bigEndian ? BinaryPrimitives.ReadDoubleBigEndian(at) : BinaryPrimitives.ReadDoubleLittleEndian(at),
-        };
+        var value = Number(at, type, bigEndian);
         return double.IsFinite(value) ? value : throw Error($"the value must be a finite number, but is {value}");
     }
+
+    /// <summary>The number that begins at the first of some bytes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static double Number(ReadOnlySpan<byte> at, PlyType type, bool bigEndian) => type switch
+    {
+        PlyType.Int8 => (sbyte)at[0],
+        PlyType.UInt8 => at[0],
+        PlyType.Int16 => bigEndian ? BinaryPrimitives.ReadInt16BigEndian(at) : BinaryPrimitives.ReadInt16LittleEndian(at),
+        PlyType.UInt16 => bigEndian ? BinaryPrimitives.ReadUInt16BigEndian(at) : BinaryPrimitives.ReadUInt16LittleEndian(at),
+        PlyType.Int32 => bigEndian ? BinaryPrimitives.ReadInt32BigEndian(at) : BinaryPrimitives.ReadInt32LittleEndian(at),
+        PlyType.UInt32 => bigEndian ? BinaryPrimitives.ReadUInt32BigEndian(at) : BinaryPrimitives.ReadUInt32LittleEndian(at),
+        PlyType.Float32 => bigEndian ? BinaryPrimitives.ReadSingleBigEndian(at) : BinaryPrimitives.ReadSingleLittleEndian(at),
+        _ => bigEndian ? BinaryPrimitives.ReadDoubleBigEndian(at) : BinaryPrimitives.ReadDoubleLittleEndian(at),
+    };
 
     public override void Skip(PlyProperty property, long count)
     {

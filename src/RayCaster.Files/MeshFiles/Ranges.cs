@@ -2,20 +2,20 @@ using System.Runtime.ExceptionServices;
 
 namespace RayCaster.Files;
 
-/// <summary>Work on the parts of something long, side by side.</summary>
+/// <summary>Divides work among threads.</summary>
 internal static class Ranges
 {
-    /// <summary>The number of elements in each part but the last: a multiple of 3, and enough to be worth a thread's while.</summary>
+    /// <summary>The elements of each range but the last: a multiple of 3, and enough work for a thread.</summary>
     public const int Usual = 3 << 15;
 
     /// <summary>Does the work on each range of an array, given as start and length.</summary>
     public static void Each(int arrayLength, int threads, Action<int, int> work) =>
         EachPiece(CountIn(arrayLength), threads, i => work(i * Usual, Math.Min(Usual, arrayLength - i * Usual)));
 
-    /// <summary>Does some pieces of work, 0 to count − 1, in any order; in order and without another thread where one is enough.</summary>
+    /// <summary>Does pieces 0 to count − 1 of some work: on one thread in order, on several in any order.</summary>
     /// <param name="count">How many pieces.</param>
-    /// <param name="threads">On how many threads at most, the caller's included.</param>
-    /// <param name="work">Does a piece. After an exception no other piece is begun, and the exception is thrown here.</param>
+    /// <param name="threads">How many threads at most, the caller's included.</param>
+    /// <param name="work">Does a piece. After an exception no other piece is started, and the exception is thrown here.</param>
     public static void EachPiece(int count, int threads, Action<int> work)
     {
         if (Math.Min(count, threads) <= 1)
@@ -33,6 +33,5 @@ internal static class Ranges
         }
     }
 
-    /// <summary>How many ranges an array has.</summary>
     public static int CountIn(int arrayLength) => (int)((arrayLength + Usual - 1L) / Usual);
 }

@@ -2,7 +2,7 @@ using System.Buffers.Binary;
 
 namespace RayCaster.Files;
 
-/// <summary>STL, binary or ascii. Each triangle brings its own three vertices; the normals are not needed.</summary>
+/// <summary>STL, binary or ascii. Each triangle has its own three vertices; the normals are not needed.</summary>
 internal static class StlFile
 {
     /// <summary>The size decides: a binary file may begin with "solid" too.</summary>
@@ -15,7 +15,7 @@ internal static class StlFile
         var count = BinaryPrimitives.ReadUInt32LittleEndian(header[countAt..]);
         var size = BinaryStlFile.Header + BinaryStlFile.BytesPerTriangle * (long)count;
         if (size == source.Length) return MeshReader.Read(source, () => new BinaryStlFile(source));
-        // No text has zero bytes in it, so this is a binary file that was cut, and the ascii reader's message would mislead.
+        // A text has no zero bytes, so this is a binary file that was cut; the ascii reader's message would mislead.
         if (header.Contains((byte)0))
             throw source.ErrorAtByte(countAt, $"the header promises {count} triangles, which take {size} bytes, but the file has {source.Length}");
         return ReadAscii(source);

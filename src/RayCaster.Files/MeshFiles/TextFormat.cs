@@ -1,11 +1,10 @@
 namespace RayCaster.Files;
 
-/// <summary>A text that can be cut behind some of its lines.</summary>
+/// <summary>A text that can be cut after some of its lines.</summary>
 internal abstract class TextFormat(MeshSource source) : MeshFormat
 {
     private long position = -1;
 
-    /// <inheritdoc/>
     public override bool Next(MeshBlock block)
     {
         if (position == source.Length) return false;
@@ -13,12 +12,12 @@ internal abstract class TextFormat(MeshSource source) : MeshFormat
         return true;
     }
 
-    /// <summary>The greatest place in the text at which the next block can begin, behind a line end; 0 for none.</summary>
+    /// <summary>The last place in the text at which the next block can begin, after a line end; 0 for none.</summary>
     protected abstract int LastCut(ReadOnlySpan<byte> text);
 
-    /// <summary>Takes the last line off a text, if its end is there.</summary>
+    /// <summary>Takes the last line that has an end off a text.</summary>
     /// <param name="text">The text; afterwards what is left of it.</param>
-    /// <param name="line">The line without its end, or, where that is CR and LF, first an empty line and then the line.</param>
+    /// <param name="line">The line without its end. A line that ends with CR and LF comes as an empty line first.</param>
     protected static bool TryTakeLastLine(ref ReadOnlySpan<byte> text, out ReadOnlySpan<byte> line)
     {
         var end = text.LastIndexOfAny((byte)'\n', (byte)'\r');

@@ -3,17 +3,17 @@ using System.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>Cuts a text into words where they stand, without copying them. Words are separated by blanks, lines end with LF, CRLF or CR.</summary>
+/// <summary>Divides a text into words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>
 /// <param name="block">The text.</param>
-/// <param name="position">Where its first word is looked for.</param>
-/// <param name="isObj">Whether, as in OBJ, # starts a comment and a backslash at the end of a line continues it on the next.</param>
+/// <param name="position">Where the search for the first word begins.</param>
+/// <param name="isObj">Whether, as in OBJ, # starts a comment, and a backslash at the end of a line continues it on the next.</param>
 internal sealed class TextScanner(MeshBlock block, int position, bool isObj = false)
 {
     private readonly byte[] buffer = block.Buffer;
     private readonly int length = block.Length;
     private int wordEnd;
 
-    /// <summary>Starts at the beginning of a block; in the file's first one past the byte order mark that some editors leave there.</summary>
+    /// <summary>Starts at the beginning of a block, after the byte order mark that some editors write at the beginning of a file.</summary>
     /// <exception cref="MeshFileException">The text is in UTF-16.</exception>
     public static TextScanner OfBlock(MeshBlock block, bool isObj = false) => (block.Start == 0 ? block.Bytes : []) switch
     {
@@ -22,13 +22,13 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
         _ => new(block, 0, isObj),
     };
 
-    /// <summary>Where the next word is looked for.</summary>
+    /// <summary>Where the search for the next word begins.</summary>
     public int Position { get; set; } = position;
 
     /// <summary>Where the last word began, or where one was missing.</summary>
     public int WordAt { get; private set; }
 
-    /// <summary>The last word for a message: short and printable, whatever it is.</summary>
+    /// <summary>The last word for a message, shortened, without control characters.</summary>
     public string Quoted
     {
         get
@@ -50,7 +50,7 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
         var at = SkipBlanks();
         WordAt = at;
         while (at < text.Length && !EndsWord(text[at])) at++;
-        // A backslash that continues nothing is a word of its own, or the scanner would not move.
+        // A backslash within a line is a word of its own; otherwise the scanner would not move.
         if (at == WordAt && at < text.Length && text[at] == '\\') at++;
         Position = wordEnd = at;
         return text[WordAt..at];
@@ -66,7 +66,7 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
         }
     }
 
-    /// <summary>Leaves the rest of the line and goes to the next; false where there is none.</summary>
+    /// <summary>Skips the rest of the line; false at the end of the file.</summary>
     public bool NextLine()
     {
         while (true)
@@ -84,12 +84,11 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
         }
     }
 
-    /// <summary>The next word of this line as a number.</summary>
-    /// <param name="what">What the number is, for a message.</param>
+    /// <inheritdoc cref="ToNumber"/>
     public double NextNumber(string what) => ToNumber(NextInLine(), what);
 
-    /// <summary>Reads a word as a number.</summary>
-    /// <param name="word">The word that came last.</param>
+    /// <summary>Reads the word that came last as a number.</summary>
+    /// <param name="word">The word.</param>
     /// <param name="what">What the number is, for a message.</param>
     /// <exception cref="MeshFileException">It is something else, NaN, or beyond the largest number.</exception>
     public double ToNumber(ReadOnlySpan<byte> word, string what)
@@ -127,7 +126,7 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
     private bool EndsWord(byte c) =>
         c is (byte)' ' or (>= (byte)'\t' and <= (byte)'\r') || (isObj && c is (byte)'#' or (byte)'\\');
 
-    /// <summary>How many bytes a line end has that the text begins with; 0 for none.</summary>
+    /// <summary>The bytes of the line end at the beginning of a text; 0 for none.</summary>
     private static int LineEnd(ReadOnlySpan<byte> text) => text switch
     {
         [(byte)'\r', (byte)'\n', ..] => 2,

@@ -5,10 +5,9 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Files;
 
 /// <summary>
-/// PLY as most programs write it: little-endian, a vertex of floats, a face of three 32-bit corners and nothing else. All rows of an element are
-/// of one
-/// length there, so every place in the file is known beforehand, and the numbers go straight to where they stay. A file that is different, or
-/// wrong anywhere, is left to <see cref="PlyFile"/>, which takes five times as long and knows what to say.
+/// PLY as most programs write it: little-endian, coordinates in floats, faces of three 32-bit corners. All rows of an element then have one
+/// length, so each row's place is known, and its numbers go straight into the final arrays. Any other file, and any file with a mistake, is read
+/// by <see cref="PlyFile"/>, which takes five times as long and reports mistakes.
 /// </summary>
 internal sealed class TrianglePly
 {
@@ -48,10 +47,10 @@ internal sealed class TrianglePly
             && source.FirstNotBlank(at) is null;
     }
 
-    /// <summary>Whether the header is as it should be.</summary>
+    /// <summary>Whether the header describes a file of this kind.</summary>
     private bool Fits { get; }
 
-    /// <summary>Reads the file; null where it is not of this kind.</summary>
+    /// <summary>Reads the file; null where it is of another kind or has a mistake.</summary>
     /// <exception cref="MeshFileException">The file cannot be read.</exception>
     public static MeshData? Read(MeshSource source, PlyHeader header) => new TrianglePly(source, header) is { Fits: true } file ? file.Read() : null;
 
@@ -65,7 +64,7 @@ internal sealed class TrianglePly
             : null;
     }
 
-    /// <summary>Reads all rows of an element, some at a time; false where one is not as it should be.</summary>
+    /// <summary>Reads all rows of an element, some at a time; false where one has a mistake.</summary>
     private bool ReadRows(long at, int size, int rowCount, RowReader read)
     {
         var rowsAtOnce = Math.Max(1, source.BlockSize / size);

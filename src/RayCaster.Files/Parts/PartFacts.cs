@@ -3,8 +3,8 @@ using System.Globalization;
 namespace RayCaster.Files;
 
 /// <summary>
-/// Which lines of which picture a file holds. A PNG carries this as a text (a chunk tEXt) under <see cref="Keyword"/>, which other programs show
-/// and leave alone:
+/// Which lines of which picture a file holds. A PNG contains this as a text (chunk tEXt) under <see cref="Keyword"/>; other programs show it and
+/// do not change it:
 /// <code>
 /// picture 500x500
 /// lines 0..249
@@ -15,11 +15,11 @@ namespace RayCaster.Files;
 /// <param name="Width">Pixels in a line.</param>
 /// <param name="Height">Lines of the whole picture.</param>
 /// <param name="Lines">The lines that the file holds.</param>
-/// <param name="Digest">What the picture depends on, <see cref="SceneDigest"/>.</param>
-/// <param name="Version">The program that has drawn it.</param>
+/// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
+/// <param name="Version">The version of the program that drew it.</param>
 public sealed record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
 {
-    /// <summary>What the text is called in the file.</summary>
+    /// <summary>The keyword of the text in the file.</summary>
     public const string Keyword = "raycaster:part";
 
     private static readonly string[] names = ["picture ", "lines ", "scene ", "raycaster "];
@@ -27,12 +27,12 @@ public sealed record PartFacts(int Width, int Height, LineRange Lines, string Di
     /// <summary>The version of this library.</summary>
     public static string ThisVersion => typeof(PartFacts).Assembly.GetName().Version!.ToString(3);
 
-    /// <summary>What a part drawn now is to say.</summary>
-    /// <exception cref="NotSupportedException">A model does not say what it is made of.</exception>
+    /// <summary>The facts of a part that is drawn now.</summary>
+    /// <exception cref="NotSupportedException">A model does not tell its <see cref="Model.Numbers"/>.</exception>
     public static PartFacts Of(Scene scene, LineRange lines) =>
         new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene), ThisVersion);
 
-    /// <summary>Reads the text; null where it is not as <see cref="ToString"/> writes it.</summary>
+    /// <summary>Reads what <see cref="ToString"/> writes; null for any other text.</summary>
     public static PartFacts? Parse(string text)
     {
         var values = text.TrimEnd('\n').Split('\n');

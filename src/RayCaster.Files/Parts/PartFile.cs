@@ -1,6 +1,6 @@
 namespace RayCaster.Files;
 
-/// <summary>A PNG that holds some lines of a picture, and says so; its lines are read one by one.</summary>
+/// <summary>A PNG that holds some lines of a picture (<see cref="PartFacts"/>). Its lines are read one by one.</summary>
 public sealed class PartFile : IDisposable
 {
     private readonly FileStream file;
@@ -12,36 +12,36 @@ public sealed class PartFile : IDisposable
     /// <summary>The file, as the caller named it.</summary>
     public string Path { get; }
 
-    /// <summary>What the file says of itself.</summary>
+    /// <summary>Which lines of which picture the file holds.</summary>
     public PartFacts Facts { get; }
 
     /// <summary>Opens a file.</summary>
-    /// <returns>The part, or null if the file is a PNG that says nothing of parts.</returns>
-    /// <exception cref="PictureFileException">It cannot be read, is no PNG, damaged, or not what it says.</exception>
+    /// <returns>The part, or null for a PNG that is no part.</returns>
+    /// <exception cref="PictureFileException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
     public static PartFile? Open(string path) => PictureFile.Open(path, file =>
     {
         if (!file.CanSeek) throw new PictureFileException("it is a pipe or a device; a part is a file");
         if (file.ReadByte() is var first && first != PngChunk.Signature[0])
-            throw new PictureFileException(first < 0 ? "the file is empty" : "it is no PNG, and so no part of a picture");
+            throw new PictureFileException(first < 0 ? "the file is empty" : "it is not a PNG, so it is not a part of a picture");
         var reader = new PngReader(file, 3 * Camera.MaxPixels);
         if (reader.PartText is not { } text) return null;
         if (PartFacts.Parse(text) is not { } facts)
-            throw new PictureFileException("what it says about its part of the picture cannot be understood; a newer raycaster may have drawn it");
+            throw new PictureFileException("its text about its part of the picture is unknown; perhaps a newer raycaster drew it");
         var header = reader.Header;
         if ((header.Width, header.Height) != (facts.Width, facts.Lines.Count))
             throw new PictureFileException($"it says that it holds the lines {facts.Lines}, each of {facts.Width} pixels, "
                 + $"but has {header.Height} lines of {header.Width}: it was changed by another program");
-        if (header.Interlaced) throw new PictureFileException("it is interlaced, so that its lines cannot be read one after another");
+        reader.RequireLines();
         return new PartFile(path, file, reader, facts);
     });
 
     /// <inheritdoc cref="Holds(string, PartFacts, out string)"/>
     public static bool Holds(string path, PartFacts facts) => Holds(path, facts, out _);
 
-    /// <summary>Whether a file is there, can be read to its last pixel, and holds just this.</summary>
+    /// <summary>Whether a file exists, can be read to its last pixel, and holds these lines of this picture.</summary>
     /// <param name="path">The file.</param>
-    /// <param name="facts">What it is to hold.</param>
-    /// <param name="reason">Why it does not, as the end of a sentence; null where there is no file.</param>
+    /// <param name="facts">What it should hold.</param>
+    /// <param name="reason">Why not, as the end of a sentence; null if there is no file.</param>
     public static bool Holds(string path, PartFacts facts, out string? reason)
     {
         reason = null;
@@ -49,7 +49,7 @@ public sealed class PartFile : IDisposable
         try
         {
             using var part = Open(path);
-            reason = part is null ? "it does not say which scene it shows, as pictures do that are drawn with --rows or --resume"
+            reason = part is null ? "it does not say which scene it shows; only pictures drawn with --rows or --resume do"
                 : part.Facts.Version != facts.Version ? $"it was drawn by version {part.Facts.Version}"
                 : part.Facts != facts ? "it shows another scene, another size or other lines"
                 : null;
@@ -65,7 +65,7 @@ public sealed class PartFile : IDisposable
     }
 
     /// <summary>Reads the next line.</summary>
-    /// <param name="rgb">Takes three bytes a pixel.</param>
+    /// <param name="rgb">Receives three bytes for each pixel.</param>
     /// <exception cref="PictureFileException">The file is damaged.</exception>
     public void ReadLine(Span<byte> rgb)
     {

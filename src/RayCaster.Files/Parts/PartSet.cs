@@ -1,16 +1,16 @@
 namespace RayCaster.Files;
 
-/// <summary>Files that are to be the parts of one picture, whether they are, and the picture that they make.</summary>
-/// <remarks>Only what each file says of itself is kept: a set may have as many parts as a picture has lines.</remarks>
+/// <summary>Files that should be the parts of one picture: checks them, and joins them.</summary>
+/// <remarks>Only the facts of each file are kept in memory: a set may have as many parts as a picture has lines.</remarks>
 public sealed class PartSet
 {
     private readonly List<(string Path, PartFacts Facts)> parts = [];
     private readonly List<string> problems = [];
 
-    /// <summary>Looks at files.</summary>
-    /// <param name="paths">At least one.</param>
-    /// <param name="isChosen">Whether a file was named, so that it must be a part. Of a whole folder's PNGs those that are none are left
-    /// out.</param>
+    /// <summary>Reads the facts of the files.</summary>
+    /// <param name="paths">At least one file.</param>
+    /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
+    /// none.</param>
     /// <exception cref="PictureFileException">A file cannot be read.</exception>
     public PartSet(IReadOnlyList<string> paths, Predicate<string>? isChosen = null)
     {
@@ -35,7 +35,7 @@ public sealed class PartSet
     /// <summary>The files that are parts, from the top.</summary>
     public IEnumerable<string> Files => parts.Select(part => part.Path);
 
-    /// <summary>Why these files are not the parts of one picture, a line of text each; empty if they are, be they all or not.</summary>
+    /// <summary>Why these files are not the parts of one picture, a line of text for each reason. Missing parts are no problem here.</summary>
     public IReadOnlyList<string> Problems => problems;
 
     /// <summary>The lines that no part holds, from the top.</summary>
@@ -45,11 +45,11 @@ public sealed class PartSet
     public (int Width, int Height) Size => (parts[0].Facts.Width, parts[0].Facts.Height);
 
     /// <summary>Writes the picture, a line at a time.</summary>
-    /// <param name="writer">Takes the lines; it is not finished.</param>
-    /// <param name="linesDone">Told how many more lines are done.</param>
+    /// <param name="writer">Receives the lines; it is not finished.</param>
+    /// <param name="linesDone">Called with the number of lines just written.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="InvalidOperationException">There are problems, or lines are missing.</exception>
-    /// <exception cref="PictureFileException">A part is damaged, or another one than before.</exception>
+    /// <exception cref="PictureFileException">A part is damaged, or was replaced.</exception>
     public void Write(PictureWriter writer, Action<int>? linesDone = null, CancellationToken cancellation = default)
     {
         if (parts.Count == 0 || problems.Count > 0 || Missing.Count > 0) throw new InvalidOperationException("these parts do not make a picture");
@@ -68,14 +68,15 @@ public sealed class PartSet
         }
     }
 
-    /// <summary>Parts of another picture than the first one's.</summary>
+    /// <summary>Finds parts of another picture than the first part's.</summary>
     private void FindStrangers()
     {
         var (first, mine) = parts[0];
         foreach (var (path, other) in parts)
         {
             if ((other.Width, other.Height) != (mine.Width, mine.Height))
-                problems.Add($"{path} is of a picture of {other.Width} x {other.Height} pixels, {first} of one of {mine.Width} x {mine.Height}");
+                problems.Add($"{path} belongs to a picture of {other.Width} x {other.Height} pixels, "
+                    + $"{first} to one of {mine.Width} x {mine.Height}");
             else if (other.Digest != mine.Digest)
                 problems.Add($"{path} shows another scene than {first}: {Short(other)} instead of {Short(mine)}");
             else if (other.Version != mine.Version)
@@ -85,10 +86,10 @@ public sealed class PartSet
         static string Short(PartFacts facts) => facts.Digest.Length > 12 ? facts.Digest[..12] + "…" : facts.Digest;
     }
 
-    /// <summary>Lines that are there twice, equal or not: there is one place too many for a mistake.</summary>
+    /// <summary>Finds lines that two parts hold. That is a problem even where they are equal.</summary>
     private void FindOverlaps()
     {
-        var (path, reach) = ("", -1); // what reaches farthest so far
+        var (path, reach) = ("", -1); // the part that reaches farthest down so far, and its last line
         foreach (var (next, facts) in parts)
         {
             var lines = facts.Lines;

@@ -6,19 +6,16 @@ using System.Text;
 namespace RayCaster.Files;
 
 /// <summary>
-/// A short name of everything that a picture depends on (SHA-256): scenes with the same digest have the same picture, to the last bit. It is made
-/// of the values and
-/// not of the file: comments, blanks, names, the order of keys, defaults written out or left out and where the mesh files lie do not change it.
+/// A hash (SHA-256) of everything that a picture depends on: scenes with the same digest have the same picture, to the last bit. It is computed
+/// from the values. Comments, blanks, names, the order of keys, defaults that are written out, and the places of mesh files do not change it.
 /// </summary>
 /// <remarks>
-/// What goes in, in this order; a number is the eight bytes of a double, the lowest first, a text is its length and its UTF-8:
-/// the text "raycaster picture 1"; width, height; position, target, up; fovY, h = 2 tan(fovY / 2); zNear, zFar, bias; clip and sample as 0 or 1; the
-/// background; how many models there are, and of each its colour, the kind, and what the shape depends on: a primitive its numbers,
-/// a mesh how many vertices and indices there are, and each of them, after it has been scaled, turned and moved; a model in plain doubles
-/// and ifs its <see cref="Model.Numbers"/>.
-/// The only functions on the way from a scene file to these numbers whose last bit may depend on the system are tan, sin and cos. That is why h
-/// is in it and
-/// a mesh as it is placed: where two systems differ, their digests do.
+/// These values are hashed, in this order: the text "raycaster picture 1"; width, height; position, target, up; fovY, h = 2 tan(fovY / 2); zNear,
+/// zFar, bias; clip and sample as 0 or 1; the background; the number of models, and of each its colour and its kind. Then of a primitive its
+/// numbers; of a mesh the number of vertices and of indices, and each of them, as the scene places it; of a model in plain doubles and ifs its
+/// <see cref="Model.Numbers"/>. A number is the eight bytes of a double, the lowest first; a text is its length and its UTF-8 bytes.
+/// <para>The last bit of tan, sin and cos may depend on the system. Therefore h and the placed vertices are hashed: if two systems compute
+/// different ones, their digests differ.</para>
 /// </remarks>
 public sealed class SceneDigest : IModelVisitor, IDisposable
 {
@@ -29,7 +26,7 @@ public sealed class SceneDigest : IModelVisitor, IDisposable
     }
 
     /// <summary>The digest of a scene: 64 hexadecimal digits, small letters.</summary>
-    /// <exception cref="NotSupportedException">A model does not say what it is made of; the message is for people.</exception>
+    /// <exception cref="NotSupportedException">A model does not tell its <see cref="Model.Numbers"/>; the message is for people.</exception>
     public static string Of(Scene scene)
     {
         using var digest = new SceneDigest();
@@ -64,16 +61,12 @@ public sealed class SceneDigest : IModelVisitor, IDisposable
         foreach (var number in model.Numbers ?? throw Unknown(model.GetType())) Add(number);
     }
 
-    /// <summary>Adds a number.</summary>
     private SceneDigest Add(double number) => AddBits([number]);
 
-    /// <summary>Adds three numbers.</summary>
     private SceneDigest Add(Vector3 vector) => AddBits([vector]);
 
-    /// <summary>Adds red, green and blue.</summary>
     private SceneDigest Add(Color color) => AddBits([color]);
 
-    /// <summary>Adds a text.</summary>
     private SceneDigest Add(string text)
     {
         var utf8 = Encoding.UTF8.GetBytes(text);
@@ -82,19 +75,17 @@ public sealed class SceneDigest : IModelVisitor, IDisposable
         return this;
     }
 
-    /// <summary>Adds the bits of values.</summary>
     private SceneDigest AddBits<T>(ReadOnlySpan<T> values) where T : struct
     {
         if (RuntimeHelpers.IsReferenceOrContainsReferences<T>()) throw Unknown(typeof(T));
-        for (; values.Length > 0; values = values[Math.Min(values.Length, 1 << 20)..]) // bytes are counted by an int
+        for (; values.Length > 0; values = values[Math.Min(values.Length, 1 << 20)..]) // in pieces, because a span's bytes are counted by an int
             hash.AppendData(MemoryMarshal.AsBytes(values[..Math.Min(values.Length, 1 << 20)]));
         return this;
     }
 
-    /// <summary>What is thrown for a model of which nothing is known.</summary>
     private static NotSupportedException Unknown(Type type) => new(
-        $"is of the class {type.Name}, which does not say what it is made of; have it override Numbers (docs/adding-a-primitive.md)");
+        $"is of the class {type.Name}, which does not tell its numbers; override Numbers in it (docs/adding-a-primitive.md)");
 
-    /// <summary>Frees what the hash holds.</summary>
+    /// <inheritdoc/>
     public void Dispose() => hash.Dispose();
 }

@@ -9,10 +9,10 @@ internal static class Adler32
     /// <summary>The largest prime below 2^16.</summary>
     private const uint Modulus = 65521;
 
-    /// <summary>So many bytes cannot make the sums overflow.</summary>
+    /// <summary>The sums of this many bytes cannot overflow.</summary>
     private const int BytesAtOnce = 5552;
 
-    /// <summary>The checksum of what came before and some more bytes.</summary>
+    /// <summary>Adds bytes to a checksum.</summary>
     public static uint Add(uint sum, ReadOnlySpan<byte> bytes)
     {
         var (a, b) = (sum & 0xFFFF, sum >> 16);
@@ -30,15 +30,12 @@ internal static class Adler32
         return b << 16 | a;
     }
 
-    /// <summary>The checksum of a part and the rest behind it.</summary>
+    /// <summary>The checksum of two parts together, from the checksum of each.</summary>
     /// <remarks>
-    /// A checksum is b · 2^16 + a, all modulo 65521, where a is 1 plus the sum of the bytes, and b the sum of the values that a has after each
-    /// byte. Behind the first part each of these values is larger than in the rest alone by the sum of the first part's bytes, s = a₁ − 1. So
+    /// A checksum is b · 2^16 + a, both modulo 65521: a is 1 plus the sum of the bytes, and b is the sum of the values of a after each byte.
+    /// After the first part, each value of a is larger than in the rest alone by s = a₁ − 1, the sum of the first part's bytes. So
     /// a = s + a₂, and b = b₁ + b₂ + s · restBytes.
     /// </remarks>
-    /// <param name="first">The first part's checksum.</param>
-    /// <param name="rest">The rest's checksum.</param>
-    /// <param name="restBytes">How many bytes the rest has.</param>
     public static uint Join(uint first, uint rest, long restBytes)
     {
         var s = ((first & 0xFFFF) + Modulus - 1) % Modulus; // a₁ may be 0

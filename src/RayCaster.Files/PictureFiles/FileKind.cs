@@ -15,12 +15,12 @@ internal static class FileKind
         return IsRegular(link.LinkTarget is null ? link : (FileInfo)link.ResolveLinkTarget(returnFinalTarget: true)!);
     }
 
-    /// <summary>Whether it is a file and no device, pipe or socket. Of the runtime's classes only that which makes archives tells, and it opens
-    /// none of them.</summary>
+    /// <summary>Whether it is a file, not a device, pipe or socket. In the runtime only the class that makes archives can tell, without opening
+    /// it.</summary>
     private static bool IsRegular(FileInfo file)
     {
-        if (!file.Exists) return false; // what a descriptor's link names, such as pipe:[123]
-        if (file.Length > 0) return true; // all others hold no bytes
+        if (!file.Exists) return false; // a link to something without a name, such as pipe:[123]
+        if (file.Length > 0) return true; // the others have no length
         try
         {
             using var archive = new MemoryStream();
@@ -29,11 +29,11 @@ internal static class FileKind
         }
         catch (UnauthorizedAccessException)
         {
-            return true; // a file that may not be read: only of a file the content is asked for
+            return true; // only a regular file is opened for the archive, so this is one that may not be read
         }
         catch (IOException)
         {
-            return false; // a socket, of which no archive can be made
+            return false; // a socket, which no archive can hold
         }
     }
 }

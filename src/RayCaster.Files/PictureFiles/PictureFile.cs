@@ -24,16 +24,16 @@ public static class PictureFile
     /// <exception cref="IOException">The stream fails.</exception>
     public static Picture Read(Stream stream) => Read(stream, MostBytes);
 
-    /// <summary>The same with a limit of one's own.</summary>
+    /// <summary>The same with a limit.</summary>
     /// <param name="stream">The file's bytes.</param>
-    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel, whatever the file's header promises.</param>
+    /// <param name="mostBytes">The most bytes that the picture may take in memory, three for each pixel.</param>
     /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     public static Picture Read(Stream stream, long mostBytes)
     {
         try
         {
-            // A few bytes tell what it is. A pipe cannot go back: the rest follows them.
+            // The first bytes tell the format. A pipe cannot seek back, so they are passed on with the rest.
             var start = new byte[8];
             var begun = start.AsSpan(0, stream.Read(start));
             if (begun.IsEmpty) throw new PictureFileException("the file is empty");
@@ -47,10 +47,10 @@ public static class PictureFile
         }
     }
 
-    /// <summary>Writes a picture; a file that was there is replaced at the end, or stays if anything fails.</summary>
+    /// <summary>Writes a picture. An old file is replaced at the end, and stays if anything fails.</summary>
     /// <param name="path">The file.</param>
     /// <param name="picture">The picture.</param>
-    /// <param name="format">The kind of file; if none is given, the one that the extension names.</param>
+    /// <param name="format">The format; the extension's if left out.</param>
     /// <exception cref="PictureFileException">The extension names no format, or the file cannot be written.</exception>
     public static void Write(string path, Picture picture, PictureFormat? format = null)
     {
@@ -64,9 +64,9 @@ public static class PictureFile
         file.Commit();
     }
 
-    /// <summary>Opens a file and reads it, or begins to; says which file it is that does not do.</summary>
+    /// <summary>Opens a file for reading; errors name the file.</summary>
     /// <param name="path">The file.</param>
-    /// <param name="read">Reads. It closes the file or keeps it; here it is closed only after a failure, or where nothing comes of it.</param>
+    /// <param name="read">Reads, and closes the file or keeps it. If it throws or returns null, the file is closed here.</param>
     /// <exception cref="PictureFileException">The file cannot be read.</exception>
     internal static T Open<T>(string path, Func<FileStream, T> read)
     {
@@ -102,18 +102,15 @@ public static class PictureFile
         }
     }
 
-    /// <summary>Refuses a size that a header promises before anything is allocated for it.</summary>
-    /// <param name="width">Pixels in a line.</param>
-    /// <param name="height">Lines.</param>
-    /// <param name="mostBytes">What the picture may have, three bytes a pixel; what an array may have if left out.</param>
+    /// <summary>Refuses a size that a header promises, before anything is allocated for it.</summary>
     /// <exception cref="PictureFileException">A side is 0, or the picture is too large.</exception>
-    internal static void CheckSize(long width, long height, long? mostBytes = null)
+    internal static void CheckSize(long width, long height, long mostBytes)
     {
         if (width < 1 || height < 1)
             throw new PictureFileException($"its size is {width} × {height} pixels, but each side must be at least 1");
-        var (bytes, limit) = ((Int128)width * height * 3, mostBytes ?? MostBytes);
-        if (bytes <= limit) return;
-        throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {limit:N0}");
+        var bytes = (Int128)width * height * 3;
+        if (bytes > mostBytes)
+            throw new PictureFileException($"a picture of {width:N0} × {height:N0} pixels needs {bytes:N0} bytes, the limit is {mostBytes:N0}");
     }
 
     /// <summary>A piece of a damaged file, fit for a message.</summary>
@@ -126,31 +123,16 @@ public static class PictureFile
         return text.ToString();
     }
 
-    /// <summary>The bytes that are there; a pipe or a device promises no length, so that memory grows with them.</summary>
-    private static MemoryStream InMemory(ReadOnlySpan<byte> begun, Stream stream)
-    {
-        if (stream.CanSeek && begun.Length + stream.Length - stream.Position > MostBytes) throw TooLong();
-        // One more than there should be, so that the end is met without growing.
-        var bytes = new byte[stream.CanSeek ? Math.Clamp(begun.Length + stream.Length - stream.Position + 1, 1, MostBytes) : 1 << 16];
-        begun.CopyTo(bytes);
-        for (var length = begun.Length; ;)
-        {
-            var count = stream.Read(bytes.AsSpan(length));
-            if (count == 0) return new MemoryStream(bytes, 0, length);
-            length += count;
-            if (length < bytes.Length) continue;
-            if (length == MostBytes) throw TooLong();
-            Array.Resize(ref bytes, (int)Math.Min(2L * length, MostBytes));
-        }
-
-        static PictureFileException TooLong() => new($"the file is longer than {MostBytes:N0} bytes, which is the limit");
-    }
+    private static MemoryStream InMemory(ReadOnlySpan<byte> begun, Stream stream) =>
+        StreamBytes.TryReadToEnd(stream, MostBytes - 1, out var bytes, begun)
+            ? new(bytes.Array!, bytes.Offset, bytes.Count)
+            : throw new PictureFileException($"the file is longer than {MostBytes:N0} bytes, which is the limit");
 
     private static string Guess(ReadOnlySpan<byte> file) => file switch
     {
         [0xFF, 0xD8, ..] => "it is a JPEG, whose colours are not exact",
         [(byte)'G', (byte)'I', (byte)'F', ..] => "it is a GIF",
         [(byte)'B', (byte)'M', ..] => "it is a BMP",
-        _ => $"it begins with '{Printable(file[..Math.Min(8, file.Length)])}', which is no picture that is known",
+        _ => $"it begins with '{Printable(file[..Math.Min(8, file.Length)])}', which is no known picture format",
     };
 }

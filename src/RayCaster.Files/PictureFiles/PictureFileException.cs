@@ -1,21 +1,21 @@
 namespace RayCaster.Files;
 
-/// <summary>A picture file cannot be read or written, for a reason that a person can mend.</summary>
+/// <summary>A picture file cannot be read or written, for a reason that the user can remove.</summary>
 /// <param name="message">What was found, where, and what is allowed; lower-case, without a full stop, further lines indented.</param>
-/// <param name="cause">What the system said, if it did.</param>
+/// <param name="cause">The system's exception, if there is one.</param>
 public sealed class PictureFileException(string message, Exception? cause = null) : Exception(message, cause)
 {
     private const int NoSpaceOnUnix = 28, QuotaOnLinux = 122, QuotaOnMac = 69;
     private const int DiskFullOnWindows = unchecked((int)0x80070070);
 
-    /// <summary>Whether the message says which file it is about.</summary>
+    /// <summary>Whether the message names the file.</summary>
     internal bool NamesFile { get; init; }
 
-    /// <summary>Whether an exception is the system's way to say that a file cannot be used; the last is what a file comes to that grows too
+    /// <summary>Whether the system throws such an exception for a file that cannot be used; the last kind is for a file that grows too
     /// large.</summary>
     internal static bool IsCausedByFile(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException;
 
-    /// <summary>The system's reason in words; its own message would name the temporary file and end in a full stop.</summary>
+    /// <summary>The system's reason in words. Its own message names the temporary file and ends in a full stop.</summary>
     internal static string Reason(Exception e)
     {
         if (e is UnauthorizedAccessException) return "access is denied";

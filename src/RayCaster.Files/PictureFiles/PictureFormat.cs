@@ -1,15 +1,15 @@
 namespace RayCaster.Files;
 
-/// <summary>The kinds of picture file that <see cref="PictureWriter"/> makes.</summary>
+/// <summary>The formats that <see cref="PictureWriter"/> writes.</summary>
 public enum PictureFormat
 {
     /// <summary>PNG: compressed without loss, 8 bits each of red, green and blue.</summary>
     Png,
 
-    /// <summary>PPM in bytes (P6): a header of three lines, then the bare bytes of the pixels.</summary>
+    /// <summary>PPM in bytes (P6): a header of three lines, then the bytes of the pixels.</summary>
     Ppm,
 
-    /// <summary>PPM in text (P3), which a person can read. It shares its extension with P6, so it is never chosen by a name.</summary>
+    /// <summary>PPM in text (P3), which a person can read. It has the extension of P6, so no extension chooses it.</summary>
     PpmText,
 }
 

@@ -1,8 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// Writes a picture line by line from the top, in memory that does not grow with the number of lines. An error of the output stream
-/// passes through as it is.
+/// Writes a picture line by line from the top, in memory that does not grow with the number of lines. Exceptions of the output stream are not
+/// changed.
 /// </summary>
 public abstract class PictureWriter : IDisposable
 {
@@ -24,10 +24,10 @@ public abstract class PictureWriter : IDisposable
 
     /// <summary>Begins a picture: writes the header.</summary>
     /// <param name="format">The kind of file.</param>
-    /// <param name="output">Takes the file's bytes in order; it need not seek and is left open.</param>
+    /// <param name="output">Receives the file's bytes in order. It need not seek, and is left open.</param>
     /// <param name="width">Pixels in a line, at least 1.</param>
     /// <param name="height">Lines, at least 1.</param>
-    /// <param name="part">What the picture is part of, if it is: only a PNG can tell.</param>
+    /// <param name="part">Which part of a picture it is, if it is one; only a PNG can say so.</param>
     public static PictureWriter Create(PictureFormat format, Stream output, int width, int height, PartFacts? part = null) => format switch
     {
         PictureFormat.Png => new PngWriter(output, width, height, part),
@@ -51,7 +51,7 @@ public abstract class PictureWriter : IDisposable
     }
 
     /// <summary>Ends the file and flushes the output.</summary>
-    /// <exception cref="InvalidOperationException">Lines are missing, or the file has been ended before.</exception>
+    /// <exception cref="InvalidOperationException">Lines are missing, or the file was ended before.</exception>
     public void Finish()
     {
         if (linesMissing > 0) throw new InvalidOperationException($"the picture misses {linesMissing} lines");
@@ -61,10 +61,9 @@ public abstract class PictureWriter : IDisposable
         Output.Flush();
     }
 
-    /// <summary>Frees what the writer holds. It does not end the file: a picture that was not finished stays visibly cut.</summary>
+    /// <summary>Frees the writer's memory. It does not end the file: a picture that was not finished is visibly cut.</summary>
     public virtual void Dispose() => GC.SuppressFinalize(this);
 
-    /// <summary>Writes lines that are known to be whole and in the picture.</summary>
     private protected abstract void Encode(ReadOnlySpan<byte> lines);
 
     /// <summary>Writes what follows the last line.</summary>

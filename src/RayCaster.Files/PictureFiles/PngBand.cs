@@ -7,23 +7,23 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Files;
 
 /// <summary>
-/// Some lines of a PNG, filtered and compressed apart from the others, so that several bands can be compressed at once and are yet one
-/// stream in the file. A band that is written serves again.
+/// Some lines of a PNG, filtered and compressed by themselves. Several bands can be compressed at the same time, and their data join to one
+/// stream in the file. A band can be used again after it is written.
 /// </summary>
 /// <remarks>
-/// A zlib stream (RFC 1950) is two bytes of header, blocks of compressed data (RFC 1951), and a checksum, Adler-32, of all that is
-/// compressed. Streams become one when the first keeps its header, the last its last block, which says that it is the last, and the checksums
-/// give way to that of all. A stream can be cut before its last block because it is flushed there, which ends it at a whole byte.
+/// A zlib stream (RFC 1950) has a header of two bytes, blocks of compressed data (RFC 1951), and an Adler-32 checksum of the data before
+/// compression. Of the bands' streams, only the first keeps its header, only the last its final block, and one checksum of all data replaces
+/// theirs. A stream can be cut before its final block because it is flushed there, which fills up its last byte.
 /// </remarks>
 internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
 {
     private const int HeaderBytes = 2, ChecksumBytes = 4;
     private const byte FilterUp = 2;
 
-    /// <summary>About so much goes to the compressor in one call.</summary>
+    /// <summary>About how many bytes go to the compressor in one call.</summary>
     private const int BytesAtOnce = 1 << 15;
 
-    /// <summary>Level 2 of 9 takes a fraction of the default's time and hardly more room.</summary>
+    /// <summary>Level 2 of 9 takes a fraction of the default's time and makes hardly larger files.</summary>
     private static readonly ZLibCompressionOptions options = new() { CompressionLevel = 2 };
 
     private readonly byte[] above = new byte[lineBytes];
@@ -35,10 +35,9 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
     private bool isFirst, isLast;
     private int collected, start, end;
 
-    /// <summary>How many bytes of lines the band still takes.</summary>
+    /// <summary>How many more bytes of lines the band can collect.</summary>
     public int Room => lineBytes * mostLines - collected;
 
-    /// <summary>The last of the lines that were collected.</summary>
     public ReadOnlySpan<byte> LastLine => lines.AsSpan(collected - lineBytes, lineBytes);
 
     /// <summary>Whether the work that <see cref="Start"/> began is done.</summary>
@@ -47,17 +46,17 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
     /// <summary>The band's part of the file's compressed data.</summary>
     public ReadOnlySpan<byte> Data => compressed.GetBuffer().AsSpan(start..end);
 
-    /// <summary>The checksum of the chunk IDAT with these data.</summary>
+    /// <summary>The checksum of a chunk IDAT with <see cref="Data"/>.</summary>
     public uint Crc { get; private set; }
 
     /// <summary>How many bytes were compressed.</summary>
     public long FilteredBytes { get; private set; }
 
-    /// <summary>Their checksum.</summary>
+    /// <summary>The checksum of the bytes that were compressed.</summary>
     public uint Adler { get; private set; }
 
-    /// <summary>Begins anew.</summary>
-    /// <param name="lineAbove">The line above the band; zeros above the picture, or nothing for the same.</param>
+    /// <summary>Empties the band.</summary>
+    /// <param name="lineAbove">The line above the band; empty at the top of the picture.</param>
     /// <param name="isFirst">Whether the band is the picture's first.</param>
     /// <param name="isLast">Whether it is the last.</param>
     public void Begin(ReadOnlySpan<byte> lineAbove, bool isFirst, bool isLast)
@@ -69,7 +68,7 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
         (collected, FilteredBytes) = (0, 0);
     }
 
-    /// <summary>Keeps lines for <see cref="Start"/>.</summary>
+    /// <summary>Copies lines for <see cref="Start"/>.</summary>
     public void Collect(ReadOnlySpan<byte> more)
     {
         lines ??= GC.AllocateUninitializedArray<byte>(lineBytes * mostLines);
@@ -77,17 +76,17 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
         collected += more.Length;
     }
 
-    /// <summary>Lets another thread compress what was collected, and end the band.</summary>
+    /// <summary>Compresses the collected lines on another thread, and ends the band.</summary>
     public void Start() => task = Task.Run(() =>
     {
         Compress(lines.AsSpan(0, collected));
         End();
     });
 
-    /// <summary>Waits until that is done, if it was begun.</summary>
+    /// <summary>Waits for the work that <see cref="Start"/> began.</summary>
     public void Wait() => task?.GetAwaiter().GetResult();
 
-    /// <summary>Compresses lines at once.</summary>
+    /// <summary>Compresses lines on this thread.</summary>
     public void Compress(ReadOnlySpan<byte> more)
     {
         ReadOnlySpan<byte> before = above;
@@ -119,7 +118,7 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
         Crc = PngChunk.Crc(PngChunk.Crc(0, "IDAT"u8), Data);
     }
 
-    /// <summary>Waits until no other thread works for the band any more, and frees what the compressor holds.</summary>
+    /// <summary>Waits until no other thread works for the band, and frees the compressor.</summary>
     public void Dispose()
     {
         task?.ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing).GetAwaiter().GetResult();

@@ -3,7 +3,7 @@ using System.Buffers.Binary;
 namespace RayCaster.Files;
 
 /// <summary>
-/// The outer form of a PNG (ISO/IEC 15948, clause 5): a signature, then chunks: length, four letters that name the type, data, checksum.
+/// The outer form of a PNG (ISO/IEC 15948, clause 5): a signature, then chunks. A chunk is a length, four letters for its type, data, checksum.
 /// </summary>
 internal static class PngChunk
 {
@@ -12,17 +12,12 @@ internal static class PngChunk
 
     private static readonly uint[] crcTable = MakeCrcTable();
 
-    /// <summary>Not ASCII, and with both kinds of line end, so that a transfer as text is noticed.</summary>
+    /// <summary>Not ASCII, and with both kinds of line end, so that a transfer as text damages it.</summary>
     public static ReadOnlySpan<byte> Signature => [0x89, (byte)'P', (byte)'N', (byte)'G', (byte)'\r', (byte)'\n', 0x1A, (byte)'\n'];
 
-    /// <summary>Writes a chunk.</summary>
-    /// <param name="output">Takes the bytes.</param>
-    /// <param name="type">Four letters.</param>
-    /// <param name="data">Up to 2^31 − 1 bytes.</param>
     public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data) =>
         Write(output, type, data, Crc(Crc(0, type), data));
 
-    /// <summary>Writes a chunk whose checksum is known.</summary>
     public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data, uint crc)
     {
         Span<byte> number = stackalloc byte[4];
@@ -34,7 +29,7 @@ internal static class PngChunk
         output.Write(number);
     }
 
-    /// <summary>CRC-32 of the polynomial 0xEDB88320 (the specification's annex D); the checksum so far goes in, 0 at first.</summary>
+    /// <summary>CRC-32 with the polynomial 0xEDB88320 (the specification's annex D). Takes the checksum so far, 0 at first.</summary>
     public static uint Crc(uint crc, ReadOnlySpan<byte> data)
     {
         crc = ~crc;

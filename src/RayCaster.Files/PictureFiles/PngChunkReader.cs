@@ -3,7 +3,7 @@ using System.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>Reads the chunks of a PNG one after another, and each one's data in pieces of any size, so that no chunk need fit into memory.</summary>
+/// <summary>Reads the chunks of a PNG in order, and the data of each in pieces of any size, so that no chunk need fit into memory.</summary>
 internal sealed class PngChunkReader
 {
     private readonly Stream file;
@@ -11,25 +11,23 @@ internal sealed class PngChunkReader
     private long start;
     private uint crc;
 
-    /// <summary>Begins with the first chunk.</summary>
-    /// <param name="file">The file.</param>
-    /// <exception cref="PictureFileException">It cannot seek, or does not begin like a PNG.</exception>
+    /// <exception cref="PictureFileException">The file cannot seek, or does not begin like a PNG.</exception>
     public PngChunkReader(Stream file)
     {
         if (!file.CanSeek) throw new PictureFileException("it is a pipe or a device; name a file");
         this.file = file;
         file.Position = 0;
         if (Fill(frame) < frame.Length || !frame.AsSpan().SequenceEqual(PngChunk.Signature))
-            throw new PictureFileException("it begins like a PNG, but its first eight bytes are damaged, as by a transfer as text");
+            throw new PictureFileException("it begins like a PNG, but its first eight bytes are damaged; perhaps it was transferred as text");
     }
 
     /// <summary>The chunk's four letters.</summary>
     public string Type { get; private set; } = "";
 
-    /// <summary>How many of its bytes were not read yet.</summary>
+    /// <summary>How many of its bytes are not read yet.</summary>
     public long Left { get; private set; }
 
-    /// <summary>Goes to the chunk that follows.</summary>
+    /// <summary>Goes to the next chunk.</summary>
     /// <exception cref="PictureFileException">The file is cut short.</exception>
     public void Next()
     {
@@ -50,8 +48,7 @@ internal sealed class PngChunkReader
         if (Left == 0) CheckCrc();
     }
 
-    /// <summary>Goes back to a chunk.</summary>
-    /// <param name="chunk">Its place, <see cref="Place"/>.</param>
+    /// <summary>Goes back to the chunk at a <see cref="Place"/>.</summary>
     public void Return(long chunk)
     {
         file.Position = chunk;
@@ -61,9 +58,9 @@ internal sealed class PngChunkReader
     /// <summary>Where in the file the chunk begins.</summary>
     public long Place => start;
 
-    /// <summary>Reads the next bytes of the chunk's data; with the last of them its checksum is checked.</summary>
-    /// <returns>How many: fewer than there is room for only at the chunk's end.</returns>
-    /// <exception cref="PictureFileException">The checksum is wrong, or somebody has cut the file.</exception>
+    /// <summary>Reads the next bytes of the chunk's data, and checks the checksum after the last of them.</summary>
+    /// <returns>How many: fewer than the buffer holds only at the chunk's end.</returns>
+    /// <exception cref="PictureFileException">The checksum is wrong, or the file became shorter.</exception>
     public int Read(Span<byte> buffer)
     {
         if (Left == 0) return 0;
@@ -75,7 +72,7 @@ internal sealed class PngChunkReader
         return data.Length;
     }
 
-    /// <summary>All the data, if there are no more of them than expected; otherwise the first of them.</summary>
+    /// <summary>The data, or the first bytes of it if there are more than expected.</summary>
     public byte[] ReadUpTo(int most)
     {
         var data = new byte[Math.Min(most, Left)];
@@ -83,16 +80,16 @@ internal sealed class PngChunkReader
         return data;
     }
 
-    /// <summary>Reads the rest of the chunk for its checksum alone.</summary>
+    /// <summary>Reads the rest of the chunk only to check the checksum.</summary>
     public void Check()
     {
         while (Left > 0) Read(passedBy);
     }
 
-    /// <summary>Leaves the rest of the chunk out, checksum and all.</summary>
+    /// <summary>Skips the rest of the chunk and its checksum.</summary>
     public void Skip()
     {
-        if (Left == 0) return; // its checksum has been read
+        if (Left == 0) return; // the checksum was read already
         file.Position += Left + 4;
         Left = 0;
     }
@@ -113,7 +110,7 @@ internal sealed class PngChunkReader
         }
         catch (IOException e)
         {
-            throw new PictureFileException(PictureFileException.Reason(e), e); // not to be taken for damaged data
+            throw new PictureFileException(PictureFileException.Reason(e), e); // an IOException would be taken for damaged data
         }
     }
 }

@@ -1,12 +1,12 @@
 namespace RayCaster.Files;
 
-/// <summary>The compressed data of a PNG: what all its chunks IDAT hold, as one stream to be read once from the start.</summary>
-/// <param name="chunks">Stands at the first of these chunks.</param>
+/// <summary>The compressed data of a PNG: the data of all its chunks IDAT as one stream, which can be read once.</summary>
+/// <param name="chunks">The chunks, at the first IDAT.</param>
 internal sealed class PngData(PngChunkReader chunks) : Stream
 {
     private uint lastFour;
 
-    /// <summary>The last four bytes that were read, as a number: at the end of the data their checksum.</summary>
+    /// <summary>The last four bytes that were read, as a number. At the end of the data they are its checksum.</summary>
     public uint LastFour => lastFour;
 
     public override bool CanRead => true;

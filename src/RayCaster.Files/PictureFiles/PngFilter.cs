@@ -1,13 +1,13 @@
 namespace RayCaster.Files;
 
-/// <summary>PNG's filters (ISO/IEC 15948, clause 9): a byte is stored as its difference to a guess from its neighbours.</summary>
+/// <summary>PNG's filters (ISO/IEC 15948, clause 9): a byte is stored as its difference from a prediction by its neighbours.</summary>
 internal static class PngFilter
 {
     /// <summary>Turns differences back into bytes, in place.</summary>
     /// <param name="filter">The number that stands before the line.</param>
-    /// <param name="line">The line, behind <paramref name="step"/> zeros.</param>
-    /// <param name="above">The line above, of the same shape; zeros above the first.</param>
-    /// <param name="step">How far to the left a byte's neighbour is: the bytes of a pixel, at least 1.</param>
+    /// <param name="line">The line, after <paramref name="step"/> zeros.</param>
+    /// <param name="above">The line above, after as many zeros; all zeros above the first line.</param>
+    /// <param name="step">How far a byte is from its left neighbour: the bytes of a pixel, at least 1.</param>
     /// <exception cref="PictureFileException">There is no such filter.</exception>
     public static void Undo(int filter, Span<byte> line, ReadOnlySpan<byte> above, int step)
     {
@@ -32,7 +32,7 @@ internal static class PngFilter
         }
     }
 
-    /// <summary>Of three neighbours the one nearest to left + above − diagonal; of equally near ones the first.</summary>
+    /// <summary>The neighbour nearest to left + above − diagonal; of equally near ones the first.</summary>
     private static byte Paeth(int left, int above, int diagonal)
     {
         var guess = left + above - diagonal;

@@ -2,7 +2,7 @@ using System.Buffers.Binary;
 
 namespace RayCaster.Files;
 
-/// <summary>What a PNG's first chunk, IHDR, says about its pixels.</summary>
+/// <summary>A PNG's first chunk, IHDR, which describes its pixels.</summary>
 internal readonly record struct PngHeader(int Width, int Height, int BitDepth, int ColorType, bool Interlaced)
 {
     /// <summary>The chunk's length.</summary>
@@ -14,17 +14,17 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     /// <summary>The colour type whose samples are places in the palette.</summary>
     public const int Palette = 3;
 
-    /// <summary>No longer than the lines that are drawn here: two lines, of up to 8 bytes a pixel, are in memory whatever the file's size.</summary>
+    /// <summary>As many as a camera's. Two lines of up to 8 bytes a pixel are in memory, whatever the file's size.</summary>
     private const int MostColumns = Camera.MaxSide;
 
-    /// <summary>Colour types by their samples: grey, red-green-blue, palette, grey and alpha, red-green-blue and alpha.</summary>
+    /// <summary>The samples of a pixel. Colour type 0 is grey, 4 grey and alpha, 6 red, green, blue and alpha.</summary>
     public int Channels => ColorType switch { 0 or Palette => 1, 4 => 2, Rgb => 3, _ => 4 };
 
     public int BitsPerPixel => Channels * BitDepth;
 
     /// <summary>
-    /// The reduced pictures that the file holds one after another, each line preceded by the number of its filter: one picture of all
-    /// pixels, or the seven of Adam7, that take pixels from ever finer grids.
+    /// The reduced pictures that the file holds one after another: one picture of all pixels, or the seven of Adam7, which take pixels from
+    /// finer and finer grids. The number of its filter stands before each line.
     /// </summary>
     public IReadOnlyList<PngPass> Passes
     {
@@ -40,7 +40,7 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
         }
     }
 
-    /// <summary>How many bytes the file's data have when they are decompressed.</summary>
+    /// <summary>The length of the file's data after decompression.</summary>
     public Int128 DataBytes
     {
         get
@@ -51,22 +51,18 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
         }
     }
 
-    /// <summary>The bytes of a line, without the number of its filter; its last byte may be filled up.</summary>
+    /// <summary>The bytes of a line, without the number of its filter; some bits of the last byte may mean nothing.</summary>
     public long LineBytes(int columns) => ((long)columns * BitsPerPixel + 7) / 8;
 
-    /// <summary>The chunk's data.</summary>
     public byte[] ToBytes()
     {
-        var data = new byte[Bytes]; // the only compression and filter method there are are 0
+        var data = new byte[Bytes]; // compression and filter method stay 0, the only ones
         BinaryPrimitives.WriteInt32BigEndian(data, Width);
         BinaryPrimitives.WriteInt32BigEndian(data.AsSpan(4), Height);
         (data[8], data[9], data[12]) = ((byte)BitDepth, (byte)ColorType, (byte)(Interlaced ? 1 : 0));
         return data;
     }
 
-    /// <summary>Reads the chunk's data.</summary>
-    /// <param name="data">Its bytes.</param>
-    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel.</param>
     /// <exception cref="PictureFileException">A value is not allowed, or the picture is too large.</exception>
     public static PngHeader Read(ReadOnlySpan<byte> data, long mostBytes)
     {
@@ -89,7 +85,7 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     }
 }
 
-/// <summary>A grid of pixels: every <paramref name="StepX"/>th of every <paramref name="StepY"/>th line, from a first one on.</summary>
+/// <summary>A grid of pixels: from (X, Y) on, every <paramref name="StepX"/>th pixel of every <paramref name="StepY"/>th line.</summary>
 internal readonly record struct PngPass(int X, int Y, int StepX, int StepY)
 {
     public int Columns(int width) => (width - X - 1) / StepX + 1;

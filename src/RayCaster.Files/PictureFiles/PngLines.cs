@@ -2,7 +2,7 @@ using System.Buffers.Binary;
 
 namespace RayCaster.Files;
 
-/// <summary>The lines of a PNG, or of one of the passes of an interlaced one, brought to a byte a sample.</summary>
+/// <summary>Reads the lines of a PNG, or of one pass of an interlaced PNG, with one byte for each sample.</summary>
 internal sealed class PngLines
 {
     private readonly Stream data;
@@ -11,29 +11,28 @@ internal sealed class PngLines
     private readonly byte[] samples;
     private byte[] line, above;
 
-    /// <summary>The checksum of all that was decompressed, the passes before this one included.</summary>
+    /// <summary>The checksum of all decompressed data, with the passes before this one.</summary>
     public uint CheckSum { get; private set; }
 
-    /// <param name="data">The decompressed data, from the first line of the pass on.</param>
+    /// <param name="data">The decompressed data, at the first line of the pass.</param>
     /// <param name="header">The picture.</param>
     /// <param name="pass">The pass.</param>
-    /// <param name="checkSum">The checksum of what came before.</param>
+    /// <param name="checkSum">The checksum of the passes before.</param>
     public PngLines(Stream data, PngHeader header, PngPass pass, uint checkSum)
     {
         CheckSum = checkSum;
         (this.data, this.header) = (data, header);
         var columns = pass.Columns(header.Width);
-        // Filters look a whole pixel to the left, beyond the edge at zeros: these stand before each line. The byte before the line is
-        // the number of its filter first, and a zero again when that is known.
+        // The left neighbours of a line's first pixel are zeros, which stand before each line. The last of these bytes first receives the number
+        // of the filter, and is set to zero again.
         margin = Math.Max(1, header.BitsPerPixel / 8);
         (line, above) = (new byte[margin + header.LineBytes(columns)], new byte[margin + header.LineBytes(columns)]);
         samples = new byte[(long)columns * header.Channels];
     }
 
-    /// <summary>The samples of the next line: places in the palette as they are, all others scaled to 8 bits. They hold until the line after it
-    /// is read.</summary>
+    /// <summary>The samples of the next line, scaled to 8 bits if they are not places in the palette. The next call overwrites them.</summary>
     /// <param name="y">Which line it is, for a message.</param>
-    /// <exception cref="PictureFileException">The line is not there, or has no filter that is known.</exception>
+    /// <exception cref="PictureFileException">The line is missing, or its filter is unknown.</exception>
     public ReadOnlySpan<byte> Next(int y)
     {
         (line, above) = (above, line);
@@ -48,7 +47,7 @@ internal sealed class PngLines
         return samples;
     }
 
-    /// <summary>Brings the samples of a line to a byte each, rounded to nearest.</summary>
+    /// <summary>Converts the samples of a line to a byte each, rounded to nearest.</summary>
     private void Unpack(ReadOnlySpan<byte> packed)
     {
         switch (header.BitDepth)
@@ -57,7 +56,7 @@ internal sealed class PngLines
                 packed.CopyTo(samples);
                 break;
             case 16:
-                // v · 255 / 65535 is v / 257, which is never half a step.
+                // v · 255 / 65535 is v / 257; its fraction is never ½.
                 for (var i = 0; i < samples.Length; i++)
                     samples[i] = (byte)((BinaryPrimitives.ReadUInt16BigEndian(packed[(2 * i)..]) + 128) / 257);
                 break;

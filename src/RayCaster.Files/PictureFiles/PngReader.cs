@@ -4,15 +4,15 @@ using System.Text;
 namespace RayCaster.Files;
 
 /// <summary>
-/// PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checksums are checked; alpha and transparency are dropped. What is
-/// not interlaced is also read line by line, in memory that does not grow with the number of lines.
+/// Reads PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checks all checksums, and drops alpha and transparency. A picture
+/// that is not interlaced can be read line by line, in memory that does not grow with the number of lines.
 /// </summary>
 internal sealed class PngReader : IDisposable
 {
-    /// <summary>Deflate describes 258 bytes with two bits at best.</summary>
+    /// <summary>The best compression there is: Deflate describes 258 bytes with two bits.</summary>
     private const int MostBytesFromOne = 1032;
 
-    /// <summary>A longer text is none of ours.</summary>
+    /// <summary>Longer texts were not written by this program.</summary>
     private const int MostText = 4096;
 
     private readonly PngChunkReader chunks;
@@ -23,10 +23,9 @@ internal sealed class PngReader : IDisposable
     private PngLines? lines;
     private int linesRead;
 
-    /// <summary>Reads all chunks but the pixels.</summary>
-    /// <param name="file">The file, which can seek; it is left open.</param>
-    /// <param name="mostBytes">What the picture may have in memory, three bytes a pixel.</param>
-    /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
+    /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
+    /// <exception cref="PictureFileException">The file is damaged, or the picture needs more than <paramref name="mostBytes"/> bytes, three
+    /// for each pixel.</exception>
     public PngReader(Stream file, long mostBytes)
     {
         chunks = new(file);
@@ -66,9 +65,9 @@ internal sealed class PngReader : IDisposable
                 case "IEND":
                     break;
                 default:
-                    // A small first letter says that the picture can be shown without this chunk.
+                    // A capital first letter says that the picture cannot be shown without this chunk.
                     if (char.IsAsciiLetterUpper(chunks.Type[0]))
-                        throw new PictureFileException($"its chunk {chunks.Type} is not known here or out of place");
+                        throw new PictureFileException($"its chunk {chunks.Type} is unknown or in the wrong place");
                     break;
             }
             chunks.Check();
@@ -81,16 +80,15 @@ internal sealed class PngReader : IDisposable
         if (Header.DataBytes > (Int128)dataBytes * MostBytesFromOne)
             throw new PictureFileException("the file is cut short: "
                 + $"{Header.Width:N0} × {Header.Height:N0} pixels are {Header.DataBytes:N0} bytes, "
-                + $"which no compression brings down to the {dataBytes:N0} that it holds");
+                + $"which cannot be compressed to the {dataBytes:N0} that the file holds");
     }
 
-    /// <summary>What the file says about its pixels.</summary>
     public PngHeader Header { get; }
 
-    /// <summary>Whether it is the first picture of an animation (APNG).</summary>
+    /// <summary>Whether the file is an animation (APNG), of which only the first picture is read.</summary>
     public bool IsAnimation { get; }
 
-    /// <summary>What the file says of the picture that it is part of (<see cref="PartFacts"/>), or null.</summary>
+    /// <summary>The text of <see cref="PartFacts"/>, if the picture is a part of one.</summary>
     public string? PartText { get; }
 
     /// <summary>Reads a whole picture.</summary>
@@ -101,16 +99,31 @@ internal sealed class PngReader : IDisposable
         return reader.ReadPicture();
     }
 
-    /// <summary>Reads all lines of a picture that is not interlaced for nothing but to see whether they can be read.</summary>
-    /// <exception cref="PictureFileException">They cannot.</exception>
+    /// <summary>Opens a file for reading it line by line.</summary>
+    /// <exception cref="PictureFileException">The file cannot be read; the message names it.</exception>
+    public static T OpenFile<T>(string path, Func<PngReader, T> read) => PictureFile.Open(path, file =>
+    {
+        using (file)
+        using (var png = new PngReader(file, 3 * Camera.MaxPixels))
+            return read(png);
+    });
+
+    /// <exception cref="PictureFileException">The picture is interlaced, so that its lines do not follow each other.</exception>
+    public void RequireLines()
+    {
+        if (Header.Interlaced) throw new PictureFileException("it is interlaced, so that its lines cannot be read one after another");
+    }
+
+    /// <summary>Reads all lines of a picture that is not interlaced, to check them.</summary>
+    /// <exception cref="PictureFileException">The data are damaged.</exception>
     public void CheckLines()
     {
         var line = new byte[3 * Header.Width];
         for (var y = 0; y < Header.Height; y++) ReadLine(line);
     }
 
-    /// <summary>Reads the next line of a picture that is not interlaced; the last one brings the end of the data, which is checked.</summary>
-    /// <param name="rgb">Takes three bytes a pixel.</param>
+    /// <summary>Reads the next line of a picture that is not interlaced; after the last line also the end of the data, which is checked.</summary>
+    /// <param name="rgb">Receives three bytes for each pixel.</param>
     /// <exception cref="PictureFileException">The data are damaged.</exception>
     public void ReadLine(Span<byte> rgb) => FromData(rgb, static (reader, rgb) =>
     {
@@ -123,7 +136,7 @@ internal sealed class PngReader : IDisposable
         if (++reader.linesRead == reader.Header.Height) reader.CheckEnd(reader.lines.CheckSum);
     });
 
-    /// <summary>The pixels as they are compressed, a zlib stream; checksums are checked.</summary>
+    /// <summary>The compressed pixels, a zlib stream. Reading it checks the chunks' checksums.</summary>
     public Stream OpenCompressed()
     {
         chunks.Return(firstData);
@@ -156,7 +169,7 @@ internal sealed class PngReader : IDisposable
         return data = new ZLibStream(compressed = new PngData(chunks), CompressionMode.Decompress);
     }
 
-    /// <summary>What a text says of the part that the picture is; null where it is another one. A file may have a million of them.</summary>
+    /// <summary>The text under <see cref="PartFacts.Keyword"/>; null where the chunk holds another text.</summary>
     private static string? TextOf(ReadOnlySpan<byte> chunk)
     {
         var end = chunk.IndexOf((byte)0);
@@ -164,11 +177,7 @@ internal sealed class PngReader : IDisposable
         return Encoding.Latin1.GetString(chunk[..end]) == PartFacts.Keyword ? Encoding.Latin1.GetString(chunk[(end + 1)..]) : null;
     }
 
-    /// <summary>
-    /// The end of the data brings their own checksum, and what may follow in the file that of its chunk. The runtime refuses a wrong checksum,
-    /// but not
-    /// one that is cut off.
-    /// </summary>
+    /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a wrong checksum, but not a missing one.</summary>
     private void CheckEnd(uint checkSum)
     {
         if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
@@ -176,7 +185,7 @@ internal sealed class PngReader : IDisposable
         if (compressed!.LastFour != checkSum) throw new PictureFileException("its compressed data do not end with their checksum");
     }
 
-    /// <summary>Reads something from the data; what is wrong with them is the checksum's fault first.</summary>
+    /// <summary>Reads something from the data. Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>
     private void FromData<T>(T into, Action<PngReader, T> read) where T : allows ref struct
     {
         try
@@ -195,12 +204,12 @@ internal sealed class PngReader : IDisposable
         }
     }
 
-    /// <summary>Puts a line of a pass where it belongs in the picture.</summary>
+    /// <summary>Copies a line of a pass into the picture.</summary>
     private void Place(ReadOnlySpan<byte> samples, int y, PngPass pass, Picture picture)
     {
         if (Header.ColorType == PngHeader.Rgb && pass.StepX == 1)
         {
-            samples.CopyTo(picture.Rgb.AsSpan(y * samples.Length)); // a whole line, as it is
+            samples.CopyTo(picture.Rgb.AsSpan(y * samples.Length));
             return;
         }
         for (var x = pass.X; x < picture.Width; x += pass.StepX, samples = samples[Header.Channels..]) picture[x, y] = ColorOf(samples);

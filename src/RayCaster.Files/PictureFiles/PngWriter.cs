@@ -4,19 +4,19 @@ using System.Text;
 namespace RayCaster.Files;
 
 /// <summary>
-/// PNG, 8 bits each of red, green and blue. Each line is stored as its difference to the line above (the filter Up), since neighbours
-/// in a column are often equal, and then compressed: that of a large picture in bands, several at once.
+/// Writes PNG with 8 bits each of red, green and blue. Each line is stored as its difference from the line above (the filter Up), because
+/// neighbours in a column are often equal, and then compressed; large pictures in bands, several at the same time.
 /// </summary>
-/// <remarks>Only the thread that brings the lines writes to the output, so that an error of the output meets it and nobody else.</remarks>
+/// <remarks>Only the caller's thread writes to the output, so that the caller gets the output's exceptions.</remarks>
 internal sealed class PngWriter : PictureWriter
 {
-    /// <summary>Smaller pictures are compressed as they come: it is done by the time that other threads are awake.</summary>
+    /// <summary>Smaller pictures are compressed on the caller's thread: other threads would take longer to start.</summary>
     private const int BytesOfLarge = 1 << 24;
 
-    /// <summary>Many in a large picture, and each so large that the compressor's fresh start costs next to nothing.</summary>
+    /// <summary>Small enough for many bands in a large picture, and large enough that a new start of the compressor costs almost nothing.</summary>
     private const int BytesOfBand = 1 << 20;
 
-    /// <summary>How many bands may be under way; the lines of a further one wait until the oldest is written.</summary>
+    /// <summary>The most bands at a time. Then the oldest must be written before a new one starts.</summary>
     private static int MostBands => Environment.ProcessorCount + 1;
 
     private readonly int linesOfBand, bandCount;
@@ -37,7 +37,7 @@ internal sealed class PngWriter : PictureWriter
         if (part is not null) PngChunk.Write(output, "tEXt"u8, Encoding.Latin1.GetBytes($"{PartFacts.Keyword}\0{part}"));
     }
 
-    /// <summary>Waits, for a band's time at most, until no other thread works for this writer any more.</summary>
+    /// <summary>Waits until no other thread works for this writer, at most for the time of a band.</summary>
     public override void Dispose()
     {
         foreach (var other in started) other.Dispose();
@@ -74,7 +74,7 @@ internal sealed class PngWriter : PictureWriter
         PngChunk.Write(Output, "IEND"u8, []);
     }
 
-    /// <summary>Has the full band compressed, and begins the next.</summary>
+    /// <summary>Starts to compress the full band, and begins the next.</summary>
     private void StartBand()
     {
         var full = band;
@@ -92,7 +92,7 @@ internal sealed class PngWriter : PictureWriter
         return next;
     }
 
-    /// <summary>Writes the oldest bands: those that are done, and as many more as it takes to leave only some.</summary>
+    /// <summary>Writes the oldest bands: those that are done, and more until only <paramref name="leave"/> are left.</summary>
     private void WriteOldest(int leave)
     {
         while (started.TryPeek(out var oldest) && (started.Count > leave || oldest.IsDone))

@@ -1,6 +1,6 @@
 namespace RayCaster.Files;
 
-/// <summary>The bytes of a file from the first to the last, some of them in memory.</summary>
+/// <summary>Reads the bytes of a file in order, with a buffer.</summary>
 internal sealed class PnmBytes
 {
     private readonly byte[] buffer = new byte[1 << 16];
@@ -8,8 +8,8 @@ internal sealed class PnmBytes
     private int at, end;
     private long passed; // bytes that were in the buffer before
 
-    /// <param name="begun">The first bytes, which have been read.</param>
-    /// <param name="rest">What follows them.</param>
+    /// <param name="begun">The first bytes, which were read before.</param>
+    /// <param name="rest">The rest of the file.</param>
     public PnmBytes(ReadOnlySpan<byte> begun, Stream rest)
     {
         begun.CopyTo(buffer);
@@ -23,10 +23,10 @@ internal sealed class PnmBytes
     /// <summary>The place of the next byte.</summary>
     public long Place => passed + at;
 
-    /// <summary>The next byte, which stays; −1 at the end.</summary>
+    /// <summary>Looks at the next byte without taking it; −1 at the end.</summary>
     public int Peek() => at < end || Fill() ? buffer[at] : -1;
 
-    /// <summary>The next byte; −1 at the end.</summary>
+    /// <summary>Takes the next byte; −1 at the end.</summary>
     public int Next() => at < end || Fill() ? buffer[at++] : -1;
 
     /// <summary>The next bytes, fewer at the end.</summary>
@@ -41,7 +41,7 @@ internal sealed class PnmBytes
         return bytes;
     }
 
-    /// <summary>Reads some of the next bytes, past the buffer where that is empty.</summary>
+    /// <summary>Reads some of the next bytes; an empty buffer is bypassed.</summary>
     /// <returns>How many; 0 at the end.</returns>
     public int Read(Span<byte> bytes)
     {
@@ -57,7 +57,6 @@ internal sealed class PnmBytes
         return count;
     }
 
-    /// <summary>Reads on; false at the end.</summary>
     private bool Fill()
     {
         passed += end;

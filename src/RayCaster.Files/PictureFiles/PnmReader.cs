@@ -1,13 +1,12 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// PBM, PGM and PPM, in text (P1, P2, P3) and in bytes (P4, P5, P6), with any maxval. No more of the file is read than the header asks for:
-/// of several pictures in a file the first is read, and what follows may have no end.
+/// Reads PBM, PGM and PPM, in text (P1, P2, P3) and in bytes (P4, P5, P6), with any maxval. Reads no further than the first picture of a file:
+/// more pictures may follow, without an end.
 /// </summary>
 internal sealed class PnmReader
 {
-    /// <summary>What is allocated for a picture from a pipe, of which nobody knows whether it holds what it promises; more when that has
-    /// come.</summary>
+    /// <summary>The first memory for a picture from a pipe. It grows with the data, because the header may promise too much.</summary>
     private const int FirstBytes = 1 << 16;
 
     private readonly PnmBytes file;
@@ -34,10 +33,10 @@ internal sealed class PnmReader
 
     private long Samples => (long)width * height * Channels;
 
-    /// <summary>The bytes behind the header: of a text the least there can be.</summary>
+    /// <summary>The bytes after the header; for a text the fewest possible.</summary>
     private long DataBytes => kind switch
     {
-        1 => Samples, // digits may stand close together
+        1 => Samples, // digits need no blanks between them
         2 or 3 => 2 * Samples - 1, // a digit each, and blanks between them
         4 => (width + 7L) / 8 * height,
         _ => maxval > 255 ? 2 * Samples : Samples,
@@ -74,14 +73,14 @@ internal sealed class PnmReader
         return new Picture(width, height, rgb);
     }
 
-    /// <summary>Doubles the picture's memory when that is full, up to what the header says.</summary>
+    /// <summary>Doubles the picture's memory when it is full, up to what the header says.</summary>
     private void MakeRoom(ref byte[] rgb, int bytes)
     {
         if (bytes > rgb.Length) Array.Resize(ref rgb, (int)Math.Min(Math.Max(2L * rgb.Length, bytes), 3L * width * height));
     }
 
     /// <summary>The next sample, scaled to 8 bits and rounded to nearest.</summary>
-    /// <param name="bits">In a bitmap of bytes the sample, as the highest of eight bits.</param>
+    /// <param name="bits">For P4: the sample is the highest of these eight bits.</param>
     /// <param name="dataAt">Where the samples begin, for a message.</param>
     private byte ReadSample(int bits, long dataAt)
     {
@@ -106,7 +105,6 @@ internal sealed class PnmReader
         return file.Peek() is '0' or '1' ? file.Next() - '0' : throw Unexpected("a 0 or 1");
     }
 
-    /// <summary>A whole number after any blanks and comments.</summary>
     private int ReadNumber(string what)
     {
         SkipBlanks(what);
@@ -121,21 +119,21 @@ internal sealed class PnmReader
         return (int)number;
     }
 
-    /// <summary>Skips to the next thing that is neither blank nor comment; it is there.</summary>
+    /// <summary>Skips blanks and comments. The file must go on after them.</summary>
     private void SkipBlanks(string what)
     {
         while (IsBlank(file.Peek()) || file.Peek() == '#')
             if (file.Next() == '#') SkipComment();
-        if (file.Peek() < 0) throw new PictureFileException($"the file is cut short: it ends where {what} is due");
+        if (file.Peek() < 0) throw new PictureFileException($"the file is cut short: it ends where {what} should be");
     }
 
-    /// <summary>From # to the end of the line, which stays, or of the file.</summary>
+    /// <summary>Skips from # to the end of the line; the line end is left.</summary>
     private void SkipComment()
     {
         while (file.Peek() is >= 0 and not ('\n' or '\r')) file.Next();
     }
 
-    /// <summary>Exactly one blank, or a comment with its line end, stands before the bytes, which may look like blanks too.</summary>
+    /// <summary>Skips the one blank, or the comment with its line end, before the bytes. No more: the first bytes may look like blanks.</summary>
     private void SkipSeparator()
     {
         if (file.Peek() == '#') SkipComment();
@@ -148,10 +146,10 @@ internal sealed class PnmReader
 
     private static bool IsDigit(int value) => value is >= '0' and <= '9';
 
-    /// <summary>What is thrown where a header promises more than the file holds; of a file, before anything is allocated for it.</summary>
+    /// <summary>The error for a header that promises more than the file holds.</summary>
     private PictureFileException CutShort(long there) => new($"the file is cut short: {width:N0} × {height:N0} pixels need "
         + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
 
     private PictureFileException Unexpected(string due) =>
-        new($"'{PictureFile.Printable([(byte)file.Peek()])}' at byte {file.Place}, where {due} is due");
+        new($"'{PictureFile.Printable([(byte)file.Peek()])}' at byte {file.Place}, where {due} should be");
 }

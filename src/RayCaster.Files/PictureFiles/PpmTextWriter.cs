@@ -2,7 +2,7 @@ using System.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>PPM in text: five pixels on a line of text, and a new one where a line of the picture begins.</summary>
+/// <summary>Writes PPM in text: at most five pixels in a line of text; each line of the picture begins a new one.</summary>
 internal sealed class PpmTextWriter : PictureWriter
 {
     /// <summary>5 · "255 255 255 " is 60 characters; the format allows 70.</summary>

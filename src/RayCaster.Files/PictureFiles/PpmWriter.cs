@@ -2,7 +2,7 @@ using System.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>PPM in bytes: the header, then the pixels as they are.</summary>
+/// <summary>Writes PPM in bytes: the header, then the bytes of the pixels.</summary>
 internal sealed class PpmWriter : PictureWriter
 {
     public PpmWriter(Stream output, int width, int height) : base(output, width, height) =>

@@ -1,10 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// A file that is there whole or not at all: what is written goes to a temporary file beside it, and only <see cref="Commit"/> puts that in
-/// the place of the old one. The temporary file is named NAME.XXXXXXXX.tmp with eight random hexadecimal digits and is locked while it
-/// is written; what is not locked was left by a writer that was killed, and goes when NAME is written again. A symbolic link is replaced, not
-/// followed.
+/// Writes a file completely or not at all. The bytes go to a temporary file beside it (<see cref="TemporaryFile"/>), and only
+/// <see cref="Commit"/> puts that in the place of the old file. A symbolic link is replaced, not followed.
 /// </summary>
 public sealed class ReplacedFile : Stream
 {
@@ -12,9 +10,9 @@ public sealed class ReplacedFile : Stream
     private readonly FileStream file;
     private bool closed;
 
-    /// <summary>Begins to write; the old file stays as it is.</summary>
+    /// <summary>Creates the temporary file; the old file stays as it is.</summary>
     /// <exception cref="PictureFileException">
-    /// The path is a folder or a device, its folder is that of the devices, does not exist or may not be written to, or the old file is read-only.
+    /// The path is a folder or a device, its folder is /dev, does not exist or may not be written to, or the old file is read-only.
     /// </exception>
     public ReplacedFile(string path)
     {
@@ -65,16 +63,16 @@ public sealed class ReplacedFile : Stream
         set => throw new NotSupportedException();
     }
 
-    /// <summary>Brings the file to the disk and puts it in the place of the old one, which is there until then.</summary>
+    /// <summary>Writes the file to the disk and puts it in the place of the old one, which is there until then.</summary>
     /// <exception cref="PictureFileException">The disk is full, or the file cannot be put there. The old one stays.</exception>
     public void Commit()
     {
         ObjectDisposedException.ThrowIf(closed, this);
         try
         {
-            // To the disk: a network drive tells only now that the quota is used up, and by then the old picture must still be there.
+            // A network drive reports only now that the quota is used up, and then the old picture must still be there.
             file.Flush(flushToDisk: true);
-            // While it is locked, lest somebody take it for an orphan.
+            // It is moved while it is locked: another writer would delete an unlocked one as an orphan.
             WrittenFiles.Finish(temporary, path, () => File.Move(temporary, target, overwrite: true));
             closed = true;
             file.Dispose();
@@ -102,7 +100,7 @@ public sealed class ReplacedFile : Stream
     /// <inheritdoc cref="Write(ReadOnlySpan{byte})"/>
     public override void Write(byte[] buffer, int offset, int count) => Write(buffer.AsSpan(offset, count));
 
-    /// <summary>Hands what is buffered to the system.</summary>
+    /// <summary>Passes buffered bytes to the system.</summary>
     /// <exception cref="PictureFileException">The disk is full or gone.</exception>
     public override void Flush()
     {
@@ -125,26 +123,21 @@ public sealed class ReplacedFile : Stream
     /// <summary>Not supported.</summary>
     public override void SetLength(long value) => throw new NotSupportedException();
 
-    /// <summary>Gives the file up unless it was committed: the temporary file goes, the old one stays.</summary>
+    /// <summary>Deletes the temporary file unless it was committed; the old file stays.</summary>
     protected override void Dispose(bool disposing)
     {
         if (closed || !disposing) return;
         closed = true;
-        Quietly(file.Dispose); // what is still buffered may not fit on the disk
-        WrittenFiles.Delete(temporary);
-        base.Dispose(disposing);
-    }
-
-    /// <summary>Tidies up after an error, which must not hide behind another.</summary>
-    private static void Quietly(Action tidy)
-    {
         try
         {
-            tidy();
+            file.Dispose();
         }
         catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
+            // Buffered bytes may not fit on the disk. This must not hide the error that gave the file up.
         }
+        WrittenFiles.Delete(temporary);
+        base.Dispose(disposing);
     }
 
     private PictureFileException Failure(Exception cause) => Failure(PictureFileException.Reason(cause), cause: cause);

@@ -3,25 +3,24 @@ using System.Text;
 namespace RayCaster.Files;
 
 /// <summary>
-/// The files NAME.XXXXXXXX.tmp, with eight hexadecimal digits, in which NAME is written before it is put in its place. The writer holds a lock on
-/// its own from beginning to end, and the system takes the lock away when the writer is gone, however it went. So one that can be locked is an
-/// orphan.
+/// The files NAME.XXXXXXXX.tmp, with eight random hexadecimal digits, in which NAME is written before it is put in its place. A writer locks its
+/// temporary file until the end, and the system removes the lock when the writer's process ends in any way. So a temporary file that can be
+/// locked is an orphan, and is deleted when NAME is written again.
 /// </summary>
 internal static class TemporaryFile
 {
     private const int MostAttempts = 5, LongestName = 255; // bytes
     private const string Ending = ".XXXXXXXX.tmp";
 
-    /// <summary>Who may read, write and execute; not the bits that give a program its owner's rights.</summary>
+    /// <summary>The rights to read, write and execute, without set-user-ID and the like.</summary>
     private const UnixFileMode Rights = (UnixFileMode)511;
 
-    /// <summary>Unix renames a file that is locked for one; Windows only one that others may delete, which no orphan's finder does while it is
-    /// written.</summary>
+    /// <summary>Unix can rename a file that is not shared. Windows needs FileShare.Delete; other writers still cannot open the file.</summary>
     private static FileShare Sharing => OperatingSystem.IsWindows() ? FileShare.Delete : FileShare.None;
 
-    /// <summary>Begins to write beside a target.</summary>
-    /// <exception cref="IOException">It cannot be made there.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be made there.</exception>
+    /// <summary>Creates a temporary file beside its target.</summary>
+    /// <exception cref="IOException">It cannot be created there.</exception>
+    /// <exception cref="UnauthorizedAccessException">It may not be created there.</exception>
     public static FileStream Create(string target)
     {
         for (var attempt = 1; ; attempt++)
@@ -30,18 +29,18 @@ internal static class TemporaryFile
             try
             {
                 var file = new FileStream(path, Options(target));
-                // Between its making and its locking another process may have found it and taken it for an orphan. From now on none can.
+                // Before the lock another process may have found the file and deleted it as an orphan. From now on none can.
                 if (File.Exists(path)) return file;
                 file.Dispose();
             }
             catch (IOException) when (attempt < MostAttempts)
             {
-                // Found by another process in between, and still in its hands, or there already by chance.
+                // Another process has found the file before the lock and still holds it, or a file has the same name by chance.
             }
         }
     }
 
-    /// <summary>The old file's rights are the new one's from the beginning: what others may not read they cannot read meanwhile either.</summary>
+    /// <summary>The new file has the old one's rights from the beginning, so that nobody can read it who may not.</summary>
     private static FileStreamOptions Options(string target)
     {
         var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write, Share = Sharing, BufferSize = 1 << 16 };
@@ -50,20 +49,20 @@ internal static class TemporaryFile
         return options;
     }
 
-    /// <summary>The target's path, shortened where a name with the ending would be longer than file systems take.</summary>
+    /// <summary>The target's path, shortened if the name with the ending would be too long for file systems.</summary>
     private static string Beginning(string target)
     {
         var name = Path.GetFileName(target);
-        // the latter is refused whatever is done
+        // A name that is too long by itself is refused in any case.
         if (Encoding.UTF8.GetByteCount(name) is var bytes && (bytes <= LongestName - Ending.Length || bytes > LongestName)) return target;
         var length = name.Length;
         while (Encoding.UTF8.GetByteCount(name.AsSpan(0, length)) > LongestName - Ending.Length || char.IsHighSurrogate(name[length - 1])) length--;
         return target[..(target.Length - name.Length + length)];
     }
 
-    /// <summary>Deletes what writers of the same target have left that had no time to tidy: killed, or cut off from power. Never fails.</summary>
-    /// <param name="target">The full path of what is written.</param>
-    /// <param name="own">The temporary file that is written now.</param>
+    /// <summary>Deletes the temporary files of writers of the same target that were killed. Never fails.</summary>
+    /// <param name="target">The full path of the target.</param>
+    /// <param name="own">This writer's temporary file.</param>
     public static void DeleteOrphans(string target, string own)
     {
         try
@@ -76,11 +75,11 @@ internal static class TemporaryFile
         }
         catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
-            // A folder that may not be listed keeps its orphans.
+            // In a folder that cannot be listed, orphans stay.
         }
     }
 
-    /// <summary>Whether a file is a temporary one of this target and no other's, though other names may begin with the target's.</summary>
+    /// <summary>Whether a file is a temporary file of this target. Other targets' names may begin with this one's.</summary>
     private static bool IsOneOf(string target, ReadOnlySpan<char> file)
     {
         if (file.Length != target.Length + Ending.Length || !file.StartsWith(target) || !file.EndsWith(".tmp")) return false;
@@ -88,7 +87,8 @@ internal static class TemporaryFile
         return digits[0] == '.' && !digits[1..].ContainsAnyExcept("0123456789abcdef");
     }
 
-    /// <summary>Some network drives know no locks: there one's own file seems to be an orphan too, and all of them must stay.</summary>
+    /// <summary>Whether the own file is locked. On some network drives it is not; then every file looks like an orphan, and none may be
+    /// deleted.</summary>
     private static bool IsLocked(string own)
     {
         try
@@ -110,7 +110,7 @@ internal static class TemporaryFile
         }
         catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
-            // Somebody writes it, or it belongs to somebody else.
+            // Another process writes it, or it belongs to another user.
         }
     }
 }

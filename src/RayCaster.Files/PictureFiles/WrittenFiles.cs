@@ -1,9 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// What a process has written, and what it is writing. A program that must end at once, whatever its threads are doing, gives up what is not
-/// finished and can
-/// say what is.
+/// The files that this process has written and is writing. A program that must end at once deletes the unfinished ones, whatever its threads
+/// are doing, and can name the finished ones.
 /// </summary>
 public static class WrittenFiles
 {
@@ -11,13 +10,13 @@ public static class WrittenFiles
     private static readonly HashSet<string> unfinished = []; // the temporary files
     private static bool isOver;
 
-    /// <summary>How many files were put in their places.</summary>
+    /// <summary>How many files are finished.</summary>
     public static int Count { get; private set; }
 
-    /// <summary>The last of them, as the caller named it; null if there is none.</summary>
+    /// <summary>The last finished file, as the caller named it; null if there is none.</summary>
     public static string? Last { get; private set; }
 
-    /// <summary>Deletes what is not finished. From now on nothing is written, whichever thread tries.</summary>
+    /// <summary>Deletes unfinished files. From now on no thread can begin or finish one.</summary>
     public static void GiveUp()
     {
         lock (access)
@@ -27,7 +26,7 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>Makes a temporary file and keeps it in mind.</summary>
+    /// <summary>Creates a temporary file and remembers it as unfinished.</summary>
     /// <exception cref="OperationCanceledException">The process ends.</exception>
     internal static FileStream Begin(Func<FileStream> create)
     {
@@ -40,7 +39,7 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>Has a finished file put in its place.</summary>
+    /// <summary>Puts a finished file in its place.</summary>
     /// <exception cref="OperationCanceledException">The process ends.</exception>
     internal static void Finish(string temporary, string path, Action move)
     {
@@ -53,7 +52,7 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>Deletes a file that is given up, which must not end in another error.</summary>
+    /// <summary>Deletes an unfinished file. Never fails.</summary>
     internal static void Delete(string temporary)
     {
         lock (access) unfinished.Remove(temporary);

@@ -3,7 +3,7 @@ using System.Text.Unicode;
 
 namespace RayCaster.Files;
 
-/// <summary>Tells what is not UTF-8.</summary>
+/// <summary>Recognises files that are not UTF-8.</summary>
 internal static class Encodings
 {
     /// <summary>The byte order mark of UTF-8, which a file may begin with.</summary>
@@ -11,7 +11,7 @@ internal static class Encodings
 
     /// <summary>What is wrong with a text's encoding, or null.</summary>
     public static JsonMistake? MistakeIn(ReadOnlySpan<byte> text) =>
-        text is [(byte)'{', not 0, ..] && Utf8.IsValid(text) ? null : LookFor(text); // most files need no more code than this
+        text is [(byte)'{', not 0, ..] && Utf8.IsValid(text) ? null : LookFor(text); // for most files the runtime need not compile LookFor
 
     private static JsonMistake? LookFor(ReadOnlySpan<byte> text)
     {
@@ -19,7 +19,7 @@ internal static class Encodings
             return new(0, 0, "the file is in UTF-16 or UTF-32; save it as UTF-8");
         if (text is [0x89, (byte)'P', (byte)'N', (byte)'G', ..]
             or [(byte)'P', >= (byte)'1' and <= (byte)'6', (byte)'\n' or (byte)'\r' or (byte)' ', ..])
-            return new(0, 0, "this is a picture, not a scene; where both are wanted the scene comes first");
+            return new(0, 0, "this is a picture, not a scene; name the scene first, then the picture");
         if (Utf8.IsValid(text)) return null;
         var at = 0;
         while (Rune.DecodeFromUtf8(text[at..], out _, out var length) == System.Buffers.OperationStatus.Done) at += length;

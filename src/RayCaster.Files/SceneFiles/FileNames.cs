@@ -1,13 +1,13 @@
 namespace RayCaster.Files;
 
-/// <summary>Finds the file that somebody meant. Each folder is listed once, and few names are looked for in it: a scene may miss a thousand
-/// files.</summary>
+/// <summary>Suggests names for files that are missing. Each folder is listed only once, and only the first missing files get a hint: a scene may
+/// name thousands.</summary>
 internal sealed class FileNames
 {
-    /// <summary>How many hints are given: as many problems of a scene as are printed.</summary>
+    /// <summary>As many as problems of a scene are printed.</summary>
     private const int MostHints = SceneReading.Printed;
 
-    /// <summary>Of a folder with more files only so many are looked at.</summary>
+    /// <summary>In a larger folder only the first files are compared.</summary>
     private const int MostFiles = 20_000;
 
     private readonly Dictionary<string, string[]> listings = [];
@@ -16,10 +16,9 @@ internal sealed class FileNames
     /// <summary>How many names of files were read from folders.</summary>
     public int NamesRead { get; private set; }
 
-    /// <summary>The end of a message about a file that is not there: where it was looked for, unless the path says so, and which file may be
-    /// meant.</summary>
-    /// <param name="path">The file that is not there.</param>
-    /// <param name="extension">What somebody may have left out at its end.</param>
+    /// <summary>The end of a message about a missing file: its full path, unless that was given, and a file with a similar name.</summary>
+    /// <param name="path">The missing file.</param>
+    /// <param name="extension">An extension that may have been left out.</param>
     public static string Hint(string path, string extension = "") => new FileNames().HintFor(path, extension);
 
     /// <inheritdoc cref="Hint"/>
@@ -39,11 +38,11 @@ internal sealed class FileNames
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return sought; // a folder that may not be listed has no other hint to give
+            return sought; // the folder cannot be listed
         }
     }
 
-    /// <summary>The names in a folder, in order; without those that cannot stand in a message, which nobody has meant.</summary>
+    /// <summary>The names in a folder, sorted; without names that are not printable, which nobody typed.</summary>
     private string[] NamesIn(string folder)
     {
         var names = new List<string>();

@@ -3,10 +3,10 @@ using System.Text.Json;
 
 namespace RayCaster.Files;
 
-/// <summary>How JSON is written: for tools, and yet for people to read.</summary>
+/// <summary>The form in which this program writes JSON.</summary>
 internal static class JsonForm
 {
-    /// <summary>Indented, with the letters of every language as they are.</summary>
+    /// <summary>Indented for people; letters of all languages are not escaped.</summary>
     public static JsonWriterOptions Options => new()
     {
         Indented = true,

@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace RayCaster.Files;
 
-/// <summary>A JSON text as a tree whose values know their place in the text. Comments and trailing commas are allowed.</summary>
+/// <summary>A JSON text as a tree whose values know their places in the text. Comments and trailing commas are allowed.</summary>
 internal sealed class JsonTree
 {
     /// <summary>How deep arrays and objects may be nested.</summary>
@@ -13,11 +13,10 @@ internal sealed class JsonTree
 
     private JsonTree(SourceText text) => (Text, nodes) = (text, new Node[16 + text.Utf8.Length / 4]);
 
-    /// <summary>A token; an object's keys stand before their values. Plain fields: each property would be one more method to compile at
-    /// start-up.</summary>
+    /// <summary>A token; an object's keys stand before their values. It has plain fields because the runtime would have to compile
+    /// properties at start-up.</summary>
     public struct Node
     {
-        /// <summary>What it is.</summary>
         public JsonTokenType Kind;
 
         /// <summary>The place of its first byte.</summary>
@@ -26,40 +25,38 @@ internal sealed class JsonTree
         /// <summary>The place after its last byte.</summary>
         public int End;
 
-        /// <summary>The node after this one and all that is in it.</summary>
+        /// <summary>The node after this one and all nodes in it.</summary>
         public int Next;
     }
 
-    /// <summary>The text.</summary>
     public SourceText Text { get; }
 
-    /// <summary>How many keys were looked at to find some: what a reader may not do once for each error.</summary>
-    public long KeysLookedAt { get; set; }
+    /// <summary>How many keys were compared in searches. It must grow only in proportion to the text, also in a file with many errors.</summary>
+    public long KeysLookedAt;
 
     /// <summary>The outermost value.</summary>
     public JsonValue Root => new(this, 0);
 
-    /// <summary>A token by its number in the text.</summary>
     public ref Node this[int node] => ref nodes[node];
 
-    /// <summary>What stands between the quotes of a text or key.</summary>
+    /// <summary>The bytes between the quotes of a text or key.</summary>
     public ReadOnlySpan<byte> Written(int node) => Text.Utf8[(nodes[node].Start + 1)..(nodes[node].End - 1)];
 
     /// <summary>The token that was added last.</summary>
     public Node Last => nodes[count - 1];
 
-    /// <summary>The key of the object that was closed last; null if it has none, since it stands in an array or is the outermost.</summary>
+    /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>
     public int? KeyOfLastClosed => lastClosed > 0 && nodes[lastClosed - 1].Kind == JsonTokenType.PropertyName ? lastClosed - 1 : null;
 
     /// <summary>Reads a text.</summary>
-    /// <param name="text">The text; valid UTF-8.</param>
+    /// <param name="text">Valid UTF-8.</param>
     /// <param name="mistake">Why it is not JSON, if null is returned.</param>
     public static JsonTree? Parse(SourceText text, out JsonMistake mistake)
     {
         var tree = new JsonTree(text);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
         var depth = 0;
-        var reader = new Utf8JsonReader(WithoutComments(text.Utf8), new JsonReaderOptions { AllowTrailingCommas = true, MaxDepth = MaxDepth });
+        var reader = new Utf8JsonReader(JsonComments.Blanked(text.Utf8), new JsonReaderOptions { AllowTrailingCommas = true, MaxDepth = MaxDepth });
         var (last, lastEnd) = (JsonTokenType.None, 0);
         try
         {
@@ -96,47 +93,4 @@ internal sealed class JsonTree
     /// <param name="opening">The number of its token.</param>
     /// <param name="end">The place after its closing bracket.</param>
     private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next, lastClosed) = (end, count, opening);
-
-    /// <summary>The text with blanks in place of comments. The JSON reader's own skipping stumbles over a comment between a key and its
-    /// colon.</summary>
-    private static ReadOnlySpan<byte> WithoutComments(ReadOnlySpan<byte> utf8)
-    {
-        byte[]? copy = null;
-        if (utf8.IndexOf((byte)'/') < 0) return utf8;
-        for (var i = 0; utf8[i..].IndexOfAny((byte)'"', (byte)'/') is >= 0 and var way;)
-        {
-            i += way;
-            var end = i + 1;
-            if (utf8[i] == '"')
-            {
-                end = EndOfText(utf8, i);
-            }
-            else if (utf8[i..].StartsWith("//"u8))
-            {
-                end = utf8[i..].IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? i + length : utf8.Length;
-                Blank(copy ??= utf8.ToArray(), i, end);
-            }
-            else if (utf8[i..].StartsWith("/*"u8))
-            {
-                if (utf8[(i + 2)..].IndexOf("*/"u8) is not (>= 0 and var length)) break; // never closed, which the reader refuses
-                end = i + length + 4;
-                Blank(copy ??= utf8.ToArray(), i, end);
-            }
-            i = end;
-        }
-        return copy ?? utf8;
-    }
-
-    private static void Blank(byte[] utf8, int start, int end)
-    {
-        for (var i = start; i < end; i++) utf8[i] = (byte)' '; // Span.Fill is a long method to compile at start-up
-    }
-
-    /// <summary>The place after the quote that closes a text, or where its line ends without one.</summary>
-    private static int EndOfText(ReadOnlySpan<byte> utf8, int start)
-    {
-        var i = start + 1;
-        while (i < utf8.Length && utf8[i] is not ((byte)'"' or (byte)'\r' or (byte)'\n')) i += utf8[i] == '\\' ? 2 : 1;
-        return Math.Min(i + 1, utf8.Length);
-    }
 }

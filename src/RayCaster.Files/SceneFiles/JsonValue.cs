@@ -4,16 +4,15 @@ using System.Text.Json;
 
 namespace RayCaster.Files;
 
-/// <summary>A value in a JSON text.</summary>
+/// <summary>A value or a key in a JSON text.</summary>
 /// <param name="tree">The text.</param>
 /// <param name="node">The value's token.</param>
 internal readonly struct JsonValue(JsonTree tree, int node)
 {
-    private const int FewKeys = 16; // so many are compared with each other
+    private const int FewKeys = 16; // up to here each key is compared with each other
 
     private readonly int node = node;
 
-    /// <summary>What it is.</summary>
     public JsonTokenType Kind => tree[node].Kind;
 
     /// <summary>The place of its first byte.</summary>
@@ -22,10 +21,10 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     /// <summary>The place after its last byte.</summary>
     public int End => tree[node].End;
 
-    /// <summary>How it is written, shortened if it is long.</summary>
+    /// <summary>The text of the value, shortened if it is long.</summary>
     public string AsWritten => tree.Text.Quote(Start, End);
 
-    /// <summary>What an array holds: elements; what an object holds: key, value, key, value …</summary>
+    /// <summary>The elements of an array; of an object key, value, key, value …</summary>
     public IEnumerable<JsonValue> Content
     {
         get
@@ -37,10 +36,10 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     /// <summary>The first element of an array; null if it has none.</summary>
     public JsonValue? First => node + 1 < tree[node].Next ? new(tree, node + 1) : null;
 
-    /// <summary>The element after another one of an array; null after the last.</summary>
+    /// <summary>The next element of an array; null after the last.</summary>
     public JsonValue? After(JsonValue element) => tree[element.node].Next < tree[node].Next ? new(tree, tree[element.node].Next) : null;
 
-    /// <summary>The three elements of an array that has three.</summary>
+    /// <summary>The three elements of an array; false if it has more or fewer.</summary>
     public bool IsOfThree(out JsonValue first, out JsonValue second, out JsonValue third)
     {
         var (a, end) = (node + 1, tree[node].Next);
@@ -50,7 +49,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         return c < end && tree[c].Next == end;
     }
 
-    /// <summary>The keys of an object, as they are written.</summary>
+    /// <summary>The keys of an object in the order of the text.</summary>
     public IEnumerable<JsonValue> Keys
     {
         get
@@ -59,20 +58,19 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
-    /// <summary>The value of a key of an object, the first if there are several; null if there is none.</summary>
+    /// <summary>The value of a key of an object, the first if the key is repeated; null if it is missing.</summary>
     public JsonValue? Find(string name) => FindKey(name) is { } key ? new(tree, key.node + 1) : null;
 
-    /// <summary>The same in an object that has no key twice.</summary>
+    /// <summary>The same in an object without repeated keys.</summary>
     /// <param name="name">The key.</param>
-    /// <param name="likely">Where it is looked for first, 0 for no such place; becomes the place after it: most files have their keys in the
-    /// order of the questions.</param>
+    /// <param name="likely">Where the search begins, 0 for nowhere; then the place of the next key. Most files have their keys in the order in
+    /// which they are read.</param>
     public JsonValue? Find(string name, ref int likely)
     {
         if (likely > 0 && likely < tree[node].Next && new JsonValue(tree, likely).Is(name)) return ValueOf(new(tree, likely), ref likely);
         return FindKey(name) is { } key ? ValueOf(key, ref likely) : null;
     }
 
-    /// <summary>A key of an object, the first if there are several; null if there is none.</summary>
     public JsonValue? FindKey(string name)
     {
         for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next)
@@ -83,7 +81,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         return null;
     }
 
-    /// <summary>How many keys an object has; null where it may have one of them twice.</summary>
+    /// <summary>How many keys an object has; null if some may be repeated.</summary>
     public int? CountKeys()
     {
         var (count, end) = (0, tree[node].Next);
@@ -98,7 +96,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         return count;
     }
 
-    /// <summary>Whether a text or key says this, which is plain ASCII.</summary>
+    /// <summary>Whether a text or key equals this, which must be ASCII.</summary>
     public bool Is(string text)
     {
         var written = tree.Written(node);
@@ -109,7 +107,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         return true;
     }
 
-    /// <summary>The number nearest to the one that is written; ±∞ beyond the largest.</summary>
+    /// <summary>The double nearest to the number in the text; ±∞ beyond the largest.</summary>
     public double Number
     {
         get
@@ -119,7 +117,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
-    /// <summary>A text or key without its quotes and escapes; as written if it holds half a surrogate pair, which is no text.</summary>
+    /// <summary>A text or key without quotes and escapes; with its escapes if they contain half a surrogate pair, which is no character.</summary>
     public string Text
     {
         get
@@ -129,7 +127,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
-    /// <summary>What it is, in words: <c>the text "45"</c>.</summary>
+    /// <summary>The value in words: <c>the text "45"</c>.</summary>
     public string InWords => Kind switch
     {
         JsonTokenType.StartObject => "an object",

@@ -1,9 +1,9 @@
 namespace RayCaster.Files;
 
 /// <summary>A type of model as a scene file names it.</summary>
-/// <param name="Name">What stands after <c>"type":</c>.</param>
+/// <param name="Name">The value of the key <c>type</c>.</param>
 /// <param name="Meaning">What an editor shows for it.</param>
-/// <param name="Read">Reads the type's own keys; name and colour are read for all types alike.</param>
+/// <param name="Read">Reads the type's own keys; name and colour are the same for all types.</param>
 internal sealed record PrimitiveType(string Name, string Meaning, Func<SceneObject, Model> Read);
 
 /// <summary>All types of models. To add one write its class and a line here (docs/adding-a-primitive.md).</summary>
@@ -34,10 +34,9 @@ internal static class PrimitiveList
         new("mesh", "Triangles from a file.", SceneMesh.Read),
     ];
 
-    /// <summary>The names of all types.</summary>
     public static readonly string[] Names = Array.ConvertAll(All, type => type.Name);
 
-    /// <summary>The keys that a model of one type or another has.</summary>
+    /// <summary>The keys of all types together.</summary>
     public static IEnumerable<string> KeysOfAllTypes()
     {
         var o = SceneObject.Describing(out var keys);

@@ -1,16 +1,15 @@
 namespace RayCaster.Files;
 
-/// <summary>Foreign text, such as a file's content or name, fit to stand in a message.</summary>
+/// <summary>Makes foreign text, such as a file's content or name, safe for a message.</summary>
 public static class PrintableText
 {
-    /// <summary>The text with U+FFFD in place of what could move a terminal's cursor, end a line or turn the direction of a text; tabs
-    /// stay.</summary>
+    /// <summary>The text with U+FFFD in place of each character that is not printable; tabs stay.</summary>
     public static string Of(string text) => string.Create(text.Length, text, (span, from) =>
     {
         for (var i = 0; i < span.Length; i++) span[i] = from[i] == '\t' || IsPrintable(from[i]) ? from[i] : '\uFFFD';
     });
 
-    /// <summary>Whether a character is neither a control character nor one that ends a line or tells a text's direction (Unicode's
+    /// <summary>False for characters that could move a terminal's cursor, end a line, or turn the direction of a text (Unicode's
     /// Bidi_Control).</summary>
     public static bool IsPrintable(char c) =>
         !char.IsControl(c)

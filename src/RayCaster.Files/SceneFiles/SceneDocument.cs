@@ -1,69 +1,56 @@
 namespace RayCaster.Files;
 
-/// <summary>A scene file while it is read: its text, the problems found so far and the mesh files that it names.</summary>
+/// <summary>A scene file while it is read: its text, the problems found so far, and the mesh files that it names.</summary>
 /// <param name="text">The text.</param>
-/// <param name="folder">Where the paths of mesh files start.</param>
+/// <param name="folder">The folder where paths of mesh files start.</param>
 /// <param name="threads">How many threads read and place a large mesh; one per core if left out.</param>
 internal sealed class SceneDocument(SourceText text, string folder, int? threads = null)
 {
-    /// <summary>After so many errors the rest is not read, and after so many problems no warning is kept: a file of nothing but mistakes would
-    /// take hours.</summary>
-    public const int MostProblems = 1000;
-
-    private const int LongestMessage = 2000; // a mesh file's path may stand in it, as long as somebody likes
+    private const int LongestMessage = 2000; // a mesh file's path in it may have any length
     private readonly List<Finding> findings = [];
     private readonly FileNames names = new();
-    private Dictionary<string, (MeshData? Mesh, MeshFileException? Refusal)>? meshes; // few scenes name one
+    private Dictionary<string, (MeshData? Mesh, MeshFileException? Refusal)>? meshes; // by full path; most scenes name none
 
-    /// <summary>How many errors were found so far.</summary>
     public int ErrorCount { get; private set; }
 
-    /// <summary>Whether enough errors were found.</summary>
-    public bool IsHopeless => ErrorCount >= MostProblems;
+    /// <summary>Whether so many errors were found that the rest is not read.</summary>
+    public bool IsHopeless => ErrorCount >= SceneReading.MostProblems;
 
-    /// <summary>The text.</summary>
     public SourceText Text => text;
 
-    /// <summary>How many threads read and place a large mesh; one per core if null.</summary>
     public int? Threads => threads;
 
-    /// <summary>The full paths of the mesh files that were looked for.</summary>
+    /// <summary>The full paths of the mesh files that the scene names.</summary>
     public IReadOnlyCollection<string> MeshFiles => meshes is null ? [] : Array.ConvertAll([.. meshes.Keys], Path.GetFullPath);
 
     /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
     public void Add(bool isError, int start, int end, string path, string message)
     {
         if (isError) ErrorCount++;
-        else if (findings.Count >= MostProblems) return;
+        else if (findings.Count >= SceneReading.MostProblems) return;
         if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
-        findings.Add(new(isError, start, end, path, PrintableText.Of(message)));
+        findings.Add(new(findings.Count, isError, start, end, path, PrintableText.Of(message)));
     }
 
-    /// <summary>The problems in the order of the text.</summary>
+    /// <summary>The problems in the order of the text; at one place, in the order in which they were found.</summary>
     public Problem[] Problems()
     {
         if (findings.Count == 0) return [];
-        // By hand rather than by LINQ, whose first use costs milliseconds; the number keeps the order of problems of one place.
-        var order = new (int Start, int Number)[findings.Count];
-        for (var i = 0; i < order.Length; i++) order[i] = (findings[i].Start, i);
-        Array.Sort(order);
-        var problems = new Problem[order.Length];
-        for (var i = 0; i < order.Length; i++)
+        findings.Sort((a, b) => a.Start == b.Start ? a.Number - b.Number : a.Start - b.Start);
+        return Array.ConvertAll(findings.ToArray(), finding =>
         {
-            var (isError, start, end, path, message) = findings[order[i].Number];
-            var (line, column) = text.Locate(start);
-            problems[i] = new(isError, text.Name, line, column, path, message, text.Excerpt(start, end));
-        }
-        return problems;
+            var (line, column) = text.Locate(finding.Start);
+            return new Problem(finding.IsError, text.Name, line, column, finding.Path, finding.Message, text.Excerpt(finding.Start, finding.End));
+        });
     }
 
-    /// <summary>The content of a mesh file that the scene names; one that several models show is read once, and refused once.</summary>
+    /// <summary>The content of a mesh file. A file that several models name is read only once.</summary>
     /// <param name="file">The path as the scene writes it; both / and \ separate folders.</param>
     /// <exception cref="MeshFileException">The file cannot be read.</exception>
     public MeshData Mesh(string file)
     {
         var path = Path.Combine(folder, file.Replace('\\', '/'));
-        var place = Path.GetFullPath(path); // a scene may write one file's name in a thousand ways
+        var place = Path.GetFullPath(path); // a scene may write the path of one file in several ways
         meshes ??= [];
         if (!meshes.TryGetValue(place, out var known)) meshes.Add(place, known = Read(path));
         return known.Mesh ?? throw known.Refusal!;
@@ -81,5 +68,5 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
         }
     }
 
-    private sealed record Finding(bool IsError, int Start, int End, string Path, string Message);
+    private sealed record Finding(int Number, bool IsError, int Start, int End, string Path, string Message);
 }

@@ -1,6 +1,5 @@
 namespace RayCaster.Files;
 
-/// <summary>What kind of value a key has.</summary>
 internal enum KeyKind
 {
     Number,
@@ -16,28 +15,26 @@ internal enum KeyKind
     Objects,
 }
 
-/// <summary>A key of an object in a scene file, as the code that reads it describes it: the editors' schema is made of these.</summary>
+/// <summary>A key of an object in a scene file, described by the code that reads it. The editors' schema is made from these.</summary>
 /// <param name="Name">The key.</param>
 /// <param name="Kind">What kind of value it has.</param>
 /// <param name="Meaning">What an editor shows for it.</param>
 /// <param name="IsRequired">Whether it must be there.</param>
-/// <param name="Default">The value where it is left out; null for none.</param>
+/// <param name="Default">The value if the key is left out; null for none.</param>
 internal sealed record SceneKey(string Name, KeyKind Kind, string Meaning, bool IsRequired, object? Default = null)
 {
-    /// <summary>Which numbers are allowed.</summary>
     public Limits Limits { get; init; } = Limits.None;
 
-    /// <summary>The texts to choose from.</summary>
     public string[] Choices { get; init; } = [];
 
     /// <summary>The keys of an object.</summary>
     public IReadOnlyList<SceneKey> Members { get; init; } = [];
 }
 
-/// <summary>Which numbers a key takes.</summary>
-/// <param name="Least">No number is less.</param>
-/// <param name="Most">No number is greater.</param>
-/// <param name="IsOpen">Whether these two are themselves refused.</param>
+/// <summary>Which numbers a key may have.</summary>
+/// <param name="Least">The lower limit.</param>
+/// <param name="Most">The upper limit.</param>
+/// <param name="IsOpen">Whether the limits themselves are refused.</param>
 internal sealed record Limits(double Least, double Most, bool IsOpen)
 {
     public static readonly Limits None = new(double.NegativeInfinity, double.PositiveInfinity, false) { Words = "a number" };
@@ -49,13 +46,13 @@ internal sealed record Limits(double Least, double Most, bool IsOpen)
         IsZeroRefused = true,
     };
 
-    /// <summary>Numbers between two that are refused themselves.</summary>
+    /// <summary>Numbers between two limits, which are excluded.</summary>
     public static Limits Between(double least, double most) => new(least, most, true);
 
-    /// <summary>Numbers from one to another, both included.</summary>
+    /// <summary>Numbers between two limits, which are included.</summary>
     public static Limits From(double least, double most) => new(least, most, false);
 
-    /// <summary>How a message says it: "must be …".</summary>
+    /// <summary>The words of a message after "must be".</summary>
     public string Words
     {
         get => field
@@ -63,7 +60,7 @@ internal sealed record Limits(double Least, double Most, bool IsOpen)
         private init;
     }
 
-    /// <summary>Whether 0 is refused although it lies between the limits.</summary>
+    /// <summary>Whether 0 is refused although it is between the limits.</summary>
     public bool IsZeroRefused { get; private init; }
 
     /// <summary>Whether a finite number is allowed.</summary>

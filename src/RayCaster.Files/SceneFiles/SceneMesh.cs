@@ -1,11 +1,11 @@
 namespace RayCaster.Files;
 
-/// <summary>Reads a model of type mesh: a file, and where its triangles go.</summary>
+/// <summary>Reads a model of type mesh: a file, and the placement of its triangles.</summary>
 internal static class SceneMesh
 {
     private static readonly Mesh Nothing = new([], []);
 
-    /// <summary>Reads the keys and the file; a mesh of nothing where something is wrong.</summary>
+    /// <summary>Reads the keys and the file; after an error the mesh is empty.</summary>
     public static Model Read(SceneObject o)
     {
         var file = o.Text("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.");

@@ -1,20 +1,19 @@
-using System.Globalization;
 using System.Text.Json;
 
 namespace RayCaster.Files;
 
 /// <summary>
-/// An object of a scene file. It is read by asking for its keys, one call each. Whatever is wrong is noted with its place, and reading goes on
-/// with a value that is no number (NaN): no comparison holds for it, so a rule that says what is refused keeps silent.
+/// An object of a scene file. A reader asks for its keys, one call each. A wrong value is reported with its place, and the call returns NaN;
+/// every comparison with NaN is false, so rules that compare values report nothing more.
 /// </summary>
 /// <remarks>
-/// The same calls describe the keys: an object made by <see cref="Describing"/> has no text behind it, notes no problems and collects what
-/// it is asked for. The editors' schema is made of that, so it cannot differ from what is read.
-/// <para>Messages are put together in methods of their own, which need not be compiled where all is well.</para>
+/// The same calls describe the keys: an object made by <see cref="Describing"/> has no text, reports nothing, and collects the keys that it
+/// is asked for. The editors' schema is made from that, so it cannot differ from what is read.
+/// <para>Messages are built in methods of their own, which the runtime need not compile for a scene without mistakes.</para>
 /// </remarks>
 internal sealed class SceneObject
 {
-    private const string WhatColorsAre = "an array of three numbers [red, green, blue] or a text like \"#ff8800\"";
+    private const string VectorForm = "an array of three numbers [x, y, z]";
     private static readonly Vector3 NoVector = new(double.NaN, double.NaN, double.NaN);
 
     private readonly SceneDocument? document;
@@ -22,13 +21,13 @@ internal sealed class SceneObject
     private readonly List<string> asked = [];
     private readonly List<SceneKey>? described;
     private JsonValue json;
-    private int? index;        // in an array of that path
+    private int? index;        // in the array at that path
     private int errorsBefore;
     private int? keyCount;     // null where a key may be there twice
     private int found, likely; // keys that were asked for and are there; where the next may be
 
     /// <param name="document">The scene file.</param>
-    /// <param name="path">The object's path, empty for the scene itself; of the elements of an array that of the array.</param>
+    /// <param name="path">The object's path, empty for the scene itself; for the elements of an array, the array's path.</param>
     private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
 
     private SceneObject(List<SceneKey> described) => (this.described, path) = (described, "");
@@ -45,6 +44,17 @@ internal sealed class SceneObject
         var described = new List<SceneKey>();
         keys = described;
         return new(described);
+    }
+
+    /// <summary>An object; null, after a report, if the value is none.</summary>
+    /// <param name="document">The scene file.</param>
+    /// <param name="value">What should be an object.</param>
+    /// <param name="path">Its path, empty for the outermost.</param>
+    /// <param name="name">What a message calls it, if not by its path.</param>
+    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string? name = null)
+    {
+        var o = new SceneObject(document, path);
+        return o.Begin(value, null, name) ? o : null;
     }
 
     /// <summary>Whether a key is written in the file.</summary>
@@ -85,22 +95,14 @@ internal sealed class SceneObject
     }
 
     /// <summary>Three numbers.</summary>
-    public Vector3 Vector(string key, string meaning, Vector3? orElse = null)
-    {
-        described?.Add(new(key, KeyKind.Vector, meaning, orElse is null, orElse));
-        return Take(key, meaning, orElse is null) is { } value
-            ? VectorAt(value, key, Limits.None, "an array of three numbers [x, y, z]")
-            : orElse ?? NoVector;
-    }
+    public Vector3 Vector(string key, string meaning, Vector3? orElse = null) => Vector(key, KeyKind.Vector, meaning, orElse);
 
     /// <summary>A vector of any length but zero.</summary>
     public Vector3 Direction(string key, string meaning, Vector3? orElse = null)
     {
-        described?.Add(new(key, KeyKind.Direction, meaning, orElse is null, orElse));
-        if (Take(key, meaning, orElse is null) is not { } value) return orElse ?? NoVector;
-        var direction = VectorAt(value, key, Limits.None, "an array of three numbers [x, y, z]");
+        var direction = Vector(key, KeyKind.Direction, meaning, orElse);
         if (direction.Length != 0) return direction;
-        Report(value, key, " must not be " + value.AsWritten + ": a direction has a length");
+        Refuse(key, $" must not be {Place(key, null)?.AsWritten}, which has no direction");
         return NoVector;
     }
 
@@ -109,7 +111,7 @@ internal sealed class SceneObject
     {
         described?.Add(new(key, KeyKind.Factors, meaning, false, orElse));
         if (Take(key, meaning, false) is not { } value) return new(orElse, orElse, orElse);
-        if (value.Kind != JsonTokenType.Number) return VectorAt(value, key, Limits.NotZero, "a number or an array of three numbers [x, y, z]");
+        if (value.Kind != JsonTokenType.Number) return VectorAt(value, key, Limits.NotZero, "a number or " + VectorForm);
         var factor = NumberAt(value, key, null, Limits.NotZero);
         return new(factor, factor, factor);
     }
@@ -119,9 +121,9 @@ internal sealed class SceneObject
     {
         described?.Add(new(key, KeyKind.Color, meaning, false, orElse));
         if (Take(key, meaning, false) is not { } value) return orElse;
-        if (value.Kind == JsonTokenType.String) return HexColorAt(value, key) ?? orElse;
-        var color = VectorAt(value, key, Limits.NotNegative, WhatColorsAre);
-        if (LooksLikeBytes(color)) WarnOfBytes(key, color);
+        if (value.Kind == JsonTokenType.String) return SceneColor.Parse(value.Text) ?? WrongColor(value, key, orElse);
+        var color = VectorAt(value, key, Limits.NotNegative, SceneColor.Form);
+        if (SceneColor.LooksLikeBytes(color)) WarnOfBytes(key, color);
         return new(color.X, color.Y, color.Z);
     }
 
@@ -137,15 +139,13 @@ internal sealed class SceneObject
     /// <summary>A text, or null where it is left out.</summary>
     public string? OptionalText(string key, string meaning) => Text(key, meaning, false);
 
-    /// <summary>An array of texts, without those elements that are none; empty where it is left out.</summary>
+    /// <summary>An array of texts, without elements that are none; empty where it is left out.</summary>
     public IReadOnlyList<string> Texts(string key, string meaning, bool isRequired)
     {
         described?.Add(new(key, KeyKind.Texts, meaning, isRequired));
-        if (Take(key, meaning, isRequired) is not { } value) return [];
-        if (value.Kind == JsonTokenType.StartArray)
-            return [.. value.Content.Where((text, i) => IsText(text, key, i)).Select(text => text.Text)];
-        Report(value, key, " must be an array of texts in brackets [ ], but is " + value.InWords);
-        return [];
+        return Take(key, meaning, isRequired) is { } value && IsArray(value, key, "texts")
+            ? [.. value.Content.Where((text, i) => IsText(text, key, i)).Select(text => text.Text)]
+            : [];
     }
 
     /// <summary>One of several words; the first where it is left out.</summary>
@@ -168,42 +168,50 @@ internal sealed class SceneObject
     }
 
     /// <summary>
-    /// An array of objects, one after another, so that a million of them are not in memory at a time; without those elements that are none. It is
-    /// the same
-    /// one each time: the caller is done with an element when it takes the next.
+    /// The objects of an array, without elements that are none. It is the same <see cref="SceneObject"/> each time, so that a million of them
+    /// need no memory: finish with one before you take the next.
     /// </summary>
     public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
         described?.Add(new(key, KeyKind.Objects, meaning, true));
-        if (Take(key, meaning, true) is not { } value) yield break;
-        if (value.Kind != JsonTokenType.StartArray)
-        {
-            Report(value, key, " must be an array of objects in brackets [ ], but is " + value.InWords);
-            yield break;
-        }
+        if (Take(key, meaning, true) is not { } value || !IsArray(value, key, "objects")) yield break;
         var (i, o) = (0, new SceneObject(document!, PathOf(key)));
         for (var next = value.First; next is { } element && !document!.IsHopeless; next = value.After(element), i++)
-            if (o.IsNow(element, i))
+            if (o.Begin(element, i))
                 yield return o;
     }
 
-    /// <summary>An object, or null and a problem.</summary>
-    /// <param name="document">The scene file.</param>
-    /// <param name="value">What should be an object.</param>
-    /// <param name="path">Its path, empty for the outermost.</param>
-    /// <param name="name">What a message calls it, if not by its path.</param>
-    public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string? name = null)
+    /// <summary>Refuses a value that was read, or one of its elements: <paramref name="message"/> follows the path.</summary>
+    public void Refuse(string key, FormattableString message, int? element = null) =>
+        Report(true, Place(key, element), key, FormattableString.Invariant(message), element);
+
+    /// <summary>Warns of a value: <paramref name="message"/> follows the path.</summary>
+    public void Warn(string key, FormattableString message) => Report(false, Place(key, null), key, FormattableString.Invariant(message));
+
+    /// <summary>Refuses the keys that were not asked for.</summary>
+    /// <param name="allowed">Keys that are right although they were not asked for.</param>
+    public void Close(params IEnumerable<string> allowed)
     {
-        var o = new SceneObject(document, path);
-        return o.IsNow(value, null, name) ? o : null;
+        if (document is null || found == keyCount) return;
+        asked.AddRange(allowed);
+        new WrongKeys(this, document, json.Keys).RefuseUnknown(asked);
     }
 
-    /// <summary>Begins an object in the text, and notes the keys that stand in it twice, of which the first counts; false and a problem where it
-    /// is none.</summary>
+    /// <summary>Reports a problem at a value; at the object's opening brace where the value is null.</summary>
+    internal void Report(bool isError, JsonValue? value, string key, string message, int? element = null)
+    {
+        var (start, end) = value is { } v ? (v.Start, v.End) : (json.Start, json.Start + 1);
+        var whole = PathOf(key, element);
+        document?.Add(isError, start, end, whole, whole + message);
+    }
+
+    private void Report(JsonValue value, string key, string message, int? element = null) => Report(true, value, key, message, element);
+
+    /// <summary>Starts to read an object. False, after a report, if the value is none.</summary>
     /// <param name="value">What should be an object.</param>
     /// <param name="place">Its place in the array.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
-    private bool IsNow(JsonValue value, int? place, string? name = null)
+    private bool Begin(JsonValue value, int? place, string? name = null)
     {
         if (value.Kind != JsonTokenType.StartObject)
         {
@@ -212,7 +220,7 @@ internal sealed class SceneObject
         }
         (json, index, errorsBefore, keyCount, found, likely) = (value, place, document!.ErrorCount, value.CountKeys(), 0, 0);
         asked.Clear();
-        if (keyCount is null) RefuseRepeatedKeys(document);
+        if (keyCount is null) new WrongKeys(this, document, json.Keys).RefuseRepeated();
         return true;
     }
 
@@ -222,68 +230,21 @@ internal sealed class SceneObject
         document!.Add(true, value.Start, value.End, whole, $"{name ?? whole} must be an object in braces {{ }}, but is {value.InWords}");
     }
 
-    /// <summary>Refuses a value that was read, or one of its elements: <paramref name="message"/> follows the path.</summary>
-    public void Refuse(string key, FormattableString message, int? element = null) =>
-        Report(true, Place(key, element), PathOf(key, element), FormattableString.Invariant(message));
-
-    /// <summary>Warns of a value: <paramref name="message"/> follows the path.</summary>
-    public void Warn(string key, FormattableString message) =>
-        Report(false, Place(key, null), PathOf(key), FormattableString.Invariant(message));
-
-    /// <summary>Refuses the keys that nobody has asked for.</summary>
-    /// <param name="allowed">Keys that are right although nobody has asked for them.</param>
-    public void Close(params IEnumerable<string> allowed)
-    {
-        if (document is not null && found != keyCount) RefuseUnknownKeys(document, allowed);
-    }
-
-    private void RefuseUnknownKeys(SceneDocument document, IEnumerable<string> allowed)
-    {
-        asked.AddRange(allowed);
-        var places = new Dictionary<string, JsonValue>(); // each key once, though it may be there twice
-        foreach (var key in json.Keys) places.TryAdd(key.Text, key);
-        var free = asked.FindAll(known => !places.ContainsKey(known)); // once for all unknown keys: there may be as many as there are bytes
-        foreach (var (name, key) in places)
-        {
-            if (document.IsHopeless) return;
-            if (!asked.Contains(name)) Report(true, key, PathOf(Shown(name)), " is an unknown key" + RightKey(name, free, places));
-        }
-    }
-
-    private void RefuseRepeatedKeys(SceneDocument document)
-    {
-        var lines = new Dictionary<string, int>();
-        foreach (var key in json.Keys)
-        {
-            if (document.IsHopeless) return;
-            if (lines.TryAdd(key.Text, document.Text.LineOf(key.Start))) continue;
-            Report(true, key, PathOf(Shown(key.Text)), $" is given twice; the first is in line {lines[key.Text]}");
-        }
-    }
-
-    /// <summary>A key that may be anything, fit for a message.</summary>
-    private static string Shown(string key) => PrintableText.Of(key.Length > 60 ? key[..60] + "…" : key);
-
-    /// <summary>Which key somebody may have meant: first of those that are missing, then of those that are there already.</summary>
-    private string RightKey(string wrong, List<string> free, Dictionary<string, JsonValue> places)
-    {
-        if (Spelling.DidYouMean(wrong, free) is { Length: > 0 } help) return help;
-        if (Spelling.Nearest(wrong, asked) is { } near && places.TryGetValue(near, out var there))
-            return $"; \"{near}\" is already there, in line {document!.Text.LineOf(there.Start)}";
-        return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
-    }
-
-    /// <summary>The value of a key that has not been asked for before, or null if it is not written, which is a problem where it is
-    /// required.</summary>
+    /// <summary>The value of a key, which is asked for only once. Null, after an error if it is required, where the key is missing.</summary>
     private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
     {
         if (document is null) return null;
         asked.Add(key);
         var value = keyCount is null ? json.Find(key) : json.Find(key, ref likely);
         if (value is not null) found++;
-        if (value is null && isRequired)
-            Report(true, null, PathOf(key), " is missing: " + (words is null ? meaning : InWords(words)));
+        else if (isRequired) Report(true, null, key, " is missing: " + (words is null ? meaning : WrongValue.OneOf(words)));
         return value;
+    }
+
+    private Vector3 Vector(string key, KeyKind kind, string meaning, Vector3? orElse)
+    {
+        described?.Add(new(key, kind, meaning, orElse is null, orElse));
+        return Take(key, meaning, orElse is null) is { } value ? VectorAt(value, key, Limits.None, VectorForm) : orElse ?? NoVector;
     }
 
     private string? Text(string key, string meaning, bool isRequired)
@@ -299,6 +260,13 @@ internal sealed class SceneObject
         return false;
     }
 
+    private bool IsArray(JsonValue value, string key, string elements)
+    {
+        if (value.Kind == JsonTokenType.StartArray) return true;
+        Report(value, key, $" must be an array of {elements} in brackets [ ], but is {value.InWords}");
+        return false;
+    }
+
     private string? Choice(string key, string meaning, string? orElse, string[] words)
     {
         described?.Add(new(key, KeyKind.Choice, meaning, orElse is null, orElse) { Choices = words });
@@ -306,95 +274,36 @@ internal sealed class SceneObject
         foreach (var word in words)
             if (value.Is(word))
                 return word;
-        return NearestWord(value, key, words);
-    }
-
-    private string? NearestWord(JsonValue value, string key, string[] words)
-    {
-        Report(value, key, $" must be {InWords(words)}, but is {value.AsWritten}{Spelling.DidYouMean(value.Text, words)}");
+        Report(value, key, WrongValue.Word(value, words));
         return Spelling.Nearest(value.Text, words);
     }
 
     private double NumberAt(JsonValue value, string key, int? element, Limits limits)
     {
         if (value.Kind == JsonTokenType.Number && value.Number is var number && double.IsFinite(number) && limits.Allow(number)) return number;
-        Report(value, key, WrongNumber(value, limits), element);
+        Report(value, key, WrongValue.Number(value, limits), element);
         return double.NaN;
     }
 
-    private static string WrongNumber(JsonValue value, Limits limits)
-    {
-        if (value.Kind == JsonTokenType.Number)
-            return double.IsFinite(value.Number)
-                ? $" must be {limits.Words}, but is {value.AsWritten}"
-                : $" must be finite, but {value.AsWritten} is beyond the largest number, 1.8e308";
-        var isQuoted = value.Kind == JsonTokenType.String && double.TryParse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
-        return $" must be a number, but is {value.InWords}{(isQuoted ? "; remove the quotes" : "")}";
-    }
-
-    private Vector3 VectorAt(JsonValue value, string key, Limits limits, string what)
+    private Vector3 VectorAt(JsonValue value, string key, Limits limits, string form)
     {
         if (value.Kind == JsonTokenType.StartArray && value.IsOfThree(out var x, out var y, out var z))
             return new(NumberAt(x, key, 0, limits), NumberAt(y, key, 1, limits), NumberAt(z, key, 2, limits));
-        Report(value, key, WrongVector(value, what));
+        Report(value, key, WrongValue.Vector(value, form));
         return NoVector;
     }
 
-    private static string WrongVector(JsonValue value, string what)
+    private Color WrongColor(JsonValue value, string key, Color orElse)
     {
-        if (value.Kind != JsonTokenType.StartArray) return $" must be {what}, but is {value.InWords}";
-        var elements = value.Content.ToArray();
-        return $" must be {what}, but has {elements.Length} element{(elements.Length == 1 ? "" : "s")}{DecimalComma(elements)}";
-    }
-
-    /// <summary>A colour like <c>"#ff8800"</c>; null and a problem where it is none.</summary>
-    private Color? HexColorAt(JsonValue value, string key)
-    {
-        var text = value.Text;
-        if (text.Length == 7 && text[0] == '#' && uint.TryParse(text.AsSpan(1), NumberStyles.AllowHexSpecifier, null, out var rgb))
-            return new((rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
-        Report(value, key, $" must be {WhatColorsAre}, but is {value.InWords}; # and six hexadecimal digits make a colour");
-        return null;
+        Report(value, key, $" must be {SceneColor.Form}, but is {value.InWords}; # and six hexadecimal digits make a colour");
+        return orElse;
     }
 
     private void WarnOfBytes(string key, Vector3 color) => Warn(key, $" is {color}; 0 to 255? Colours here are 0 to 1, and 1 is full intensity");
-
-    /// <summary>In [2,5, 0, 0] a whole number follows its comma without a blank: somebody may have meant 2.5.</summary>
-    private static string DecimalComma(JsonValue[] elements)
-    {
-        for (var i = 1; i < elements.Length && elements.Length > 3; i++)
-        {
-            var (whole, fraction) = (elements[i - 1], elements[i]);
-            if (fraction.Start == whole.End + 1 && IsWhole(whole) && IsWhole(fraction) && fraction.Number >= 0)
-                return $"; a decimal comma? Write {whole.AsWritten}.{fraction.AsWritten}";
-        }
-        return "";
-
-        static bool IsWhole(JsonValue value) => value.Kind == JsonTokenType.Number && !value.AsWritten.AsSpan().ContainsAny('.', 'e', 'E');
-    }
 
     private JsonValue? Place(string key, int? element)
     {
         if (document is null || json.Find(key) is not { } value) return null;
         return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content.ElementAt(i) : value;
-    }
-
-    /// <summary>Notes an error in the value of a key, or in an element of it.</summary>
-    private void Report(JsonValue value, string key, string message, int? element = null) => Report(true, value, PathOf(key, element), message);
-
-    /// <summary>Notes a problem; where there is no value at the object's opening brace.</summary>
-    private void Report(bool isError, JsonValue? value, string path, string message)
-    {
-        var (start, end) = value is { } v ? (v.Start, v.End) : (json.Start, json.Start + 1);
-        document?.Add(isError, start, end, path, path + message);
-    }
-
-    private static bool LooksLikeBytes(Vector3 c) =>
-        Math.Max(c.X, Math.Max(c.Y, c.Z)) is > 9 and <= 255 && c.X == Math.Floor(c.X) && c.Y == Math.Floor(c.Y) && c.Z == Math.Floor(c.Z);
-
-    private static string InWords(string[] words)
-    {
-        var quoted = Array.ConvertAll(words, word => $"\"{word}\"");
-        return quoted.Length == 1 ? quoted[0] : $"{string.Join(", ", quoted[..^1])} or {quoted[^1]}";
     }
 }

@@ -1,20 +1,20 @@
 namespace RayCaster.Files;
 
-/// <summary>Makes a scene of a scene file (docs/scene-file.md), or says all that is wrong with it.</summary>
+/// <summary>Reads a scene from a scene file (docs/scene-file.md), or reports all its mistakes.</summary>
 public static class SceneReader
 {
-    /// <summary>The longest scene file, in bytes: some 400,000 models. Triangles without number belong into a mesh file.</summary>
+    /// <summary>The longest scene file, in bytes: some 400,000 models. More triangles belong in a mesh file.</summary>
     public const int MostBytes = 1 << 26;
 
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
-    /// <param name="look">Sees the text before it is read, right or wrong as it may be.</param>
+    /// <param name="look">Receives the file's bytes, also if they contain mistakes.</param>
     public static SceneReading Read(string path, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
         try
         {
-            using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 0);
+            using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
             if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
             return Read(file, path, Path.GetDirectoryName(path) ?? "", threads, look);
         }
@@ -26,34 +26,22 @@ public static class SceneReader
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
     /// <param name="stream">The text, with or without a byte order mark.</param>
-    /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
-    /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <param name="displayName">Its name in messages; <c>&lt;stdin&gt;</c> for standard input.</param>
+    /// <param name="folder">The folder where paths of mesh files start.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
-    /// <param name="look">Sees the text before it is read.</param>
+    /// <param name="look">Receives the bytes, also if they contain mistakes.</param>
     /// <exception cref="IOException">The stream fails.</exception>
     public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
-        var known = stream.CanSeek ? stream.Length - stream.Position : 0;
-        if (known > MostBytes) return TooLong(displayName);
-        var bytes = new byte[known > 0 ? known + 1 : 1 << 16]; // one more than there should be, so that the end is met without growing
-        for (var length = 0; ;)
-        {
-            var count = stream.Read(bytes.AsSpan(length));
-            if (count == 0)
-            {
-                look?.Invoke(bytes.AsSpan(0, length));
-                return Parse(bytes.AsMemory(0, length), displayName, folder, threads);
-            }
-            length += count;
-            if (length > MostBytes) return TooLong(displayName);
-            if (length == bytes.Length) Array.Resize(ref bytes, Math.Min(2 * length, MostBytes + 1));
-        }
+        if (!StreamBytes.TryReadToEnd(stream, MostBytes, out var bytes)) return TooLong(displayName);
+        look?.Invoke(bytes);
+        return Parse(bytes, displayName, folder, threads);
     }
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text, with or without a byte order mark.</param>
-    /// <param name="displayName">What messages call it; <c>&lt;stdin&gt;</c> for standard input.</param>
-    /// <param name="folder">Where the paths of mesh files start.</param>
+    /// <param name="displayName">Its name in messages; <c>&lt;stdin&gt;</c> for standard input.</param>
+    /// <param name="folder">The folder where paths of mesh files start.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, int? threads = null)
     {
@@ -69,15 +57,14 @@ public static class SceneReader
         }
     }
 
-    /// <summary>Reads a text that is something else than a scene, in the same form.</summary>
-    /// <param name="utf8">The text.</param>
-    /// <param name="displayName">What messages call it.</param>
-    /// <param name="folder">Where the paths of mesh files start.</param>
-    /// <param name="name">What the outermost object is called in a message.</param>
-    /// <param name="read">Reads that object.</param>
+    /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>
+    /// <param name="utf8">The text, with or without a byte order mark.</param>
+    /// <param name="displayName">Its name in messages.</param>
+    /// <param name="folder">The folder where paths of mesh files start.</param>
+    /// <param name="name">The name of the outermost object in messages.</param>
+    /// <param name="read">Reads the outermost object.</param>
     /// <param name="problems">All errors and warnings.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
-    /// <returns>What was read, or null if there is an error.</returns>
     internal static T? Parse<T>(
         ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,
         int? threads = null) where T : class
@@ -102,7 +89,7 @@ public static class SceneReader
         return null;
     }
 
-    /// <summary>Reads the outermost object; null if there is an error in it.</summary>
+    /// <summary>Reads the outermost object of a scene; null if there is an error in it.</summary>
     internal static Scene? ReadScene(SceneObject o)
     {
         o.OptionalText("$schema", "Where editors find the schema of scene files; the program does not use it.");
@@ -118,28 +105,32 @@ public static class SceneReader
 
     private static Camera? ReadCamera(SceneObject o)
     {
-        var position = o.Vector("position", "P, where the rays start.");
-        var target = o.Vector("target",
-            "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
-                "at twice its distance all is black.");
-        var up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", new(0, 0, 1));
-        var fovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), 45);
-        var width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, 500);
-        var height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, 500);
-        var zNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, 0.01);
-        var zFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", 100);
-        var bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, 1e-6);
-        var clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
-            "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth;
-        var sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
-            "corner", "center") == "center" ? Sample.Center : Sample.Corner;
+        var orElse = new CameraParameters(default, default);
+        var camera = new CameraParameters(
+            o.Vector("position", "P, where the rays start."),
+            o.Vector("target",
+                "T, the point that the camera looks at; it is seen in the middle of the picture. It sets the light too: " +
+                    "at twice its distance all is black."))
+        {
+            Up = o.Direction("up", "Which way is up in the picture; any length but zero, not parallel to target - position.", orElse.Up),
+            FovY = o.Number("fovY", "The angle from the picture's lower to its upper edge, in degrees.", Limits.Between(0, 180), orElse.FovY),
+            Width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
+            Height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
+            ZNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
+            ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", orElse.ZFar),
+            Bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
+            Clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
+                "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth,
+            Sample = o.OptionalChoice("sample", "Where in its pixel a ray passes: through the lower left corner or through the middle.",
+                "corner", "center") == "center" ? Sample.Center : Sample.Corner,
+        };
         o.Close();
 
-        CheckView(o, position, target, up);
-        if (zFar <= zNear) RefuseDepths(o, zNear, zFar);
-        if ((long)width * height > Camera.MaxPixels) RefuseSize(o, width, height);
-        if (fovY is >= 0.2 and < 3) WarnOfRadians(o, fovY);
-        return o.IsSound ? new(position, target, up, fovY, width, height, zNear, zFar, bias, clip, sample) : null;
+        CheckView(o, camera.Position, camera.Target, camera.Up);
+        if (camera.ZFar <= camera.ZNear) RefuseDepths(o, camera.ZNear, camera.ZFar);
+        if ((long)camera.Width * camera.Height > Camera.MaxPixels) RefuseSize(o, camera.Width, camera.Height);
+        if (camera.FovY is >= 0.2 and < 3) WarnOfRadians(o, camera.FovY);
+        return o.IsSound ? new(camera) : null;
     }
 
     private static void CheckView(SceneObject o, Vector3 position, Vector3 target, Vector3 up)
@@ -187,12 +178,12 @@ public static class SceneReader
             o.Close();
             return model;
         }
-        // Without its type we cannot know which keys are right, but a key that no type has is wrong.
+        // If the type is unknown, only a key that no type has is surely wrong.
         o.Close(PrimitiveList.KeysOfAllTypes());
         return null;
     }
 
-    /// <summary>Reads a model of a known type, all keys but the type.</summary>
+    /// <summary>Reads all keys of a model but the type.</summary>
     internal static Model ReadModel(SceneObject o, PrimitiveType type)
     {
         var model = type.Read(o);
@@ -209,7 +200,7 @@ public static class SceneReader
     }
 
     private static SceneReading TooLong(string path) => Unreadable(path, FormattableString.Invariant(
-        $"the scene file has more than {MostBytes:N0} bytes, which is the limit; let mesh files hold what is large"));
+        $"the scene file has more than {MostBytes:N0} bytes, which is the limit; put large meshes into mesh files"));
 
     private static SceneReading Unreadable(string path, string message) =>
         new(null, [new Problem(true, path, 0, 0, "", message, "")]);

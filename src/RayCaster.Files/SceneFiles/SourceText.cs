@@ -4,7 +4,7 @@ using System.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>The text of a file, and where its bytes are seen in an editor.</summary>
+/// <summary>The text of a file, and the lines and columns of its bytes.</summary>
 /// <param name="name">The file as the user named it.</param>
 /// <param name="utf8">The text, without a byte order mark.</param>
 internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
@@ -12,12 +12,10 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
     private const int LongestExcerpt = 120;
     private readonly ArraySegment<byte> bytes = MemoryMarshal.TryGetArray(utf8, out var array) ? array : utf8.ToArray();
     private int[]? lineStarts;
-    private (int Offset, int Column) last = (0, 1); // the place asked for last: of a long line with many problems only the way from there is walked
+    private (int Offset, int Column) last = (0, 1); // the last result of Locate, from which it goes on: a long line may have many problems
 
-    /// <summary>The file as the user named it.</summary>
     public string Name => name;
 
-    /// <summary>The text.</summary>
     public ReadOnlySpan<byte> Utf8 => new(bytes.Array, bytes.Offset, bytes.Count);
 
     /// <summary>A part of the text as written, shortened if it is long.</summary>
@@ -48,12 +46,12 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         return found >= 0 ? found + 1 : ~found;
     }
 
-    /// <summary>The line in which a value starts, and the value underlined; of a long line only what is around the value's start.</summary>
+    /// <summary>The line in which a value starts, with the value underlined; of a long line only the part around the start.</summary>
     public string Excerpt(int start, int end)
     {
         var line = LineOf(start);
         var from = LineStarts[line - 1];
-        var ahead = Utf8.Slice(start, Math.Min(4 * LongestExcerpt, Utf8.Length - start)); // the whole text may be one line
+        var ahead = Utf8.Slice(start, Math.Min(4 * LongestExcerpt, Utf8.Length - start)); // not the whole line, which may be the whole file
         var to = start + (ahead.IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? length : ahead.Length);
         end = Math.Clamp(end, start, to);
 
@@ -88,7 +86,7 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         return [.. starts];
     }
 
-    /// <summary>The place itself, or up to three bytes before, where a character starts; what is not UTF-8 has no such place.</summary>
+    /// <summary>The place where the character of a byte starts, up to three bytes before. Bytes that are not UTF-8 have no such place.</summary>
     private int WholeCharacter(int offset)
     {
         for (var back = 0; back <= 3; back++)

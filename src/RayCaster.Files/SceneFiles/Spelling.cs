@@ -1,9 +1,9 @@
 namespace RayCaster.Files;
 
-/// <summary>Finds the word that somebody meant.</summary>
+/// <summary>Finds the right word for a misspelt one.</summary>
 public static class Spelling
 {
-    /// <summary>What other programs and other kinds of English call our words.</summary>
+    /// <summary>The words of other programs, and of British English, for words of the scene file.</summary>
     private static readonly (string Other, string Ours)[] Synonyms =
     [
         ("eye", "position"), ("from", "position"), ("origin", "position"), ("location", "position"), ("pos", "position"),
@@ -17,12 +17,12 @@ public static class Spelling
         ("obj", "mesh"), ("centre", "center"), ("middle", "center"),
     ];
 
-    /// <summary>The word that is most likely meant, or null.</summary>
-    /// <param name="word">What was written.</param>
-    /// <param name="known">What there is.</param>
+    /// <summary>The most likely right word, or null.</summary>
+    /// <param name="word">The misspelt word.</param>
+    /// <param name="known">The right words.</param>
     /// <remarks>
-    /// The same word but for its case; then what others call it; then the nearest by slips of the pen: letters missing, added, wrong or swapped
-    /// (Damerau–Levenshtein distance), one in a word of up to four letters, two in one of up to eight, else three.
+    /// First the same word in another case, then a synonym, then the word with the fewest letters missing, added, wrong or swapped
+    /// (Damerau–Levenshtein distance): at most one in a word of up to four letters, two in one of up to eight, else three.
     /// </remarks>
     public static string? Nearest(string word, IEnumerable<string> known)
     {
@@ -47,16 +47,15 @@ public static class Spelling
         return nearest;
     }
 
-    /// <summary>"; did you mean …?" for the end of a message, or nothing.</summary>
-    /// <param name="word">What was written.</param>
-    /// <param name="known">What there is.</param>
+    /// <summary>"; did you mean …?" for the end of a message, or an empty text.</summary>
+    /// <inheritdoc cref="Nearest"/>
     public static string DidYouMean(string word, IEnumerable<string> known)
     {
         if (Nearest(word, known) is not { } nearest) return "";
         return $"; did you mean \"{nearest}\"?" + (nearest.Equals(word, StringComparison.OrdinalIgnoreCase) ? " (case matters)" : "");
     }
 
-    /// <summary>How many letters must be added, left out, changed or swapped with their neighbour; upper and lower case are the same.</summary>
+    /// <summary>How many letters must be added, left out, changed or swapped with their neighbour; case is ignored.</summary>
     private static int Slips(string a, string b)
     {
         var slips = new int[a.Length + 1, b.Length + 1];

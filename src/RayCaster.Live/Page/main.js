@@ -21,8 +21,9 @@ on("closed", () => {
 on("scene", message => {
   scene = message;
   document.body.classList.remove("apart");
-  document.title = `${scene.path} – RayCaster live`;
-  $("title").textContent = scene.path;
+  $("title").textContent = scene.path.split(/[\\/]/).pop();
+  $("title").title = scene.path;
+  document.title = `${$("title").textContent} – RayCaster live`;
   if (scene.width > 0) setSize(scene.shownWidth, scene.shownHeight);
   const smaller = scene.shownWidth !== scene.width ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
   const errors = scene.problems.filter(problem => problem.isError).length;

@@ -1,4 +1,4 @@
-// What is wrong with the scene file.
+// What is wrong with the scene file and with the code.
 import { $, make, show } from "./dom.js";
 import { on } from "./server.js";
 
@@ -11,6 +11,16 @@ on("scene", scene => {
   $("problems-about").textContent = scene.good ? "" : scene.width > 0 ? "The picture is the last good one." : "There is no picture yet.";
   show($("problems"), scene.problems.length > 0);
   document.body.classList.toggle("stale", !scene.good);
+});
+
+// What keeps the code from being built, under "dotnet watch".
+on("code", code => {
+  $("code-list").replaceChildren(...code.errors.map(error => make("li", { class: "error" },
+    make("p", {}, make("strong", {}, "Error: "), error.message),
+    make("p", {}, make("a", { href: error.link }, "Open in VS Code"), " or go to ", make("code", {}, error.place)))));
+  if (code.more > 0) $("code-list").append(make("li", {}, `and ${code.more} more`));
+  $("code-title").textContent = `The code has ${count(code.errors.length + code.more, "error")}`;
+  show($("code"), code.errors.length > 0);
 });
 
 /** A mistake with its line and caret, and two ways to get to its place. */

@@ -1,167 +1,111 @@
-using System.Text.Json;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A comparison for other programs: one JSON object, every number by its name.</summary>
 public static class ComparisonJson
 {
-    /// <summary>Writes it. Lines count from the top, rows from the bottom; an infinite PSNR is null.</summary>
-    /// <param name="output">Takes UTF-8.</param>
+    /// <summary>The text. Lines count from the top, rows from the bottom; an infinite PSNR is null.</summary>
     /// <param name="comparison">The comparison.</param>
-    /// <param name="mine">What the picture in question is called.</param>
-    /// <param name="reference">What the one that it should be is called.</param>
-    public static void Write(Stream output, PictureComparison comparison, string mine, string reference)
+    /// <param name="mine">The name of the picture in question.</param>
+    /// <param name="reference">The name of the picture that it should be.</param>
+    public static string Of(PictureComparison comparison, string mine, string reference)
     {
-        using var json = new Utf8JsonWriter(output, JsonForm.Options);
-        json.WriteStartObject();
-        WritePicture(json, "mine", mine, comparison.Mine);
-        WritePicture(json, "reference", reference, comparison.Reference);
-        json.WriteString("verdict", ComparisonText.Of(comparison.Likeness));
-        json.WriteBoolean("same", comparison.Likeness.IsSame());
-        if (comparison.Difference is { } difference) WriteDifference(json, difference);
-        if (comparison.Recognition is { } recognition) WriteRecognition(json, recognition);
-        if (comparison.ByModels is { } models) WriteModels(json, comparison.Scene!, models);
-        json.WriteEndObject();
-        json.Flush();
-        output.WriteByte((byte)'\n');
-    }
-
-    private static void WritePicture(Utf8JsonWriter json, string name, string file, Picture picture)
-    {
-        json.WriteStartObject(name);
-        json.WriteString("file", file);
-        json.WriteNumber("width", picture.Width);
-        json.WriteNumber("height", picture.Height);
-        json.WriteEndObject();
-    }
-
-    private static void WriteDifference(Utf8JsonWriter json, PictureDifference d)
-    {
-        json.WriteNumber("pixels", d.Pixels);
-        json.WriteNumber("wrong", d.Wrong);
-        json.WriteNumber("offByOne", d.OffByOne);
-        json.WriteNumber("oneDarker", d.OneDarker);
-        json.WriteStartObject("wrongByChannel");
-        json.WriteNumber("red", d.WrongByChannel.R);
-        json.WriteNumber("green", d.WrongByChannel.G);
-        json.WriteNumber("blue", d.WrongByChannel.B);
-        json.WriteEndObject();
-        var last = d.Mine.Height - 1;
-        if (d.WrongMiddle is var (x, y))
+        var (d, r) = (comparison.Difference, comparison.Recognition);
+        return JsonText.Of(new
         {
-            json.WriteStartObject("wrongMiddle");
-            json.WriteNumber("column", x);
-            json.WriteNumber("line", y);
-            json.WriteNumber("row", last - y);
-            WriteBytes(json, "mine", d.Mine[x, y]);
-            WriteBytes(json, "reference", d.Reference[x, y]);
-            json.WriteEndObject();
-        }
-        if (d.WrongArea is var (left, top, right, bottom))
-        {
-            json.WriteStartObject("wrongArea");
-            json.WriteNumber("firstColumn", left);
-            json.WriteNumber("lastColumn", right);
-            json.WriteNumber("firstLine", top);
-            json.WriteNumber("lastLine", bottom);
-            json.WriteNumber("firstRow", last - bottom);
-            json.WriteNumber("lastRow", last - top);
-            json.WriteEndObject();
-        }
-        WriteMeasures(json, new(d));
-    }
-
-    private static void WriteMeasures(Utf8JsonWriter json, Measures m)
-    {
-        json.WriteStartObject("measures");
-        json.WriteNumber("maximum", m.Maximum);
-        json.WriteNumber("mae", m.MeanAbsoluteError);
-        json.WriteNumber("rmse", m.RootMeanSquareError);
-        if (double.IsFinite(m.PeakSignalToNoiseRatio)) json.WriteNumber("psnr", m.PeakSignalToNoiseRatio);
-        else json.WriteNull("psnr");
-        json.WriteNumber("ssim", m.StructuralSimilarity);
-        json.WriteEndObject();
-    }
-
-    private static void WriteRecognition(Utf8JsonWriter json, Recognition r)
-    {
-        json.WriteStartObject("recognised");
-        json.WriteString("agreesWhen", r.Change.Description);
-        json.WriteString("turn", r.Change.Turn.ToString());
-        json.WriteNumber("right", r.Change.Right);
-        json.WriteNumber("down", r.Change.Down);
-        json.WriteNumber("bytes", r.Change.Bytes);
-        json.WriteBoolean("sidesSwapped", r.Change.SidesSwapped);
-        switch (r.Change.Colors)
-        {
-            case ChannelOrder order: json.WriteString("channels", order.Order); break;
-            case Tone { IsInverted: true }: json.WriteBoolean("inverted", true); break;
-            case Tone { IsSrgb: true }: json.WriteBoolean("srgb", true); break;
-            case Tone { Exponent: { } exponent }: json.WriteNumber("exponent", exponent); break;
-            case Tone { Factor: { } factor, Offset: { } offset }:
-                json.WriteNumber("factor", factor);
-                json.WriteNumber("offset", offset);
-                break;
-        }
-        json.WriteString("verdict", ComparisonText.Of(r.Likeness));
-        json.WriteNumber("wrong", r.Difference.Wrong);
-        json.WriteNumber("offByOne", r.Difference.OffByOne);
-        json.WriteEndObject();
-    }
-
-    private static void WriteModels(Utf8JsonWriter json, Scene scene, SceneDifference s)
-    {
-        json.WriteStartObject("scene");
-        json.WriteBoolean("referenceIsItsPicture", s.IsReferenceOwn);
-        if (!s.IsReferenceOwn) json.WriteBoolean("mineIsItsPicture", s.IsMineOwn);
-        json.WriteStartArray("models");
-        foreach (var model in s.Models)
-        {
-            json.WriteStartObject();
-            WriteName(json, scene, model.Model);
-            json.WriteNumber("pixels", model.Pixels);
-            json.WriteNumber("wrong", model.Wrong);
-            json.WriteNumber("share", model.Share);
-            json.WriteBoolean("missing", model.IsMissing);
-            WriteColor(json, "color", model.Color);
-            if (model.OtherColor is { } other) WriteColor(json, "otherColor", other);
-            json.WriteStartArray("shows");
-            foreach (var (shown, pixels) in model.Shows)
+            Mine = Named(mine, comparison.Mine),
+            Reference = Named(reference, comparison.Reference),
+            Verdict = ComparisonText.Of(comparison.Likeness),
+            Same = comparison.Likeness.IsSame(),
+            d?.Pixels,
+            d?.Wrong,
+            d?.OffByOne,
+            d?.OneDarker,
+            WrongByChannel = d is null ? null : new { Red = d.WrongByChannel.R, Green = d.WrongByChannel.G, Blue = d.WrongByChannel.B },
+            WrongMiddle = d?.WrongMiddle is var (x, y) ? Middle(d, x, y) : null,
+            WrongArea = d?.WrongArea is var (left, top, right, bottom) ? new
             {
-                json.WriteStartObject();
-                WriteName(json, scene, shown);
-                json.WriteNumber("pixels", pixels);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
-        json.WriteEndObject();
+                FirstColumn = left,
+                LastColumn = right,
+                FirstLine = top,
+                LastLine = bottom,
+                FirstRow = d.Mine.Height - 1 - bottom,
+                LastRow = d.Mine.Height - 1 - top,
+            } : null,
+            Measures = d is null ? null : Measures(new(d)),
+            Recognised = r is null ? null : Recognised(r),
+            Scene = comparison.ByModels is { } models ? Models(comparison.Scene!, models) : null,
+        });
     }
 
-    private static void WriteName(Utf8JsonWriter json, Scene scene, int model)
+    private static object Named(string file, Picture picture) => new { File = file, picture.Width, picture.Height };
+
+    private static object Middle(PictureDifference d, int x, int y) => new
     {
-        json.WriteNumber("model", model);
-        json.WriteString("name", model < 0 ? "background" : scene.Models[model].Name);
-        if (model >= 0) json.WriteString("type", scene.Models[model].Kind);
+        Column = x,
+        Line = y,
+        Row = d.Mine.Height - 1 - y,
+        Mine = Bytes(d.Mine[x, y]),
+        Reference = Bytes(d.Reference[x, y]),
+    };
+
+    private static object Measures(Measures m) => new
+    {
+        m.Maximum,
+        Mae = m.MeanAbsoluteError,
+        Rmse = m.RootMeanSquareError,
+        Psnr = double.IsFinite(m.PeakSignalToNoiseRatio) ? m.PeakSignalToNoiseRatio : JsonText.Null,
+        Ssim = m.StructuralSimilarity,
+    };
+
+    private static object Recognised(Recognition r)
+    {
+        var tone = r.Change.Colors as Tone;
+        var isNamed = tone is { IsInverted: true } or { IsSrgb: true };
+        return new
+        {
+            AgreesWhen = r.Change.Description,
+            Turn = r.Change.Turn.ToString(),
+            r.Change.Right,
+            r.Change.Down,
+            r.Change.Bytes,
+            r.Change.SidesSwapped,
+            Channels = (r.Change.Colors as ChannelOrder)?.Order,
+            Inverted = tone is { IsInverted: true } ? true : (bool?)null,
+            Srgb = tone is { IsInverted: false, IsSrgb: true } ? true : (bool?)null,
+            Exponent = isNamed ? null : tone?.Exponent,
+            Factor = isNamed || tone?.Exponent is not null ? null : tone?.Factor,
+            Offset = isNamed || tone?.Exponent is not null ? null : tone?.Offset,
+            Verdict = ComparisonText.Of(r.Likeness),
+            r.Difference.Wrong,
+            r.Difference.OffByOne,
+        };
     }
 
-    private static void WriteColor(Utf8JsonWriter json, string name, Color color)
+    private static object Models(Scene scene, SceneDifference s) => new
     {
-        json.WriteStartArray(name);
-        json.WriteNumberValue(color.R);
-        json.WriteNumberValue(color.G);
-        json.WriteNumberValue(color.B);
-        json.WriteEndArray();
-    }
+        ReferenceIsItsPicture = s.IsReferenceOwn,
+        MineIsItsPicture = s.IsReferenceOwn ? (bool?)null : s.IsMineOwn,
+        Models = s.Models.Select(model => new
+        {
+            model.Model,
+            Name = NameOf(scene, model.Model),
+            Type = TypeOf(scene, model.Model),
+            model.Pixels,
+            model.Wrong,
+            model.Share,
+            Missing = model.IsMissing,
+            Color = Channels(model.Color),
+            OtherColor = model.OtherColor is { } other ? Channels(other) : null,
+            Shows = model.Shows.Select(shown =>
+                new { shown.Model, Name = NameOf(scene, shown.Model), Type = TypeOf(scene, shown.Model), shown.Pixels }),
+        }),
+    };
 
-    private static void WriteBytes(Utf8JsonWriter json, string name, (byte R, byte G, byte B) color)
-    {
-        json.WriteStartArray(name);
-        json.WriteNumberValue(color.R);
-        json.WriteNumberValue(color.G);
-        json.WriteNumberValue(color.B);
-        json.WriteEndArray();
-    }
+    private static object NameOf(Scene scene, int model) => model < 0 ? "background" : scene.Models[model].Name ?? JsonText.Null;
+
+    private static string? TypeOf(Scene scene, int model) => model < 0 ? null : scene.Models[model].Kind;
+
+    private static double[] Channels(Color color) => [color.R, color.G, color.B];
+
+    private static int[] Bytes((byte R, byte G, byte B) color) => [color.R, color.G, color.B];
 }

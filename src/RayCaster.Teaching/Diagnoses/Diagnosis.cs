@@ -44,6 +44,9 @@ public sealed class Diagnosis
     /// <summary>In <see cref="NotYet"/>: zNear and zFar are not asked; only what lies behind the camera is left out.</summary>
     public const string Clipping = "clipping";
 
+    /// <summary>What <see cref="NotYet"/> may hold: the kinds of shape as a scene file calls them, then the rest.</summary>
+    public static IReadOnlyList<string> Parts { get; } = ["plane", "sphere", "aabb", "circle", "triangle", "mesh", Attenuation, Clipping];
+
     /// <summary>How many pixels are drawn with each mistake, at most.</summary>
     private const int Pixels = 6000;
 
@@ -101,7 +104,7 @@ public sealed class Diagnosis
 
         MissingModel = FindMissingModel();
         var ranked = new DiagnosisSearch(scene, prepared.Known, evidence, prepared.Threads)
-            .Run(Unfinished.Ways(scene, done), () => Unfinished.ByColors(scene, right, picture, done));
+            .Run(Unfinished.Ways(scene.Models, done), () => Unfinished.ByColors(scene, right, picture, done));
         Answer(ranked, picture, done);
     }
 

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using System.Text.Json;
 
 namespace RayCaster.Teaching;
 
@@ -115,95 +114,51 @@ public static class DiagnosisReport
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
     public static string Json(
-        Diagnosis diagnosis, (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null)
-    {
-        using var bytes = new MemoryStream();
-        using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
+        Diagnosis diagnosis, (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null) =>
+        JsonText.Of(new
         {
-            json.WriteStartObject();
-            json.WriteString("finding",
-                diagnosis.Finding switch
-                {
-                    Finding.Matches => "matches",
-                    Finding.Unfinished => "unfinished",
-                    Finding.Mistake => "mistake",
-                    _ => "none of these",
-                });
-            WriteSize(json, "mine", picture);
-            WriteSize(json, "scene", scene);
-            json.WriteNumber("pixels", diagnosis.PixelCount);
-            json.WriteNumber("wrong", diagnosis.WrongCount);
-            json.WriteNumber("darkerByOne", diagnosis.DarkerShare);
-            if (diagnosis.MissingModel is { } missing) json.WriteString("missing", missing);
-            WriteStrings(json, "notYet", diagnosis.NotYet);
-            WriteStrings(json, "likely", diagnosis.Likely);
-            if (hidden is not null) WriteStrings(json, "cannotShow", hidden.Select(mistake => mistake.Id));
-            json.WriteStartArray("suspects");
-            foreach (var suspect in diagnosis.Suspects) WriteSuspect(json, suspect);
-            json.WriteEndArray();
-            if (diagnosis.Nearest is { } nearest)
+            Finding = diagnosis.Finding switch
             {
-                json.WritePropertyName("nearest");
-                WriteSuspect(json, nearest);
-            }
-            json.WriteEndObject();
-        }
-        return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
-    }
+                Finding.Matches => "matches",
+                Finding.Unfinished => "unfinished",
+                Finding.Mistake => "mistake",
+                _ => "none of these",
+            },
+            Mine = Size(picture),
+            Scene = Size(scene),
+            Pixels = diagnosis.PixelCount,
+            Wrong = diagnosis.WrongCount,
+            DarkerByOne = diagnosis.DarkerShare,
+            Missing = diagnosis.MissingModel,
+            diagnosis.NotYet,
+            diagnosis.Likely,
+            CannotShow = hidden?.Select(mistake => mistake.Id),
+            Suspects = diagnosis.Suspects.Select(Json),
+            Nearest = diagnosis.Nearest is { } nearest ? Json(nearest) : null,
+        });
 
     /// <summary>Where nothing could be diagnosed: the same object, with what was in the way.</summary>
-    public static string Json(string error)
+    public static string Json(string error) => JsonText.Of(new { Finding = "could not tell", Error = error });
+
+    private static object? Size((int Width, int Height)? size) => size is var (width, height) ? new { Width = width, Height = height } : null;
+
+    private static object Json(Suspect suspect) => new
     {
-        using var bytes = new MemoryStream();
-        using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
+        Mistakes = suspect.Mistakes.Select(mistake => new
         {
-            json.WriteStartObject();
-            json.WriteString("finding", "could not tell");
-            json.WriteString("error", error);
-            json.WriteEndObject();
-        }
-        return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
-    }
-
-    private static void WriteSize(Utf8JsonWriter json, string name, (int Width, int Height)? size)
-    {
-        if (size is not var (width, height)) return;
-        json.WriteStartObject(name);
-        json.WriteNumber("width", width);
-        json.WriteNumber("height", height);
-        json.WriteEndObject();
-    }
-
-    private static void WriteStrings(Utf8JsonWriter json, string name, IEnumerable<string> values)
-    {
-        json.WriteStartArray(name);
-        foreach (var value in values) json.WriteStringValue(value);
-        json.WriteEndArray();
-    }
-
-    private static void WriteSuspect(Utf8JsonWriter json, Suspect suspect)
-    {
-        json.WriteStartObject();
-        json.WriteStartArray("mistakes");
-        foreach (var mistake in suspect.Mistakes)
-        {
-            json.WriteStartObject();
-            json.WriteString("id", mistake.Id);
-            json.WriteString("cause", mistake.Cause);
-            json.WriteString("symptom", mistake.Hint.Symptom);
-            json.WriteString("question", mistake.Hint.Question);
-            json.WriteString("answer", mistake.Hint.Answer);
-            json.WriteString("slide", mistake.Slide);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
-        json.WriteNumber("unexplained", Math.Round(suspect.Unexplained));
-        json.WriteBoolean("otherSample", suspect.OtherSample);
-        json.WriteBoolean("samePicture", suspect.SamePicture);
-        WriteStrings(json, "twins", suspect.Twins.Select(twin => twin.Id));
-        WriteStrings(json, "notYet", suspect.NotYet);
-        json.WriteEndObject();
-    }
+            mistake.Id,
+            mistake.Cause,
+            mistake.Hint.Symptom,
+            mistake.Hint.Question,
+            mistake.Hint.Answer,
+            mistake.Slide,
+        }),
+        Unexplained = Math.Round(suspect.Unexplained),
+        suspect.OtherSample,
+        suspect.SamePicture,
+        Twins = suspect.Twins.Select(twin => twin.Id),
+        suspect.NotYet,
+    };
 
     private static void AppendSuspect(StringBuilder text, Diagnosis diagnosis, Suspect suspect, HintLevel level)
     {

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using System.Text.Json;
 
 namespace RayCaster.Teaching;
 
@@ -94,48 +93,25 @@ public static class FitnessReport
     /// <summary>The same for programs.</summary>
     /// <param name="fitness">What the scenes are fit for.</param>
     /// <param name="absent">What was required and does not show.</param>
-    public static string Json(SceneFitness fitness, IReadOnlyList<string> absent)
+    public static string Json(SceneFitness fitness, IReadOnlyList<string> absent) => JsonText.Of(new
     {
-        using var bytes = new MemoryStream();
-        using (var json = new Utf8JsonWriter(bytes, JsonForm.Options))
+        Scenes = fitness.Scenes.Count,
+        Known = fitness.Asked.Count,
+        Shown = Shown(fitness),
+        fitness.Reduced,
+        Hidden = fitness.Hidden.Select(mistake => new
         {
-            json.WriteStartObject();
-            json.WriteNumber("scenes", fitness.Scenes.Count);
-            json.WriteNumber("known", fitness.Asked.Count);
-            json.WriteNumber("shown", Shown(fitness));
-            json.WriteBoolean("reduced", fitness.Reduced);
-            json.WriteStartArray("hidden");
-            foreach (var mistake in fitness.Hidden)
-            {
-                json.WriteStartObject();
-                json.WriteString("id", mistake.Id);
-                json.WriteString("cause", mistake.Cause);
-                json.WriteString("why", fitness.WithinRounding.Contains(mistake) ? "it changes a channel by a level" : ReasonFor(mistake, fitness));
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
-            json.WritePropertyName("hiddenInOneForm");
-            WriteStrings(json, fitness.HiddenAtFirst.Select(mistake => mistake.Id));
-            json.WriteStartArray("twins");
-            foreach (var group in fitness.Twins) WriteStrings(json, group.Select(mistake => mistake.Id));
-            json.WriteEndArray();
-            json.WritePropertyName("notTried");
-            WriteStrings(json, fitness.NotTried.Select(mistake => mistake.Id));
-            json.WritePropertyName("requiredButHidden");
-            WriteStrings(json, absent);
-            json.WriteNumber("pixels", fitness.PixelCount);
-            json.WriteNumber("fragilePixels", fitness.FragilePixels);
-            json.WriteEndObject();
-        }
-        return Encoding.UTF8.GetString(bytes.ToArray()) + "\n";
-    }
-
-    private static void WriteStrings(Utf8JsonWriter json, IEnumerable<string> values)
-    {
-        json.WriteStartArray();
-        foreach (var value in values) json.WriteStringValue(value);
-        json.WriteEndArray();
-    }
+            mistake.Id,
+            mistake.Cause,
+            Why = fitness.WithinRounding.Contains(mistake) ? "it changes a channel by a level" : ReasonFor(mistake, fitness),
+        }),
+        HiddenInOneForm = fitness.HiddenAtFirst.Select(mistake => mistake.Id),
+        Twins = fitness.Twins.Select(group => group.Select(mistake => mistake.Id)),
+        NotTried = fitness.NotTried.Select(mistake => mistake.Id),
+        RequiredButHidden = absent,
+        Pixels = fitness.PixelCount,
+        fitness.FragilePixels,
+    });
 
     private static int Shown(SceneFitness fitness) => fitness.Asked.Count - fitness.Hidden.Count - fitness.NotTried.Count;
 

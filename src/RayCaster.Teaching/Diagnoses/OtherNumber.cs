@@ -84,7 +84,7 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
 
         Scene With(Vector3 P, Vector3 T, double? zNear = null, double? zFar = null) => scene with
         {
-            Camera = new(P, T, c.Up, c.FovY, c.Width, c.Height, zNear ?? c.ZNear, zFar ?? c.ZFar, c.Bias, c.Clip, c.Sample),
+            Camera = new(c.Parameters with { Position = P, Target = T, ZNear = zNear ?? c.ZNear, ZFar = zFar ?? c.ZFar }),
         };
     }
 

@@ -236,14 +236,11 @@ public sealed class SceneFitness
     {
         foreach (var nudge in (Func<double, double>[])[Math.BitIncrement, Math.BitDecrement])
         {
-            foreach (var P in Nudged(camera.Position, nudge)) yield return With(P, camera.Target, camera.Up, camera.FovY);
-            foreach (var T in Nudged(camera.Target, nudge)) yield return With(camera.Position, T, camera.Up, camera.FovY);
-            foreach (var up in Nudged(camera.Up, nudge)) yield return With(camera.Position, camera.Target, up, camera.FovY);
-            yield return With(camera.Position, camera.Target, camera.Up, nudge(camera.FovY));
+            foreach (var P in Nudged(camera.Position, nudge)) yield return new(camera.Parameters with { Position = P });
+            foreach (var T in Nudged(camera.Target, nudge)) yield return new(camera.Parameters with { Target = T });
+            foreach (var up in Nudged(camera.Up, nudge)) yield return new(camera.Parameters with { Up = up });
+            yield return new(camera.Parameters with { FovY = nudge(camera.FovY) });
         }
-
-        Camera With(Vector3 P, Vector3 T, Vector3 up, double fovY) => new(
-            P, T, up, fovY, camera.Width, camera.Height, camera.ZNear, camera.ZFar, camera.Bias, camera.Clip, camera.Sample);
     }
 
     private static Vector3[] Nudged(Vector3 v, Func<double, double> nudge) =>

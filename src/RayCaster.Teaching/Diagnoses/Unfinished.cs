@@ -9,8 +9,22 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     /// <summary>A pixel as dark as this says nothing of a model's colour.</summary>
     private const int Dark = 24;
 
+    private static readonly Mistake[] withoutAttenuation = [MistakeCatalog.Named("att-none")!];
+    private static readonly Mistake[] withoutClipping = [MistakeCatalog.Named("no-znear")!, MistakeCatalog.Named("no-zfar")!];
+
     /// <summary>A program that does all.</summary>
     public static Unfinished Nothing { get; } = new([]);
+
+    /// <summary>What is missing at each step of the lab, the last step first.</summary>
+    public static IReadOnlyList<Unfinished> InOrder { get; } =
+    [
+        new(["triangle", "mesh"]),
+        new(["triangle", "mesh", "circle"]),
+        new(["triangle", "mesh", "circle", "sphere"]),
+        new(["triangle", "mesh", "circle", "sphere", "aabb"]),
+        new(["triangle", "mesh", "circle", "sphere", "aabb", Clipping]),
+        new(["triangle", "mesh", "circle", "sphere", "aabb", Clipping, Attenuation]),
+    ];
 
     /// <summary>The kinds of shape that it does not draw.</summary>
     public IEnumerable<string> Kinds => NotYet.Where(part => part is not (Attenuation or Clipping));
@@ -18,8 +32,8 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     /// <summary>The mistakes that draw so: "no attenuation", say, is one of the catalogue, too.</summary>
     public IEnumerable<Mistake> AsMistakes =>
     [
-        .. NotYet.Contains(Attenuation) ? [MistakeCatalog.Named("att-none")!] : Array.Empty<Mistake>(),
-        .. NotYet.Contains(Clipping) ? [MistakeCatalog.Named("no-znear")!, MistakeCatalog.Named("no-zfar")!] : Array.Empty<Mistake>(),
+        .. NotYet.Contains(Attenuation) ? withoutAttenuation : [],
+        .. NotYet.Contains(Clipping) ? withoutClipping : [],
     ];
 
     /// <summary>Takes from a lab what is not there yet.</summary>
@@ -31,11 +45,11 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
 
     /// <summary>Every way to be unfinished: each subset of the scene's kinds of shape but none and all, with and without attenuation and
     /// clipping.</summary>
-    /// <param name="scene">The scene.</param>
+    /// <param name="models">The models of one scene, or of several.</param>
     /// <param name="done">What is surely there.</param>
-    public static IEnumerable<Unfinished> Ways(Scene scene, IReadOnlyCollection<string> done)
+    public static IEnumerable<Unfinished> Ways(IEnumerable<Model> models, IReadOnlyCollection<string> done)
     {
-        var kinds = KindsOf(scene);
+        var kinds = KindsOf(models);
         return from subset in Subsets([.. kinds.Except(done)])
                where subset.Length < kinds.Length
                from rest in Rest(done)
@@ -53,7 +67,7 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     /// <param name="done">What is surely there.</param>
     public static IEnumerable<Unfinished> ByColors(Scene scene, Picture right, Picture picture, IReadOnlyCollection<string> done)
     {
-        var kinds = KindsOf(scene);
+        var kinds = KindsOf(scene.Models);
         var (expected, seen) = (Seen(scene, right, kinds), Seen(scene, picture, kinds));
         string[] missing = [.. kinds.Where((kind, i) => expected[i] > 0 && seen[i] <= expected[i] / 500 && !done.Contains(kind))];
         string[] doubtful = [.. kinds.Where((kind, i) => expected[i] == 0 && !done.Contains(kind))];
@@ -64,7 +78,7 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
                select new Unfinished([.. missing, .. more, .. rest]);
     }
 
-    private static string[] KindsOf(Scene scene) => [.. scene.Models.Select(model => model.Kind).Distinct()];
+    private static string[] KindsOf(IEnumerable<Model> models) => [.. models.Select(model => model.Kind).Distinct()];
 
     private static IEnumerable<string[]> Rest(IReadOnlyCollection<string> done) => Subsets([.. ((string[])[Attenuation, Clipping]).Except(done)]);
 

@@ -10,7 +10,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
     /// <summary>Equal for trials that differ in wordings and samples alone.</summary>
-    public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id).Order(StringComparer.Ordinal)));
+    public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id)).Order(StringComparer.Ordinal));
 
     /// <summary>The same without one of its mistakes, or with one thing written that was not, for each of them; nothing is measured yet.</summary>
     public IEnumerable<WrongProgram> Less =>

@@ -89,8 +89,7 @@ internal static class LedgerVerdict
     /// <summary>How many rays of a small picture hit something from another place.</summary>
     private static int HitsOf(Scene scene, Vector3 position, Vector3 target, double fovY)
     {
-        var c = scene.Camera;
-        var camera = new Camera(position, target, c.Up, fovY, Side, Side, c.ZNear, c.ZFar, c.Bias, c.Clip, c.Sample);
+        var camera = new Camera(scene.Camera.Parameters with { Position = position, Target = target, FovY = fovY, Width = Side, Height = Side });
         var hits = 0;
         foreach (var model in new Renderer(scene with { Camera = camera }, 1).CastHits().Model)
             if (model >= 0)

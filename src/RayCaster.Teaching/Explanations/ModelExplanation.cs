@@ -1,3 +1,5 @@
+using System.Text.Json.Serialization;
+
 namespace RayCaster.Teaching;
 
 /// <summary>What one model has to do with a pixel.</summary>
@@ -49,7 +51,7 @@ public sealed record SlabExplanation(char Axis, double Lo, double Hi, double T0,
 /// <param name="BeyondFar">How many are farther than zFar.</param>
 /// <param name="Counting">How many crossings count; the nearest is the mesh's.</param>
 public sealed record MeshExplanation(
-    int Triangles, int? Triangle, int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
+    int Triangles, [property: JsonIgnore(Condition = JsonIgnoreCondition.Never)] int? Triangle, int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
 
 /// <summary>How the models fare that are not explained one by one.</summary>
 /// <param name="Hidden">How many are hit, but hidden.</param>
@@ -61,5 +63,6 @@ public sealed record MeshExplanation(
 public sealed record OtherModels(int Hidden, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Missed)
 {
     /// <summary>How many there are in all.</summary>
+    [JsonPropertyOrder(-1)]
     public int Count => Hidden + Behind + UnderBias + BeforeNear + BeyondFar + Missed;
 }

@@ -40,7 +40,7 @@ public static class LabSteps
             // The least bias there is: t > 0.
             Camera = step >= Clipping
                 ? c
-                : new(c.Position, c.Target, c.Up, c.FovY, c.Width, c.Height, 0, double.MaxValue, double.Epsilon, c.Clip, c.Sample),
+                : new(c.Parameters with { ZNear = 0, ZFar = double.MaxValue, Bias = double.Epsilon }),
         };
     }
 

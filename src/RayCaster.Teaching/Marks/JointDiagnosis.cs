@@ -1,26 +1,32 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// What is wrong with a program, told from its pictures of several scenes together: first what it does not draw yet, then one mistake, then two.
-/// A mistake that explains one picture but would show in another, where it is not to be seen, falls away; so twins of one scene fall apart.
+/// Finds what is wrong with a program from its pictures of several scenes together: what it does not draw yet, then one mistake, then two.
+/// A mistake that explains one picture, but would show in another picture that is right, drops out. So several scenes tell mistakes apart that
+/// look the same in one of them.
 /// </summary>
 /// <remarks>
-/// The loss of a hypothesis is the sum of what it leaves unexplained of each picture, at most 1 for each, so that one picture that nothing
-/// explains does not hide what explains the others.
+/// The loss of a program is the sum of what it leaves unexplained in each picture, at most 1 for each picture. One picture that nothing explains
+/// therefore does not hide what explains the others.
 /// </remarks>
 internal sealed class JointDiagnosis
 {
-    /// <summary>What share of the chosen pixels is looked at to sort out what is far off, and then more closely.</summary>
+    /// <summary>The share of the chosen pixels that the first look takes, and the second.</summary>
     private const double FirstLook = 1 / 30.0, SecondLook = 1 / 5.0;
 
-    /// <summary>How many hypotheses get a second look, how many are looked at with all pixels, and how many are the base of further ones.</summary>
-    private const int Second = 40, Last = 12, Bases = 8;
+    /// <summary>How many programs get a second look, and how many of these a look at all chosen pixels.</summary>
+    private const int Second = 40, Last = 12;
 
-    /// <summary>With one thing more to be wrong the loss must fall below this share: more always explain a picture a little better.</summary>
+    /// <summary>How many of the best programs get one more mistake.</summary>
+    private const int Bases = 8;
+
+    /// <summary>One more mistake must reduce the loss to less than this share: more mistakes always explain a picture a little better.</summary>
     private const double Gain = 0.6;
 
-    /// <summary>Losses that differ by less cannot be told apart.</summary>
+    /// <summary>Losses that differ by less are taken as equal.</summary>
     private const double Alike = 0.01;
+
+    private static readonly WrongProgram right = new(Unfinished.Nothing, [], false);
 
     private readonly IReadOnlyList<ScenePicture> pictures;
     private readonly IReadOnlyList<Mistake> known;
@@ -28,7 +34,7 @@ internal sealed class JointDiagnosis
 
     private JointDiagnosis(IReadOnlyList<ScenePicture> pictures, IReadOnlyList<Mistake> known)
     {
-        // The most wrong picture first: it soonest tells what is far off.
+        // The picture with the most wrong pixels comes first: it is the quickest to rule programs out.
         (this.pictures, this.known) = ([.. pictures.OrderByDescending(picture => picture.WrongShare)], known);
         if (pictures.All(picture => picture.IsRight)) return;
         TellsNothing = pictures.All(picture => picture.Picture.IsOneColor);
@@ -37,23 +43,23 @@ internal sealed class JointDiagnosis
         var wrong = pictures.Count(picture => !picture.IsRight);
         if (2 * Unexplained.Count <= wrong) return;
         if (!TellsNothing) Nearest = Verdict;
-        (Verdict, Alternatives) = (Hypothesis.Right, []);
+        (Verdict, Alternatives) = (right, []);
         Unexplained = [.. pictures.Where(picture => !picture.IsRight)];
     }
 
-    /// <summary>What is wrong; <see cref="Hypothesis.Right"/> if nothing is, or if nothing explains most of the wrong pictures.</summary>
-    public Hypothesis Verdict { get; private set; } = Hypothesis.Right;
+    /// <summary>What is wrong; a right program if nothing is wrong, or if nothing explains most of the wrong pictures.</summary>
+    public WrongProgram Verdict { get; private set; } = right;
 
-    /// <summary>What explains the pictures just as well, so that nothing tells it from the verdict.</summary>
-    public IReadOnlyList<Hypothesis> Alternatives { get; private set; } = [];
+    /// <summary>Other programs that explain the pictures as well as the verdict.</summary>
+    public IReadOnlyList<WrongProgram> Alternatives { get; private set; } = [];
 
     /// <summary>The wrong pictures that the verdict does not explain.</summary>
     public IReadOnlyList<ScenePicture> Unexplained { get; } = [];
 
-    /// <summary>What comes nearest where nothing explains the pictures; null where something does.</summary>
-    public Hypothesis? Nearest { get; }
+    /// <summary>The program that comes nearest where none explains the pictures; null where one does.</summary>
+    public WrongProgram? Nearest { get; }
 
-    /// <summary>Whether all pictures are of one colour: many things make them so.</summary>
+    /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
     public bool TellsNothing { get; }
 
     /// <summary>Diagnoses a program.</summary>
@@ -61,114 +67,99 @@ internal sealed class JointDiagnosis
     /// <param name="known">The mistakes to try.</param>
     public static JointDiagnosis Of(IReadOnlyList<ScenePicture> pictures, IReadOnlyList<Mistake> known) => new(pictures, known);
 
-    /// <summary>The mistakes that can show in these scenes and do not take too long to try.</summary>
-    public static IReadOnlyList<Mistake> KnownFor(IReadOnlyList<Scene> scenes) =>
-    [
-        .. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding && scenes.Any(mistake.Touches)
-            && scenes.All(scene => scene.Models.Count <= Lab.MostModels && new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles)),
-    ];
-
     private void Search()
     {
-        var unfinished = Best(UndoneParts.SubsetsFor(pictures.Select(picture => picture.Of.Scene)).Select(undone => new Hypothesis(undone, [])));
+        var unfinished = Best(Unfinished.Ways(pictures.SelectMany(picture => picture.Of.Scene.Models), []).Prepend(Unfinished.Nothing)
+            .Select(way => new WrongProgram(way, [], false)));
         Take(unfinished);
         if (IsEnough(Verdict)) return;
 
-        // Behind a wrong camera all subsets look alike, so those that the order of the lab brings are tried in any case.
-        var bases = unfinished.Take(Bases).Select(scored => scored.Hypothesis)
-            .Concat(UndoneParts.InOrder.Select(undone => new Hypothesis(undone, [])));
-        var singles = Best(bases.DistinctBy(hypothesis => hypothesis.Id).SelectMany(Extended));
+        // Behind a wrong camera all ways to be unfinished look alike, so those in the order of the lab are tried in any case.
+        var bases = unfinished.Take(Bases).Select(scored => scored.Program).Concat(Unfinished.InOrder.Select(way => right with { Base = way }))
+            .Append(right);
+        var singles = Best(bases.DistinctBy(program => program.Id).SelectMany(Extended));
         Take(singles);
         if (IsEnough(Verdict)) return;
 
-        var second = singles.DistinctBy(scored => scored.Hypothesis.Id).Take(Bases).SelectMany(single =>
+        var pairs = singles.DistinctBy(scored => scored.Program.Id).Take(Bases).SelectMany(single =>
         {
-            ScenePicture.Residue[] residues = [.. pictures.Select(picture => picture.Leave(single.Hypothesis))];
-            return Extended(single.Hypothesis).Select(pair => new Scored(pair, Glance(pair, residues)));
+            var residues = pictures.ToDictionary(picture => picture, picture => picture.Leave(single.Program));
+            return Extended(single.Program).Select(pair =>
+                new Scored(pair, pictures.Sum(picture => picture.Loss(picture.Unexplained(pair, residues[picture])))));
         });
-        Take(Closer([.. second.OrderBy(scored => scored.Loss).DistinctBy(scored => scored.Hypothesis.Id)]));
+        Take(Closer([.. pairs.OrderBy(scored => scored.Loss).DistinctBy(scored => scored.Program.Id)]));
     }
 
-    /// <summary>A hypothesis with one mistake more, in each wording that can still be seen.</summary>
-    private IEnumerable<Hypothesis> Extended(Hypothesis hypothesis) =>
-        from mistake in known
-        where !hypothesis.Has(mistake.Id) && pictures.Any(picture => mistake.Touches(picture.Of.Scene.Without(hypothesis.Undone)))
-        from wording in mistake.Wordings
-        select hypothesis.With(wording);
+    /// <summary>A program with one mistake more, in each wording that can still be seen.</summary>
+    private IEnumerable<WrongProgram> Extended(WrongProgram program)
+    {
+        string[] drawn = [.. pictures.SelectMany(picture => picture.Of.Scene.Models).Select(model => model.Kind).Distinct().Except(program.Base.NotYet)];
+        return from mistake in known
+               where mistake.Touches(drawn) && !program.Wordings.Any(wording => wording.Id == mistake.Id)
+               from wording in mistake.Wordings
+               select program with { Wordings = [.. program.Wordings, wording] };
+    }
 
-    /// <summary>Makes the best of a list the verdict if it explains much more than the verdict of fewer mistakes.</summary>
+    /// <summary>Makes the best of a list the verdict if it explains much more than the verdict with fewer mistakes.</summary>
     private void Take(List<Scored> ranked)
     {
-        var best = ranked[0];
-        if (best.Loss >= Gain * verdictLoss || !best.Hypothesis.Wordings.All(wording => Matters(best.Hypothesis, best.Hypothesis.Without(wording))))
+        var (best, loss) = ranked[0];
+        if (loss >= Gain * verdictLoss || best.Wordings.Any(wording => !Matters(best, best with { Wordings = [.. best.Wordings.Except([wording])] })))
             return;
-        (Verdict, verdictLoss) = (WithoutNeedless(best.Hypothesis), best.Loss);
-        Alternatives = [.. ranked.Where(other => other.Loss <= best.Loss + Alike && other.Hypothesis.Id != best.Hypothesis.Id)
-            .Select(other => WithoutNeedless(other.Hypothesis)).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id)];
+        (Verdict, verdictLoss) = (WithoutNeedless(best), loss);
+        Alternatives = [.. ranked.Where(other => other.Loss <= loss + Alike && other.Program.Id != best.Id)
+            .Select(other => WithoutNeedless(other.Program)).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id)];
     }
 
-    /// <summary>Without the missing parts that no picture speaks for.</summary>
-    private Hypothesis WithoutNeedless(Hypothesis hypothesis)
+    /// <summary>Without the missing parts that change no picture.</summary>
+    private WrongProgram WithoutNeedless(WrongProgram program)
     {
-        foreach (var part in Enum.GetValues<Undone>())
-            if ((hypothesis.Undone & part) != 0 && hypothesis with { Undone = hypothesis.Undone & ~part } is var less && !Matters(hypothesis, less))
-                hypothesis = less;
-        return hypothesis;
+        foreach (var part in program.Base.NotYet)
+            if (program with { Base = new([.. program.Base.NotYet.Except([part])]) } is var less && !Matters(program, less)) program = less;
+        return program;
     }
 
-    /// <summary>
-    /// Whether a picture shows the difference between a hypothesis and one that holds less to be wrong; beside another a mistake may change
-    /// nothing.
-    /// </summary>
-    private bool Matters(Hypothesis more, Hypothesis less) =>
+    /// <summary>Whether a picture shows the difference between a program and one with less wrong: beside another mistake, one may change
+    /// nothing.</summary>
+    private bool Matters(WrongProgram more, WrongProgram less) =>
         pictures.Any(picture => picture.Unexplained(less) - picture.Unexplained(more) >= picture.Visible);
 
-    private bool IsEnough(Hypothesis hypothesis) => pictures.All(picture => picture.Unexplained(hypothesis) <= picture.Visible);
+    private bool IsEnough(WrongProgram program) => pictures.All(picture => picture.Unexplained(program) <= picture.Visible);
 
     /// <summary>The best of many, sorted.</summary>
-    private List<Scored> Best(IEnumerable<Hypothesis> hypotheses)
+    private List<Scored> Best(IEnumerable<WrongProgram> programs)
     {
         var list = new List<Scored>();
-        var bound = double.PositiveInfinity; // what the worst of those that get a second look has lost
-        var kept = new PriorityQueue<int, double>();
-        foreach (var hypothesis in hypotheses)
+        var best = new PriorityQueue<double, double>(); // the losses of the programs that get a second look, the greatest first
+        foreach (var program in programs)
         {
-            var loss = Loss(hypothesis, FirstLook, bound);
-            list.Add(new(hypothesis, loss));
-            kept.Enqueue(0, -loss);
-            if (kept.Count <= Second) continue;
-            kept.Dequeue();
-            kept.TryPeek(out _, out var worst);
-            bound = -worst;
+            var loss = Loss(program, FirstLook, best.Count == Second ? best.Peek() : double.PositiveInfinity);
+            list.Add(new(program, loss));
+            best.Enqueue(loss, -loss);
+            if (best.Count > Second) best.Dequeue();
         }
         return Closer([.. list.OrderBy(scored => scored.Loss)]);
     }
 
-    /// <summary>Looks closer at the best of a sorted list, and at the best of these with all pixels.</summary>
+    /// <summary>Looks closer at the best of a sorted list, and at all pixels of the best of these.</summary>
     private List<Scored> Closer(List<Scored> sorted)
     {
         foreach (var (count, share) in (ReadOnlySpan<(int, double)>)[(Second, SecondLook), (Last, 1)])
-            sorted = [.. sorted.Take(count).Select(scored => scored with { Loss = Loss(scored.Hypothesis, share) }).OrderBy(scored => scored.Loss)];
+            sorted = [.. sorted.Take(count).Select(scored => scored with { Loss = Loss(scored.Program, share) }).OrderBy(scored => scored.Loss)];
         return sorted;
     }
 
-    private double Loss(Hypothesis hypothesis, double share, double bound = double.PositiveInfinity)
+    /// <summary>The loss of a program; once it exceeds a bound, only that it does.</summary>
+    private double Loss(WrongProgram program, double share, double bound = double.PositiveInfinity)
     {
         var loss = 0.0;
         foreach (var picture in pictures)
         {
-            loss += picture.Loss(picture.Unexplained(hypothesis, share));
+            loss += picture.Loss(picture.Unexplained(program, share));
             if (loss > bound) break;
         }
         return loss;
     }
 
-    private double Glance(Hypothesis hypothesis, ScenePicture.Residue[] residues)
-    {
-        var loss = 0.0;
-        for (var i = 0; i < pictures.Count; i++) loss += pictures[i].Loss(pictures[i].Unexplained(hypothesis, residues[i]));
-        return loss;
-    }
-
-    private readonly record struct Scored(Hypothesis Hypothesis, double Loss);
+    private readonly record struct Scored(WrongProgram Program, double Loss);
 }

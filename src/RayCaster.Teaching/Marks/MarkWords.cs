@@ -18,6 +18,7 @@ internal static class MarkWords
         "attenuation" => "Not written yet: colours do not fade with the distance.",
         "clipping" => "Not written yet: zNear and zFar cut nothing.",
         "aabb" => "Not drawn yet: boxes.",
+        "mesh" => "Not drawn yet: meshes.",
         _ => $"Not drawn yet: {part}s.",
     };
 

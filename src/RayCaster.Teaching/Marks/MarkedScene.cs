@@ -1,38 +1,17 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A scene that a class is marked by, and what all its submissions share: the right picture is drawn once.</summary>
-internal sealed class MarkedScene
+/// <summary>A scene that a class is marked by, with what all submissions share: its picture is drawn once.</summary>
+/// <param name="Name">The scene file's name without its extension.</param>
+/// <param name="Path">The full path of the scene file.</param>
+/// <param name="Judge">The scene, its picture, and the mistakes that show in it.</param>
+internal sealed record MarkedScene(string Name, string Path, SceneDiagnosis Judge)
 {
-    private readonly Lazy<HashSet<string>> hidden;
-
-    /// <param name="name">The scene file's name without its extension.</param>
-    /// <param name="path">The full path of the scene file.</param>
-    /// <param name="scene">The scene.</param>
-    public MarkedScene(string name, string path, Scene scene)
-    {
-        (Name, Path, Scene) = (name, path, scene);
-        Right = Renderer.Render(scene);
-        Places = new GoldenSteps(Right.Width * Right.Height);
-        hidden = new(() => [.. SceneFitness.Of([scene]).Hidden.Select(mistake => mistake.Id)]);
-    }
-
-    /// <summary>The scene file's name without its extension.</summary>
-    public string Name { get; }
-
-    /// <summary>The full path of the scene file.</summary>
-    public string Path { get; }
-
     /// <summary>The scene.</summary>
-    public Scene Scene { get; }
+    public Scene Scene => Judge.Scene;
 
-    /// <summary>Its picture.</summary>
-    public Picture Right { get; }
+    /// <summary>The scene's right picture.</summary>
+    public Picture Right => Judge.Right;
 
-    /// <summary>The pixels in an order whose every beginning is spread over the whole picture.</summary>
-    public GoldenSteps Places { get; }
-
-    /// <summary>
-    /// Whether the picture of a program with this mistake looks otherwise; tried once for all mistakes, which takes a second or two.
-    /// </summary>
-    public bool Shows(string mistake) => !hidden.Value.Contains(mistake);
+    /// <summary>Whether a mistake changes the picture. The first call tries all mistakes, which takes a second or two.</summary>
+    public bool Shows(string mistake) => !Judge.Hidden.Any(hidden => hidden.Id == mistake);
 }

@@ -16,7 +16,7 @@ internal sealed class Marker(Rubric rubric)
         var diagnosis = JointDiagnosis.Of(pictures, rubric.Known);
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
         var verdict = diagnosis.Verdict;
-        return new(student, digest, Items(diagnosis, Told(pictures, diagnosis), pictures.Count), scenes, [.. verdict.Undone.InWords()],
+        return new(student, digest, Items(diagnosis, Told(pictures, diagnosis), pictures.Count), scenes, [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)],
             [.. verdict.Wordings.Select(wording => wording.Id)], [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
 
@@ -51,12 +51,12 @@ internal sealed class Marker(Rubric rubric)
         told.Count > 0
         && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
 
-    /// <summary>What an item loses by a hypothesis, and by which of its mistakes.</summary>
-    private static (double Lost, string[] Because) Cost(RubricItem item, Hypothesis hypothesis)
+    /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
+    private static (double Lost, string[] Because) Cost(RubricItem item, WrongProgram program)
     {
-        var undone = hypothesis.Undone & item.Undone;
-        if (undone != 0) return (item.Points, [.. undone.InWords()]);
-        string[] mistakes = [.. hypothesis.Wordings.Select(wording => wording.Id).Intersect(item.Mistakes)];
+        string[] undone = [.. program.Base.NotYet.Intersect(item.Undone)];
+        if (undone.Length > 0) return (item.Points, undone);
+        string[] mistakes = [.. program.Wordings.Select(wording => wording.Id).Intersect(item.Mistakes)];
         return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
     }
 
@@ -94,6 +94,6 @@ internal sealed class Marker(Rubric rubric)
         where same.Count() > 1
         select string.Join(", ", same);
 
-    private static string Names(Hypothesis hypothesis) => string.Join(" + ",
-        hypothesis.Undone.InWords().Select(part => $"no {part}").Concat(hypothesis.Wordings.Select(wording => wording.Id)));
+    private static string Names(WrongProgram program) => string.Join(" + ",
+        program.Base.NotYet.Select(part => $"no {part}").Concat(program.Wordings.Select(wording => wording.Id)));
 }

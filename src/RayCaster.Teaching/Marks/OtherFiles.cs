@@ -1,8 +1,10 @@
+using System.Diagnostics;
+
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// The files that a student's program has no business with: the scenes and the other submissions. It cannot be kept from them without a container,
-/// but what it changes there is noticed. Of programs that run at the same time each is left out of what the others are blamed for.
+/// The files that a student's program must not change: the scenes and the other submissions. Only a container can keep the program from
+/// them, but a change is noticed. Submissions that run at the same time may change files in their own folders.
 /// </summary>
 /// <param name="files">Single files.</param>
 /// <param name="folder">The folder of all submissions.</param>
@@ -11,70 +13,63 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
     private const int MostNamed = 5;
 
     private readonly string folder = Path.GetFullPath(folder);
-    private readonly List<Watch> running = [];
+    private readonly List<Watch> watches = [];
+    private Look? last;
 
     /// <summary>Begins to watch while a submission runs.</summary>
+    /// <remarks>A look at all files of a large class takes long, so the last look of another submission serves as this one's first.</remarks>
     public Watch WatchWhile(Submission submission)
     {
-        lock (running)
+        lock (watches)
         {
-            var watch = new Watch(this, submission);
-            foreach (var other in running)
-            {
-                other.Excuse(submission);
-                watch.Excuse(other.Own);
-            }
-            running.Add(watch);
+            var watch = new Watch(this, submission, last ??= Now());
+            watches.Add(watch);
             return watch;
         }
     }
 
-    private Dictionary<string, string> Now()
+    private Look Now()
     {
+        var time = Stopwatch.GetTimestamp();
         var state = Submission.State(folder).ToDictionary(file => file.Path, file => file.State);
         foreach (var path in files)
-            state[path] = new FileInfo(path) is { Exists: true } file ? $"{file.Length} {file.LastWriteTimeUtc.Ticks}" : "";
-        return state;
+            state[path] = new FileInfo(path) is { Exists: true } file ? (file.Length, file.LastWriteTimeUtc) : default;
+        return new(time, state);
     }
+
+    /// <summary>All files at a time.</summary>
+    internal sealed record Look(long Time, Dictionary<string, (long, DateTime)> Files);
 
     /// <summary>The time while a submission runs.</summary>
     internal sealed class Watch : IDisposable
     {
         private readonly OtherFiles all;
-        private readonly Dictionary<string, string> before;
-        private readonly HashSet<Submission> excused = [];
+        private readonly Submission own;
+        private readonly Look before;
+        private long ended = long.MaxValue;
 
-        public Watch(OtherFiles all, Submission submission)
-        {
-            (this.all, Own, before) = (all, submission, all.Now());
-            Excuse(submission);
-        }
+        internal Watch(OtherFiles all, Submission own, Look before) => (this.all, this.own, this.before) = (all, own, before);
 
-        /// <summary>The submission that runs.</summary>
-        public Submission Own { get; }
-
-        /// <summary>Another runs at the same time, and may change its own files.</summary>
-        public void Excuse(Submission other) => excused.Add(other);
-
-        /// <summary>What has changed, in words; empty if nothing has.</summary>
+        /// <summary>What has changed outside its folder, in words; empty if nothing has.</summary>
         public IEnumerable<string> Changed()
         {
             var now = all.Now();
-            string[] changed, beside;
-            lock (all.running)
+            Submission[] beside;
+            lock (all.watches)
             {
-                beside = [.. excused.Where(other => other != Own).Select(other => other.Student)];
-                changed =
-                [
-                    .. before.Keys.Union(now.Keys)
-                        .Where(path => !excused.Any(own => path.StartsWith(own.Folder + Path.DirectorySeparatorChar, StringComparison.Ordinal))
-                            && before.GetValueOrDefault(path) != now.GetValueOrDefault(path))
-                        .Order(StringComparer.Ordinal),
-                ];
+                if (now.Time > all.last!.Time) all.last = now;
+                beside = [.. all.watches.Where(watch => watch != this && watch.ended >= before.Time).Select(watch => watch.own)];
             }
+            string[] changed =
+            [
+                .. before.Files.Keys.Union(now.Files.Keys)
+                    .Where(path => before.Files.GetValueOrDefault(path) != now.Files.GetValueOrDefault(path)
+                        && !beside.Append(own).Any(other => path.StartsWith(other.Folder + Path.DirectorySeparatorChar, StringComparison.Ordinal)))
+                    .Order(StringComparer.Ordinal),
+            ];
             if (changed.Length == 0) yield break;
             var named = string.Join(", ", changed.Take(MostNamed).Select(path => Path.GetRelativePath(all.folder, path)));
-            var ran = beside.Length == 0 ? "it ran" : $"it and {string.Join(", ", beside)} ran";
+            var ran = beside.Length == 0 ? "it ran" : $"it and {string.Join(", ", beside.Select(other => other.Student))} ran";
             yield return $"files outside its folder changed while {ran}: {named}" +
                 $"{(changed.Length > MostNamed ? $" and {changed.Length - MostNamed} more" : "")}";
         }
@@ -82,7 +77,7 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
         /// <summary>Ends the watch.</summary>
         public void Dispose()
         {
-            lock (all.running) all.running.Remove(this);
+            lock (all.watches) ended = Stopwatch.GetTimestamp();
         }
     }
 }

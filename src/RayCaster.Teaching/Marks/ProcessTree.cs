@@ -2,34 +2,28 @@ using System.Globalization;
 
 namespace RayCaster.Teaching;
 
-/// <summary>The processes that descend from one, as Linux tells them; elsewhere only the one itself is known.</summary>
+/// <summary>Process trees as Linux reports them; other systems report none.</summary>
 internal static class ProcessTree
 {
     private const int Parent = 1, ResidentPages = 21; // places in /proc/N/stat after the name
 
-    /// <summary>How many processes descend from one, itself included, and how many bytes of memory they hold together.</summary>
-    /// <param name="root">The process.</param>
-    public static (int Processes, long Memory) Measure(int root)
+    /// <summary>A process and all that descend from it, parents before their children, each with the bytes of memory that it holds.</summary>
+    public static List<(int Id, long Memory)> Of(int root)
     {
-        if (!OperatingSystem.IsLinux()) return (1, 0);
-        var children = new Dictionary<int, List<(int Id, long Memory)>>();
-        foreach (var (id, parent, memory) in All())
+        var found = new List<(int Id, long Memory)>();
+        if (!OperatingSystem.IsLinux()) return found;
+        var all = All().ToList();
+        var children = all.ToLookup(process => process.Parent);
+        var known = new HashSet<int>(); // a process number may be used anew while this reads: no circles
+        Add(all.Where(process => process.Id == root));
+        for (var i = 0; i < found.Count; i++) Add(children[found[i].Id]);
+        return found;
+
+        void Add(IEnumerable<(int Id, int Parent, long Memory)> processes)
         {
-            if (!children.TryGetValue(parent, out var siblings)) children.Add(parent, siblings = []);
-            siblings.Add((id, memory));
+            foreach (var (id, _, memory) in processes)
+                if (known.Add(id)) found.Add((id, memory));
         }
-        var (processes, sum) = (1, 0L);
-        var open = new Stack<int>([root]);
-        while (open.TryPop(out var parent))
-        {
-            if (!children.Remove(parent, out var siblings)) continue; // removed, so that a number used anew makes no circle
-            foreach (var (id, memory) in siblings)
-            {
-                (processes, sum) = (processes + 1, sum + memory);
-                open.Push(id);
-            }
-        }
-        return (processes, sum);
     }
 
     /// <summary>How many processes and threads the whole system has: one short read, fit to be done often. 0 where it is not told.</summary>

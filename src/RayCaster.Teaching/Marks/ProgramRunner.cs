@@ -80,31 +80,30 @@ internal sealed class ProgramRunner(Containment containment)
             if (printed.IsTooLong) return ProgramEnd.TooMuchOutput;
             var now = ProcessTree.TaskCount();
             if (now - tasks < limits.Processes && Stopwatch.GetElapsedTime(looked).TotalMilliseconds < Rest) continue;
-            var (processes, memory) = ProcessTree.Measure(process.Id);
-            if (processes > limits.Processes) return ProgramEnd.TooManyProcesses;
-            if (memory > limits.MemoryBytes) return ProgramEnd.TooMuchMemory;
+            var tree = ProcessTree.Of(process.Id);
+            if (tree.Count > limits.Processes) return ProgramEnd.TooManyProcesses;
+            if (tree.Sum(member => member.Memory) > limits.MemoryBytes) return ProgramEnd.TooMuchMemory;
             (tasks, looked) = (now, Stopwatch.GetTimestamp());
         }
         return printed.IsTooLong ? ProgramEnd.TooMuchOutput : ProgramEnd.Exited;
     }
 
     /// <summary>
-    /// Ends the process and what descends from it; also what has left its parent, as far as its environment still tells where it comes from.
+    /// Ends the process and its descendants, then each process that still has the mark in its environment: one that left its parent has it, too.
     /// </summary>
+    /// <remarks>Linux is searched here: Process.Kill of a whole tree reads all processes once for each of the tree, seconds for a fork bomb.</remarks>
     private void End(Process process, string mark)
     {
         if (!process.HasExited)
         {
-            process.Kill(entireProcessTree: !containment.HasOwnTree);
+            var tree = containment.HasOwnTree ? [] : ProcessTree.Of(process.Id);
+            process.Kill(entireProcessTree: !OperatingSystem.IsLinux());
+            foreach (var (id, _) in tree) KillOne(id);
             process.WaitForExit(patience);
         }
         if (containment.HasOwnTree) return;
         var since = Stopwatch.GetTimestamp();
-        for (var found = true; found && Stopwatch.GetElapsedTime(since) < patience;)
-        {
-            found = false;
-            foreach (var id in ProcessTree.WithVariable(Mark, mark)) found |= KillOne(id);
-        }
+        while (ProcessTree.WithVariable(Mark, mark).Count(KillOne) > 0 && Stopwatch.GetElapsedTime(since) < patience) { }
     }
 
     private static bool KillOne(int id)

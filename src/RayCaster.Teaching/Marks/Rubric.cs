@@ -8,7 +8,9 @@ public sealed class Rubric
     internal Rubric(IReadOnlyList<MarkedScene> scenes, string digest)
     {
         (Scenes, Digest) = (scenes, digest);
-        Known = JointDiagnosis.KnownFor([.. scenes.Select(scene => scene.Scene)]);
+        var judges = scenes.Select(scene => scene.Judge).ToArray();
+        Known = judges.Any(judge => judge.TooManyModels) ? []
+            : [.. MistakeCatalog.All.Intersect(judges.SelectMany(judge => judge.Known)).Except(judges.SelectMany(judge => judge.NotTried))];
     }
 
     /// <summary>What is marked, for the heads of pages.</summary>
@@ -44,8 +46,8 @@ public sealed class Rubric
 /// <param name="Points">What it is worth.</param>
 /// <param name="Each">What one of its mistakes costs; never more than the item has is lost.</param>
 /// <param name="Mistakes">The ids of the mistakes that cost it.</param>
-/// <param name="Undone">What must be drawn for any of its points.</param>
-public sealed record RubricItem(string Name, double Points, double Each, IReadOnlyList<string> Mistakes, Undone Undone);
+/// <param name="Undone">The parts of a program that cost all its points if they are missing (<see cref="Diagnosis.Parts"/>).</param>
+public sealed record RubricItem(string Name, double Points, double Each, IReadOnlyList<string> Mistakes, IReadOnlyList<string> Undone);
 
 /// <summary>How a submission's pictures come about: they lie in its folder, or its program draws them.</summary>
 /// <param name="Pictures">The file of a picture in the submission's folder, <c>{name}</c> standing for the scene's name.</param>

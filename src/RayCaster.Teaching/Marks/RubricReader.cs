@@ -82,7 +82,7 @@ public static class RubricReader
         var name = o.Text("name", "What the item is called.") ?? "";
         var points = o.Positive("points", "What it is worth.");
         var mistakes = o.Texts("mistakes", "The ids of the mistakes that cost points of it (docs/mistakes.md).", false);
-        var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", UndoneParts.Words)}.", false);
+        var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", Diagnosis.Parts)}.", false);
         var each = o.Number("each", "What one of its mistakes costs; all of its points where it is left out.", Limits.Positive, points);
         o.Close();
         var ids = MistakeCatalog.All.Select(mistake => mistake.Id).ToArray();
@@ -93,16 +93,12 @@ public static class RubricReader
             else if (before.FirstOrDefault(item => item.Mistakes.Contains(mistakes[i])) is { } other)
                 o.Refuse("mistakes", $" is {mistakes[i]}, which costs points of \"{other.Name}\" already: a mistake belongs to one item", i);
         }
-        var parts = Undone.Nothing;
-        var words = string.Join(", ", UndoneParts.Words);
+        var words = string.Join(", ", Diagnosis.Parts);
         for (var i = 0; i < undone.Count; i++)
-        {
-            if (UndoneParts.Words.Contains(undone[i])) parts |= UndoneParts.Named(undone[i]);
-            else
+            if (!Diagnosis.Parts.Contains(undone[i]))
                 o.Refuse("undone",
-                    $" must be one of {words}, but is \"{undone[i]}\"{Spelling.DidYouMean(undone[i], UndoneParts.Words)}", i);
-        }
-        return new(name, points, each, mistakes, parts);
+                    $" must be one of {words}, but is \"{undone[i]}\"{Spelling.DidYouMean(undone[i], Diagnosis.Parts)}", i);
+        return new(name, points, each, mistakes, undone.Contains("triangle") ? [.. undone, "mesh"] : undone); // a mesh is its triangles
     }
 
     private static PictureSource ReadSource(SceneObject o)
@@ -167,7 +163,7 @@ public static class RubricReader
             else if ((long)scene.Camera.Width * scene.Camera.Height > MostPixels)
                 o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MostPixels} in all", i);
             else
-                scenes.Add(new(name, Path.GetFullPath(path), scene));
+                scenes.Add(new(name, Path.GetFullPath(path), new(scene)));
         }
         return scenes;
     }

@@ -1,15 +1,15 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A program's picture of one scene, and how well a <see cref="Hypothesis"/> explains it.</summary>
+/// <summary>A program's picture of one scene, and how well a <see cref="WrongProgram"/> explains it.</summary>
 internal sealed class ScenePicture
 {
     /// <summary>How many pixels a closer look takes, at most.</summary>
     private const int Pixels = 3000;
 
-    /// <summary>From so many pixels the ones are chosen that a hypothesis leaves unexplained.</summary>
+    /// <summary>The pixels that are looked at for a second mistake are chosen from so many.</summary>
     private const int Choice = 1500;
 
-    /// <summary>As many pixels as are looked at for a second mistake: those that the first leaves unexplained, and those that it explains.</summary>
+    /// <summary>How many pixels are chosen at most: those that the first mistake leaves unexplained, and those that it explains.</summary>
     private const int MostUnexplained = 24, MostExplained = 12;
 
     /// <summary>
@@ -51,55 +51,48 @@ internal sealed class ScenePicture
     /// </summary>
     public double Visible { get; }
 
-    /// <summary>The share of the picture that a hypothesis leaves unexplained.</summary>
-    /// <param name="hypothesis">The hypothesis.</param>
+    /// <summary>The share of the picture that a program leaves unexplained.</summary>
+    /// <param name="program">The program.</param>
     /// <param name="share">What share of the chosen pixels is looked at.</param>
-    public double Unexplained(Hypothesis hypothesis, double share = 1)
+    public double Unexplained(WrongProgram program, double share = 1)
     {
-        var misfit = evidence.Misfit(hypothesis.Draw(Of.Scene), share);
+        var misfit = evidence.Misfit(program.Draw(Of.Scene), share);
         return (misfit.Unexplained + ErrorWeight * misfit.Error) / evidence.PixelCount;
     }
 
-    /// <summary>Whether a hypothesis explains the picture, but for what other mistakes' last bits may do.</summary>
-    public bool IsExplainedBy(Hypothesis hypothesis) =>
-        Unexplained(hypothesis) <= Math.Max(Visible, Math.Clamp(0.12 * WrongShare, LeastShare, 3 * LeastShare));
+    /// <summary>Whether a program explains the picture, but for what other mistakes' last bits may do.</summary>
+    public bool IsExplainedBy(WrongProgram program) =>
+        Unexplained(program) <= Math.Max(Visible, Math.Clamp(0.12 * WrongShare, LeastShare, 3 * LeastShare));
 
-    /// <summary>What a hypothesis costs that leaves so much unexplained: 0 for nothing, 1 for as much as is wrong, or more.</summary>
+    /// <summary>What a program costs that leaves so much unexplained: 0 for nothing, 1 for as much as is wrong, or more.</summary>
     public double Loss(double unexplained) =>
         Math.Min(1, Math.Log(1 + unexplained / LeastShare) / Math.Log(1 + Math.Max(WrongShare, LeastShare) / LeastShare));
 
-    /// <summary>A few pixels that tell what else is wrong, should a hypothesis be true: most of them are such as it leaves unexplained.</summary>
-    public Residue Leave(Hypothesis hypothesis)
+    /// <summary>A few pixels for finding a second mistake: most of them are pixels that a program with one mistake leaves unexplained.</summary>
+    public Residue Leave(WrongProgram program)
     {
         List<int> unexplained = [], explained = [];
-        var lab = hypothesis.Draw(Of.Scene);
+        var lab = program.Draw(Of.Scene);
+        var places = new GoldenSteps(evidence.PixelCount);
         if (HasSizeOf(lab))
             for (var k = 0; k < Math.Min(Choice, evidence.PixelCount) && unexplained.Count < MostUnexplained; k++)
-                (IsLike(lab, Of.Places[k]) ? explained : unexplained).Add(Of.Places[k]);
-        return new(unexplained, [.. explained.Take(MostExplained)], Unexplained(hypothesis, 0.2));
+                (IsLike(lab, places[k]) ? explained : unexplained).Add(places[k]);
+        return new([.. unexplained], [.. explained.Take(MostExplained)], Unexplained(program, 0.2));
     }
 
-    /// <summary>About what share of the picture a hypothesis would leave unexplained, told from a few pixels.</summary>
-    /// <param name="hypothesis">The hypothesis.</param>
-    /// <param name="residue">What another left, which lacks a mistake.</param>
-    public double Unexplained(Hypothesis hypothesis, Residue residue)
+    /// <summary>The share of the picture that a program leaves unexplained, estimated from a few pixels.</summary>
+    /// <param name="program">The program.</param>
+    /// <param name="residue">What the same program with one mistake less left.</param>
+    public double Unexplained(WrongProgram program, Residue residue)
     {
-        var lab = hypothesis.Draw(Of.Scene);
+        var lab = program.Draw(Of.Scene);
         if (!HasSizeOf(lab)) return 1;
-        var stillUnexplained = ShareUnlike(lab, residue.Unexplained);
-        var spoilt = ShareUnlike(lab, residue.Explained);
-        return stillUnexplained * residue.Share + spoilt * (1 - residue.Share);
+        return ShareUnlike(lab, residue.Unexplained) * residue.Share + ShareUnlike(lab, residue.Explained) * (1 - residue.Share);
     }
 
     private bool HasSizeOf(Lab lab) => (lab.Width, lab.Height) == (Picture.Width, Picture.Height);
 
-    private double ShareUnlike(Lab lab, IReadOnlyList<int> places)
-    {
-        var unlike = 0;
-        foreach (var place in places)
-            if (!IsLike(lab, place)) unlike++;
-        return places.Count == 0 ? 0 : (double)unlike / places.Count;
-    }
+    private double ShareUnlike(Lab lab, int[] places) => places.Length == 0 ? 0 : (double)places.Count(place => !IsLike(lab, place)) / places.Length;
 
     private bool IsLike(Lab lab, int place)
     {
@@ -107,9 +100,9 @@ internal sealed class ScenePicture
         return PictureDifference.Levels(lab[x, y], Picture[x, y]) <= Evidence.Tolerance;
     }
 
-    /// <summary>What a hypothesis leaves of a picture.</summary>
-    /// <param name="Unexplained">Some pixels that look otherwise.</param>
-    /// <param name="Explained">Some that do not.</param>
-    /// <param name="Share">What share of the picture the first are taken from.</param>
-    internal sealed record Residue(IReadOnlyList<int> Unexplained, IReadOnlyList<int> Explained, double Share);
+    /// <summary>Some pixels of a picture, sorted by a program.</summary>
+    /// <param name="Unexplained">Pixels that the program draws in another colour.</param>
+    /// <param name="Explained">Pixels that the program draws in their colour.</param>
+    /// <param name="Share">The share of the picture that the program leaves unexplained.</param>
+    internal sealed record Residue(int[] Unexplained, int[] Explained, double Share);
 }

@@ -63,7 +63,7 @@ public sealed class SceneVariation
     }
 
     private static HashSet<string> HiddenIn(Scene scene) =>
-        SceneFitness.CanJudge(scene) ? [.. SceneFitness.Of([scene]).Hidden.Select(mistake => mistake.Id)] : [];
+        SceneFitness.CanJudge(scene) ? [.. SceneFitness.HiddenIn(scene, null).Select(mistake => mistake.Id)] : [];
 
     private byte[] Text()
     {

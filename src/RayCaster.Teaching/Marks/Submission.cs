@@ -1,3 +1,4 @@
+using System.IO.Enumeration;
 using System.Security.Cryptography;
 using System.Text;
 
@@ -41,22 +42,20 @@ internal sealed record Submission(string Folder)
     {
         var text = new StringBuilder();
         foreach (var (path, state) in State(Folder).Where(file => !IsLeftOut(file.Path)).OrderBy(file => file.Path, StringComparer.Ordinal))
-            text.Append(Path.GetRelativePath(Folder, path)).Append('|').Append(state).Append('\n');
+            text.Append(Path.GetRelativePath(Folder, path)).Append('|').Append(state.Length).Append(' ').Append(state.Time.Ticks).Append('\n');
         return Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text.ToString())));
     }
 
-    /// <summary>The files below a folder, each with what shows that it was changed.</summary>
-    public static IEnumerable<(string Path, string State)> State(string folder)
+    /// <summary>The files below a folder, each with its length and the time of its last change.</summary>
+    public static IEnumerable<(string Path, (long Length, DateTime Time) State)> State(string folder)
     {
-        using var found = Directory.EnumerateFiles(folder, "*", files).GetEnumerator();
-        while (HasNext(found))
-        {
-            var file = new FileInfo(found.Current);
-            yield return (found.Current, file.Exists ? $"{file.Length} {file.LastWriteTimeUtc.Ticks}" : "");
-        }
+        using var found = new FileSystemEnumerable<(string, (long, DateTime))>(
+            folder, (ref entry) => (entry.ToFullPath(), (entry.Length, entry.LastWriteTimeUtc.UtcDateTime)), files)
+        { ShouldIncludePredicate = (ref entry) => !entry.IsDirectory }.GetEnumerator();
+        while (HasNext(found)) yield return found.Current;
     }
 
-    private static bool HasNext(IEnumerator<string> found)
+    private static bool HasNext(IEnumerator<(string, (long, DateTime))> found)
     {
         try
         {
@@ -64,7 +63,7 @@ internal sealed record Submission(string Folder)
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return false; // a folder went while it was listed
+            return false; // a folder was deleted meanwhile
         }
     }
 

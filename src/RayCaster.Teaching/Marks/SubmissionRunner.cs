@@ -41,7 +41,6 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
 
     private string? Build(Submission submission, CancellationToken cancellation)
     {
-        using var folder = new WorkFolder();
         var (source, limits) = (rubric.Source, rubric.Source.Limits);
         var run = runner.Run(Words(source.Build, submission, null, ""), submission.Folder, limits, limits.BuildTime, cancellation);
         return run.IsDone ? null : $"it does not build: {run.InWords(limits, limits.BuildTime)}{Quote(run)}";

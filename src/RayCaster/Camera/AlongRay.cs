@@ -3,19 +3,20 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>
-/// The view along a ray: the axes are renamed so that d follows z most, and space is pushed along d onto the plane z = 0. There the ray
-/// is the point (0, 0), and what it passes lies around that point.
+/// The view along a ray. The axes are renamed so that z is the axis that d follows most; then points are sheared along d onto the plane z = 0.
+/// There the ray is the point (0, 0), and a triangle around this point is one that the ray hits.
 /// </summary>
 /// <typeparam name="N">The kind of number.</typeparam>
-internal readonly struct AlongRay<N> where N : struct, IReal<N>
+public readonly struct AlongRay<N> where N : struct, IReal<N>
 {
     private readonly Vector3<N> origin;
-    private readonly N mostlyX, ratherY;     // masks: which axis d follows most; neither means z
+    private readonly N mostlyX, ratherY;     // masks: the axis that d follows most; neither means z
     private readonly N slopeX, slopeY;       // how far the ray moves sideways for one step along z
 
-    /// <summary>What z gains for one unit of t.</summary>
+    /// <summary>How far the ray moves along the renamed z for one unit of t.</summary>
     public readonly N ZPerT;
 
+    /// <summary>Renames the axes for a ray; a zero in d needs no care, because the slopes divide by its largest coordinate.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public AlongRay(in Ray<N> ray)
     {
@@ -28,7 +29,7 @@ internal readonly struct AlongRay<N> where N : struct, IReal<N>
         (slopeX, slopeY, ZPerT) = (d.X / d.Z, d.Y / d.Z, d.Z);
     }
 
-    /// <summary>Where a point is seen: X and Y across the ray, Z along it.</summary>
+    /// <summary>A point in this view: X and Y across the ray, Z along it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> See(Vector3<N> point)
     {

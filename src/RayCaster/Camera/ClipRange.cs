@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>Which crossings count: those beyond the bias and between the near and the far clip plane, both included.</summary>
+/// <summary>Decides which crossings count: those beyond the bias, from the near to the far clip plane, both included.</summary>
 public readonly struct ClipRange
 {
     private readonly double least, zNear, zFar;
@@ -13,15 +13,15 @@ public readonly struct ClipRange
     public ClipRange(double bias, double zNear, double zFar)
     {
         least = bias == 0 ? 0 : Math.BitIncrement(bias); // t ≥ the next double says the same as t > bias
-        (this.zNear, this.zFar) = (zNear, Math.Min(zFar, double.MaxValue)); // a parallel ray's infinite t counts in no case
+        (this.zNear, this.zFar) = (zNear, Math.Min(zFar, double.MaxValue)); // so that the infinite t of a parallel ray never counts
     }
 
     /// <summary>Everything that is not behind the ray's origin.</summary>
     public static ClipRange Everything => new(0, 0, double.PositiveInfinity);
 
-    /// <summary>Where a crossing counts; nowhere where t is NaN.</summary>
+    /// <summary>Whether a crossing counts; false where t is NaN.</summary>
     /// <param name="t">The ray parameter of the crossing.</param>
-    /// <param name="zPerT">What z gains for one unit of t.</param>
+    /// <param name="zPerT">The z of one unit of t.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N Counts<N>(N t, N zPerT) where N : struct, IReal<N>
@@ -30,9 +30,9 @@ public readonly struct ClipRange
         return (t >= least) & (z >= zNear) & (z <= zFar);
     }
 
-    /// <summary>Why a crossing does not count; <see cref="Refusal.None"/> exactly where <see cref="Counts"/> holds.</summary>
+    /// <summary>Why a crossing does not count; <see cref="Refusal.None"/> if and only if <see cref="Counts"/> is true.</summary>
     /// <param name="t">The ray parameter of the crossing.</param>
-    /// <param name="zPerT">What z gains for one unit of t.</param>
+    /// <param name="zPerT">The z of one unit of t.</param>
     public Refusal Refuse(double t, double zPerT)
     {
         var z = t * zPerT;
@@ -44,22 +44,22 @@ public readonly struct ClipRange
             : Refusal.BeyondFar;
     }
 
-    /// <summary>The part of <see cref="Counts"/> that asks whether a crossing is beyond the bias.</summary>
-    internal bool IsAhead(double t) => t >= least;
+    /// <summary>The first condition of <see cref="Counts"/> alone: beyond the bias.</summary>
+    public bool IsAhead(double t) => t >= least;
 
-    /// <summary>The part that asks whether it is not nearer than zNear.</summary>
-    internal bool IsBeyondNear(double z) => z >= zNear;
+    /// <summary>The second condition of <see cref="Counts"/> alone: not nearer than zNear.</summary>
+    public bool IsBeyondNear(double z) => z >= zNear;
 
-    /// <summary>The part that asks whether it is not beyond zFar.</summary>
-    internal bool IsWithinFar(double z) => z <= zFar;
+    /// <summary>The third condition of <see cref="Counts"/> alone: not beyond zFar.</summary>
+    public bool IsWithinFar(double z) => z <= zFar;
 
-    /// <summary>The first of two crossings that counts, or NaN: the far side of a body shows where its near side is clipped away.</summary>
+    /// <summary>The first of two crossings that counts, or NaN. Where the near side of a body is clipped away, its far side shows.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N First<N>(Crossings<N> crossings, N zPerT) where N : struct, IReal<N> =>
         First(crossings, zPerT, Counts(crossings.Near, zPerT));
 
-    /// <summary>The same for a caller that knows where the first of the two counts.</summary>
+    /// <summary>The same, for a caller that knows whether the near crossing counts.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal N First<N>(Crossings<N> crossings, N zPerT, N nearCounts) where N : struct, IReal<N> =>
+    public N First<N>(Crossings<N> crossings, N zPerT, N nearCounts) where N : struct, IReal<N> =>
         N.Select(nearCounts, crossings.Near, N.If(Counts(crossings.Far, zPerT), crossings.Far));
 }

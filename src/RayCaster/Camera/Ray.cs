@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A ray X(t) = P + t d on its way through the scene, and the nearest thing it has met so far (slide "Ray").</summary>
+/// <summary>A ray X(t) = P + t d, and its nearest hit so far (slide "Ray").</summary>
 /// <param name="origin">P.</param>
 /// <param name="direction">d, of length 1, so that the parameter t is a distance.</param>
 public sealed class Ray(Vector3 origin, Vector3 direction)
@@ -13,16 +13,16 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     /// <summary>d, of length 1.</summary>
     public Vector3 Direction { get; } = direction;
 
-    /// <summary>Which crossings count; for a ray without a camera all that are not behind its origin.</summary>
+    /// <summary>Which crossings count. For a ray without a camera: all that are not behind its origin.</summary>
     public ClipRange Clip { get; init; } = ClipRange.Everything;
 
-    /// <summary>What z, which the clip planes measure, gains for one unit of t.</summary>
+    /// <summary>The z of one unit of t; zNear and zFar limit z.</summary>
     public double ZPerT { get; init; } = 1;
 
-    /// <summary>The t of the nearest crossing met so far; +∞ before the first.</summary>
+    /// <summary>The t of the nearest hit so far; +∞ before the first.</summary>
     public double HitParameter { get; private set; } = double.PositiveInfinity;
 
-    /// <summary>The model met there, or null.</summary>
+    /// <summary>The model of the nearest hit so far; null before the first.</summary>
     public Model? HitModel { get; private set; }
 
     /// <summary>The point X(t) = P + t d.</summary>
@@ -31,7 +31,7 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     /// <summary>Whether a crossing at t counts: not behind, beyond the bias, within the clip range. False for NaN.</summary>
     public bool Counts(double t) => Clip.Counts<Scalar>(t, ZPerT) != 0;
 
-    /// <summary>Meets a model: keeps its hit if that is nearer than all before, so of equal ones the first met stays.</summary>
+    /// <summary>Intersects a model, and keeps its hit if that is nearer than all before. Of equal ones the first is kept.</summary>
     public void Meet(Model model)
     {
         if (model.Intersect(this) is not { } t || IsNearer<Scalar>(t, HitParameter).Value == 0) return;
@@ -39,9 +39,9 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
         HitModel = model;
     }
 
-    /// <summary>Where a hit takes the place of the nearest one before it; nowhere where t is NaN.</summary>
+    /// <summary>Whether a hit replaces the nearest one before it; false where t is NaN.</summary>
     /// <param name="t">The parameter of the hit.</param>
-    /// <param name="nearest">That of the nearest before it; +∞ before the first.</param>
+    /// <param name="nearest">The parameter of the nearest hit before it; +∞ before the first.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N IsNearer<N>(N t, N nearest) where N : struct, IReal<N> => t < nearest;

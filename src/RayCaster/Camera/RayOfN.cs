@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>The rays X(t) = P + t d that a formula is asked about: one, a packet, all those of a region, or one to be explained.</summary>
+/// <summary>The rays X(t) = P + t d that a formula computes with: one ray, a packet of rays, or all rays of a region.</summary>
 /// <typeparam name="N">The kind of number.</typeparam>
 /// <param name="origin">P.</param>
 /// <param name="direction">d, of length 1, so that t is a distance.</param>

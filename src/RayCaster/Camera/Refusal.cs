@@ -6,7 +6,7 @@ public enum Refusal
     /// <summary>It counts.</summary>
     None,
 
-    /// <summary>There is no crossing: t is NaN, or infinite for a ray along the surface.</summary>
+    /// <summary>There is no crossing: t is NaN, or infinite for a ray parallel to the surface.</summary>
     NoNumber,
 
     /// <summary>t &lt; 0: behind the camera.</summary>

@@ -3,16 +3,16 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>
-/// The kind of number that a primitive's formula is written over. The formula stands once; what it does is decided by the
-/// number: one double gives the definition, a packet of doubles draws several pixels at once, an interval tells
-/// what a whole region of rays can hit, and a number that writes down what it computes explains a pixel.
+/// A kind of number. A primitive's formula is written once, over any kind: with one double it is the definition, with a packet of doubles it
+/// draws several pixels at once, with an interval it tells what a whole region of rays can hit, and with a number that records its operations
+/// it explains a pixel.
 /// </summary>
 /// <remarks>
-/// <para>The operations are IEEE 754's on doubles, each rounded once, in the written order; so every kind that holds doubles
-/// computes the same bits. There is no fused multiply-add on purpose: it would round differently.</para>
-/// <para>"No crossing" is NaN (not a number), and every comparison with NaN is false. A comparison gives a mask,
-/// which is good only for <c>&amp;</c>, <c>|</c>, <see cref="If"/> and <see cref="Select"/>: a packet has several answers at once,
-/// so a formula chooses where other code would branch.</para>
+/// <para>The operations are IEEE 754's on doubles, each rounded once, in the written order, so that all kinds made of doubles compute the
+/// same bits. There is no fused multiply-add: it would round differently.</para>
+/// <para>"No crossing" is NaN (not a number), and every comparison with NaN is false. A comparison gives a mask, for <c>&amp;</c>, <c>|</c>,
+/// <see cref="If"/> and <see cref="Select"/> only. A packet has several answers at once, so a formula selects where other code would
+/// branch.</para>
 /// </remarks>
 /// <typeparam name="N">The number itself.</typeparam>
 public interface IReal<N> where N : struct, IReal<N>
@@ -75,7 +75,7 @@ public interface IReal<N> where N : struct, IReal<N>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     static virtual Vector3<N> Divide(Vector3<N> a, N b) => new(a.X / b, a.Y / b, a.Z / b);
 
-    /// <summary>Hears what a step of a formula is called (<see cref="Naming"/>). Only a number that explains listens.</summary>
+    /// <summary>Gives a step of a formula its name (<see cref="Naming"/>). Only a number that explains uses it.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     static virtual N Named(N value, string name, string formula) => value;
 

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>One double: with it a formula is the definition, which every other kind of number must agree with.</summary>
+/// <summary>One double. With it a formula is the definition; every other kind of number must agree with it.</summary>
 /// <param name="Value">The number; as a mask 1 for true and 0 for false.</param>
 public readonly record struct Scalar(double Value) : IReal<Scalar>
 {

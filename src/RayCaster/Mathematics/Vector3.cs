@@ -2,9 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>
-/// A point or a direction in space (slide "IDE &amp; Vectors"). Also what a formula's constants are: the corner of a box, a normal.
-/// </summary>
+/// <summary>A point or a direction in space (slide "IDE &amp; Vectors").</summary>
 /// <param name="X">The coordinate along the x axis.</param>
 /// <param name="Y">The coordinate along the y axis.</param>
 /// <param name="Z">The coordinate along the z axis, which is up in most scenes.</param>
@@ -20,7 +18,7 @@ public readonly record struct Vector3(double X, double Y, double Z)
         {
             var square = this * this;
             if (square is > 1e-280 and < 1e280) return Math.Sqrt(square);
-            // Squares this small or large have lost digits or overflowed: measure in units of the largest coordinate.
+            // Such squares have lost digits or overflowed: compute in units of the largest coordinate.
             var largest = Math.Max(Math.Abs(X), Math.Max(Math.Abs(Y), Math.Abs(Z)));
             if (largest == 0 || !double.IsFinite(largest)) return largest;
             var scaled = new Vector3(X / largest, Y / largest, Z / largest);
@@ -28,32 +26,32 @@ public readonly record struct Vector3(double X, double Y, double Z)
         }
     }
 
-    /// <summary>The vector of length 1 in the same direction; no numbers (NaN) for the zero vector, which has no direction.</summary>
+    /// <summary>The vector of length 1 in the same direction; NaN for the zero vector, which has no direction.</summary>
     public Vector3 Normalized => this / Length;
 
     /// <summary>Adds coordinate by coordinate.</summary>
     public static Vector3 operator +(Vector3 a, Vector3 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
-    /// <summary>The way from point b to point a.</summary>
+    /// <summary>The vector from point b to point a.</summary>
     public static Vector3 operator -(Vector3 a, Vector3 b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
 
     /// <summary>The opposite direction.</summary>
     public static Vector3 operator -(Vector3 a) => new(-a.X, -a.Y, -a.Z);
 
-    /// <summary>Stretches a vector by a number.</summary>
+    /// <summary>Multiplies each coordinate by a number.</summary>
     public static Vector3 operator *(double b, Vector3 a) => new(b * a.X, b * a.Y, b * a.Z);
 
     /// <inheritdoc cref="op_Multiply(double, Vector3)"/>
     public static Vector3 operator *(Vector3 a, double b) => b * a;
 
-    /// <summary>Divides each coordinate, which rounds once where multiplying by 1 / b would round twice.</summary>
+    /// <summary>Divides each coordinate. This rounds once; multiplying by 1 / b would round twice.</summary>
     public static Vector3 operator /(Vector3 a, double b) => new(a.X / b, a.Y / b, a.Z / b);
 
-    /// <summary>Dot product: |a| |b| cos of the angle between them (slide "IDE &amp; Vectors").</summary>
+    /// <summary>Dot product: |a| |b| cos φ, φ being the angle between a and b (slide "IDE &amp; Vectors").</summary>
     public static double operator *(Vector3 a, Vector3 b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 
-    /// <summary>Cross product: perpendicular to both, |a| |b| sin of the angle long, right-handed (slide "IDE &amp; Vectors").</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the one operator that the compiler finds too long
+    /// <summary>Cross product: perpendicular to a and b, right-handed, of length |a| |b| sin φ (slide "IDE &amp; Vectors").</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the only operator here that the runtime would not inline by itself
     public static Vector3 operator %(Vector3 a, Vector3 b) =>
         new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
 

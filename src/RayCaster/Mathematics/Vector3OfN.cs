@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary><see cref="Vector3"/> over any kind of number, with the same operators: what a primitive's formula computes with.</summary>
+/// <summary><see cref="Vector3"/> over any kind of number, with the same operators, for the formulas of primitives.</summary>
 /// <typeparam name="N">The kind of number.</typeparam>
 /// <param name="x">The x coordinate.</param>
 /// <param name="y">The y coordinate.</param>
@@ -27,11 +27,11 @@ public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<N> operator +(Vector3<N> a, Vector3<N> b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
 
-    /// <summary>The way from point b to point a.</summary>
+    /// <summary>The vector from point b to point a.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<N> operator -(Vector3<N> a, Vector3<N> b) => new(a.X - b.X, a.Y - b.Y, a.Z - b.Z);
 
-    /// <summary>Stretches a vector by a number.</summary>
+    /// <summary>Multiplies each coordinate by a number.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<N> operator *(N b, Vector3<N> a) => new(b * a.X, b * a.Y, b * a.Z);
 

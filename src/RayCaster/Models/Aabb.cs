@@ -10,7 +10,8 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
     /// <inheritdoc/>
     public Bounds Bounds => new(Min, Max);
 
-    /// <summary>The box is what three slabs share: t_min is the last of the ways in, t_max the first of the ways out, if t_min ≤ t_max.</summary>
+    /// <summary>The box is the intersection of three slabs. t_min is the last entry into a slab, t_max the first exit; the ray hits the box if
+    /// t_min ≤ t_max.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>
     {
@@ -23,10 +24,10 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
         return new(N.If(hit, tMin), N.If(hit, tMax));
     }
 
-    /// <summary>Where the ray enters and leaves the space lo ≤ coordinate ≤ hi.</summary>
+    /// <summary>Where the ray enters and leaves the slab lo ≤ coordinate ≤ hi.</summary>
     /// <remarks>
-    /// A ray along the slab (d = 0) divides by 0: inside that gives −∞ and +∞, outside twice the same infinity, which leaves nothing
-    /// to share. Exactly on a face it gives 0 / 0, NaN: the face belongs to the slab, so the ray is in it for ever.
+    /// A ray parallel to the slab (d = 0) divides by 0. Inside this gives −∞ and +∞; outside twice the same infinity, so that the intersection
+    /// is empty. Exactly on a face it gives 0 / 0, NaN: the face belongs to the slab, so the ray is inside from −∞ to +∞.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Crossings<N> Slab<N>(N lo, N hi, N origin, N direction) where N : struct, IReal<N>
@@ -36,7 +37,7 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
         return new(N.Or(N.Min(t0, t1), double.NegativeInfinity), N.Or(N.Max(t0, t1), double.PositiveInfinity));
     }
 
-    /// <summary>The axis of the face, outwards.</summary>
+    /// <summary>The axis of the face that X lies on, outwards.</summary>
     Vector3 ISurface.Normal(Vector3 X) => FaceOf(X) switch
     {
         (0, var sign) => new(sign, 0, 0),

@@ -20,7 +20,7 @@ public readonly record struct Circle(Vector3 Center, Vector3 Normal, double Radi
         return new(N.If((CX * CX <= Radius * Radius).As("inside"), t));
     }
 
-    /// <summary>n, made 1 long.</summary>
+    /// <summary>n, normalised.</summary>
     Vector3 ISurface.Normal(Vector3 X) => Normal.Normalized;
 
     /// <summary>Polar: u is the angle about C from the u axis of the disc's plane (<see cref="Plane"/>), 0 to 1; v is |X − C| / R.</summary>

@@ -2,26 +2,26 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A colour by its light, not by its bytes: 1 is full intensity, more is allowed and clamped only in the picture.</summary>
+/// <summary>A colour as intensities, not bytes: 1 is full intensity; more is allowed, and clamped only in the picture.</summary>
 /// <param name="R">Red, at least 0.</param>
 /// <param name="G">Green, at least 0.</param>
 /// <param name="B">Blue, at least 0.</param>
 public readonly record struct Color(double R, double G, double B)
 {
-    /// <summary>No light: the background of a scene that names none.</summary>
+    /// <summary>The default background of a scene.</summary>
     public static Color Black => default;
 
-    /// <summary>Full intensity: the colour of a model that names none.</summary>
+    /// <summary>The default colour of a model.</summary>
     public static Color White => new(1, 1, 1);
 
-    /// <summary>The same colour in more or less light.</summary>
+    /// <summary>The same colour, darker or brighter.</summary>
     public static Color operator *(double attenuation, Color color) =>
         new(attenuation * color.R, attenuation * color.G, attenuation * color.B);
 
-    /// <summary>The three bytes of a pixel, red first: the whole part of each channel's level; no gamma. A channel that is NaN gives 0.</summary>
+    /// <summary>The three bytes of a pixel: the whole part of each channel's <see cref="Level"/>; no gamma. NaN gives 0.</summary>
     public (byte R, byte G, byte B) ToBytes() => (ToByte(R), ToByte(G), ToByte(B));
 
-    /// <summary>A channel clamped to 0 … 1, times 255, plus a half; the byte is the whole part of it.</summary>
+    /// <summary>A channel clamped to 0 … 1, times 255, plus ½: its whole part is the byte, rounded to nearest.</summary>
     /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Level<N>(N channel) where N : struct, IReal<N> => N.Min(N.Max(channel, 0), 1) * 255 + 0.5;

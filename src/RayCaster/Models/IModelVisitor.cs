@@ -1,16 +1,15 @@
 namespace RayCaster;
 
-/// <summary>Does something for each kind of model that it could not do for all kinds alike: <see cref="Model.Accept"/> calls the method that
-/// fits.</summary>
+/// <summary>Treats each kind of model in its own way: <see cref="Model.Accept"/> calls the method for the model's kind.</summary>
 public interface IModelVisitor
 {
-    /// <summary>Visits a model whose shape states its crossing as a formula.</summary>
+    /// <summary>Visits a model with a primitive, whose formula runs over any kind of number.</summary>
     /// <typeparam name="P">The kind of shape.</typeparam>
     void Visit<P>(Model<P> model) where P : struct, IPrimitive;
 
     /// <summary>Visits a mesh.</summary>
     void Visit(Mesh mesh);
 
-    /// <summary>Visits a model in plain doubles and ifs, which knows only single rays.</summary>
+    /// <summary>Visits a model that is written in plain doubles and ifs.</summary>
     void VisitOther(Model model);
 }

@@ -1,13 +1,13 @@
 namespace RayCaster;
 
 /// <summary>
-/// A shape that states its crossing with a ray once, as a formula over any kind of number.
-/// To add one see docs/adding-a-primitive.md: a new file like Sphere.cs and a line in PrimitiveList.cs.
+/// A shape whose intersection with a ray is one formula over any kind of number. To add a shape, write a file like Sphere.cs and a line in
+/// PrimitiveList.cs (docs/adding-a-primitive.md).
 /// </summary>
 public interface IPrimitive
 {
     /// <summary>
-    /// Where the ray X(t) = P + t d crosses the shape, behind the origin too; which crossings count is not the shape's business.
+    /// Where the ray X(t) = P + t d crosses the shape, also behind its origin: <see cref="ClipRange"/> decides which crossings count.
     /// </summary>
     /// <param name="ray">The ray; its direction has length 1.</param>
     /// <typeparam name="N">The kind of number.</typeparam>

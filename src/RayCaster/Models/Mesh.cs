@@ -5,16 +5,16 @@ namespace RayCaster;
 /// <param name="indices">Three places in <paramref name="vertices"/> for each triangle, in file order.</param>
 public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
 {
-    /// <summary>The corners; not a copy, so nothing in it may change.</summary>
+    /// <summary>The corners. This is the mesh's own array: do not change it.</summary>
     public Vector3[] Vertices => vertices;
 
-    /// <summary>Three places in <see cref="Vertices"/> for each triangle, in file order; not a copy, so nothing in it may change.</summary>
+    /// <summary>Three places in <see cref="Vertices"/> for each triangle, in file order. This is the mesh's own array: do not change it.</summary>
     public int[] Indices => indices;
 
     /// <summary>How many triangles the mesh has.</summary>
     public int TriangleCount => indices.Length / 3;
 
-    /// <summary>A triangle by its place in the file, from 0.</summary>
+    /// <summary>A triangle by its number in the file, from 0.</summary>
     public Triangle this[int triangle] =>
         new(vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);
 

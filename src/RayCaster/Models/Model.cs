@@ -1,37 +1,37 @@
 namespace RayCaster;
 
 /// <summary>
-/// Something visible: a shape with a colour. Derive from it to write a shape in plain doubles and ifs (docs/adding-a-primitive.md);
-/// a shape written as an <see cref="IPrimitive"/> becomes one by <see cref="Of{P}"/> and is drawn several pixels at once.
+/// A visible object: a shape with a colour. <see cref="Of{P}"/> makes one of an <see cref="IPrimitive"/>, which is drawn several pixels at once.
+/// A class that derives from Model can compute in plain doubles and ifs instead (docs/adding-a-primitive.md).
 /// </summary>
 public abstract class Model
 {
-    /// <summary>A name for people; null where the scene gives none.</summary>
+    /// <summary>A name for people; null if the scene gives none.</summary>
     public string? Name { get; set; }
 
-    /// <summary>Its colour in full light; white where the scene gives none.</summary>
+    /// <summary>Its colour without attenuation.</summary>
     public Color Color { get; set; } = Color.White;
 
     /// <summary>The parameter t of the first crossing with the ray that counts (<see cref="Ray.Counts"/>), or null.</summary>
     public abstract double? Intersect(Ray ray);
 
     /// <summary>
-    /// All numbers that <see cref="Intersect"/> depends on, so that parts of a picture that were drawn apart are joined only if they show the same.
-    /// Null for a class that does not say; a picture with such a model cannot be drawn in parts.
+    /// All numbers that <see cref="Intersect"/> depends on; null for a class that does not tell them. Parts of a picture are joined only if
+    /// these numbers are equal, so a picture with a model that does not tell them cannot be drawn in parts.
     /// </summary>
     public virtual IReadOnlyList<double>? Numbers => null;
 
-    /// <summary>What kind of shape it is, as a scene file calls it.</summary>
+    /// <summary>The kind of shape, as a scene file names it.</summary>
     public virtual string Kind => GetType().Name.ToLowerInvariant();
 
-    /// <summary>What is known of its surface; null for a model that does not say, and for a mesh, whose triangles do.</summary>
+    /// <summary>The surface of its shape; null if the shape does not implement <see cref="ISurface"/>, and for a mesh, whose triangles do.</summary>
     public virtual ISurface? Surface => this as ISurface;
 
-    /// <summary>A box around it; null for a shape that is endless or does not say.</summary>
+    /// <summary>A box around it; null if the shape does not implement <see cref="IBounded"/>.</summary>
     public virtual Bounds? Bounds => (this as IBounded)?.Bounds;
 
-    /// <summary>Where any kind of ray crosses the shape, by its own formula; null where there is none to run: for a mesh, and for plain doubles
-    /// and ifs.</summary>
+    /// <summary>Where rays over any kind of number cross the shape; null for models without such a formula: meshes, and plain doubles and
+    /// ifs.</summary>
     /// <param name="ray">The ray; its direction has length 1.</param>
     /// <typeparam name="N">The kind of number.</typeparam>
     public virtual Crossings<N>? Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
@@ -39,11 +39,11 @@ public abstract class Model
     /// <summary>Calls the visitor's method for this kind of model.</summary>
     public virtual void Accept(IModelVisitor visitor) => visitor.VisitOther(this);
 
-    /// <summary>Makes a model of a shape.</summary>
+    /// <summary>Makes a model of a primitive.</summary>
     public static Model<P> Of<P>(P primitive) where P : struct, IPrimitive => new(primitive);
 }
 
-/// <summary>A model whose shape states its crossing as a formula.</summary>
+/// <summary>A model with a primitive, whose formula runs over any kind of number.</summary>
 /// <typeparam name="P">The kind of shape.</typeparam>
 /// <param name="primitive">The shape.</param>
 public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive

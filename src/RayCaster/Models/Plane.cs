@@ -4,11 +4,11 @@ namespace RayCaster;
 
 /// <summary>An endless plane, visible from both sides (slide "Plane").</summary>
 /// <param name="Point">Q, any point of the plane.</param>
-/// <param name="Normal">n, across the plane; any length but zero, for it cancels in t.</param>
+/// <param name="Normal">n, perpendicular to the plane; any length but zero, because it cancels in t.</param>
 public readonly record struct Plane(Vector3 Point, Vector3 Normal) : IPrimitive, ISurface
 {
     /// <summary>
-    /// t = (Q − P)·n / d·n. A parallel ray divides by 0: t is infinite, or NaN for a ray in the plane, and counts in no case.
+    /// t = (Q − P)·n / d·n. A parallel ray divides by 0: t is infinite, or NaN for a ray in the plane, and never counts.
     /// </summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>
@@ -17,12 +17,12 @@ public readonly record struct Plane(Vector3 Point, Vector3 Normal) : IPrimitive,
         return new(t);
     }
 
-    /// <summary>n, made 1 long.</summary>
+    /// <summary>n, normalised.</summary>
     Vector3 ISurface.Normal(Vector3 X) => Normal.Normalized;
 
     /// <summary>
-    /// Lengths from Q in the plane. v runs along n × u; u along z × n, which is level, or along y × n where n follows z most: on a floor
-    /// u and v are x and y, on a wall v is up.
+    /// Distances from Q along two axes of the plane. u runs along z × n, which is horizontal, or along y × n where n is nearest to z; v runs
+    /// along n × u. On a floor u and v run along x and y; on a wall v runs upwards.
     /// </summary>
     (double U, double V) ISurface.Parameters(Vector3 X)
     {

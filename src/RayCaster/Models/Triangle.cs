@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A triangle, visible from both sides whatever the order of its corners (slide "Triangle").</summary>
+/// <summary>A triangle, visible from both sides, in any order of its corners (slide "Triangle").</summary>
 /// <param name="A">The first corner.</param>
 /// <param name="B">The second corner.</param>
 /// <param name="C">The third corner, not on one line with the others.</param>
@@ -13,26 +13,26 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
 
     /// <summary>The crossing X = w A + u B + v C of the triangle's plane, where w, u and v, which add up to 1, are all ≥ 0.</summary>
     /// <remarks>
-    /// <para>Seen along the ray the triangle is flat and the ray is the point (0, 0): w, u and v are to each other as the areas of
-    /// the three triangles that this point makes with the sides, and t is the mean of the corners' depths with these weights. Only
-    /// an edge-on triangle (d·n = 0) has no area: 0 / 0, NaN.</para>
-    /// <para>Nearly edge-on, the areas are all noise, and may by chance agree for a ray that passes far from the triangle, within its
-    /// plane. So the ray must also lie between the corners, across and upwards; one that is truly inside always does.</para>
-    /// <para>No ray slips between two triangles that share a side. Both see its corners at the same place, so the area over it is the same
-    /// to the bit but for its sign, and rounding can make the difference of two products 0 but never turn its sign. So the triangles
-    /// cover the view like tiles, corners included (after Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013).</para>
+    /// <para>In the view along the ray the ray is the point (0, 0). This point and the triangle's sides make three triangles; w, u and v are
+    /// twice their signed areas, and t is the mean of the corners' depths with these weights. A triangle seen edge-on (d·n = 0) has no area: 0 / 0,
+    /// NaN.</para>
+    /// <para>If a triangle is seen nearly edge-on, its areas are all rounding, and may have equal signs for a ray that passes far from it,
+    /// within its plane. So (0, 0) must also lie between the corners in X and in Y, which is always true inside.</para>
+    /// <para>No ray slips between two triangles that share a side. Both see its two corners at the same places, so they compute the same area
+    /// over it, with opposite signs; and rounding can make the difference of two products 0, but never change its sign. So the triangles cover
+    /// the view without gaps, also at corners (after Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013).</para>
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => Intersect(new AlongRay<N>(ray));
 
-    /// <summary>The same, for a caller that asks about many triangles and one ray.</summary>
-    // not inlined: in a caller grown too large operators, silently, become calls
+    /// <summary>The same, for a caller that intersects many triangles with one ray.</summary>
+    // Not inlined: in a method that grows too large, the runtime silently turns inlined operators into calls.
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    internal Crossings<N> Intersect<N>(in AlongRay<N> along) where N : struct, IReal<N> => Intersect(along, A, B, C);
+    public Crossings<N> Intersect<N>(in AlongRay<N> along) where N : struct, IReal<N> => Intersect(along, A, B, C);
 
     /// <summary>The same for corners over any kind of number: in a packet each lane has its own triangle.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static Crossings<N> Intersect<N>(in AlongRay<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
+    public static Crossings<N> Intersect<N>(in AlongRay<N> along, Vector3<N> cornerA, Vector3<N> cornerB, Vector3<N> cornerC)
         where N : struct, IReal<N>
     {
         var (a, b, c) = (along.See(cornerA), along.See(cornerB), along.See(cornerC));
@@ -47,7 +47,7 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     }
 
     /// <summary>
-    /// Whether three points span no area: |e1 × e2| ≤ 1e-12 · (longest side)², so that it does not depend on the unit of length.
+    /// Whether three points span no area: |e1 × e2| ≤ 1e-12 · (longest side)². This limit is relative, so the unit of length does not matter.
     /// </summary>
     public static bool IsOnOneLine(Vector3 a, Vector3 b, Vector3 c)
     {
@@ -55,13 +55,13 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
         return ((b - a) % (c - a)).Length <= 1e-12 * longest * longest;
     }
 
-    /// <summary>(B − A) × (C − A), made 1 long.</summary>
+    /// <summary>(B − A) × (C − A), normalised.</summary>
     Vector3 ISurface.Normal(Vector3 X) => ((B - A) % (C - A)).Normalized;
 
     /// <summary>Barycentric: X = (1 − u − v) A + u B + v C.</summary>
     (double U, double V) ISurface.Parameters(Vector3 X)
     {
-        var size = Math.Max((B - A).Length, (C - A).Length); // whose fourth power may be beyond the largest number
+        var size = Math.Max((B - A).Length, (C - A).Length); // the unit: without it, n * n could overflow
         var (e1, e2, p) = ((B - A) / size, (C - A) / size, (X - A) / size);
         var n = e1 % e2;
         return (p % e2 * n / (n * n), e1 % p * n / (n * n));

@@ -6,7 +6,7 @@ public sealed class Picture
     /// <param name="width">Pixels in a line, at least 1.</param>
     /// <param name="height">Lines, at least 1.</param>
     /// <exception cref="ArgumentOutOfRangeException">A side is less than 1.</exception>
-    /// <exception cref="OverflowException">It would have more than 2³¹ bytes.</exception>
+    /// <exception cref="OverflowException">The picture would have more than 2³¹ bytes.</exception>
     public Picture(int width, int height)
     {
         ArgumentOutOfRangeException.ThrowIfLessThan(width, 1);
@@ -14,10 +14,11 @@ public sealed class Picture
         (Width, Height, Rgb) = (width, height, new byte[checked(width * height * 3)]);
     }
 
+    /// <summary>A picture over bytes that exist already.</summary>
     /// <param name="width">Pixels in a line.</param>
     /// <param name="height">Lines.</param>
-    /// <param name="rgb">Its bytes, as many as there must be; they are not copied.</param>
-    internal Picture(int width, int height, byte[] rgb) => (Width, Height, Rgb) = (width, height, rgb);
+    /// <param name="rgb">Its width · height · 3 bytes; they are not copied.</param>
+    public Picture(int width, int height, byte[] rgb) => (Width, Height, Rgb) = (width, height, rgb);
 
     /// <summary>Pixels in a line.</summary>
     public int Width { get; }
@@ -25,11 +26,8 @@ public sealed class Picture
     /// <summary>Lines.</summary>
     public int Height { get; }
 
-    /// <summary>Width · Height · 3 bytes: red, green, blue; from left to right, then from top to bottom.</summary>
+    /// <summary>Width · Height · 3 bytes: red, green, blue of each pixel; from left to right, then from top to bottom.</summary>
     public byte[] Rgb { get; }
-
-    /// <summary>Whether all pixels are equal.</summary>
-    internal bool IsOneColor => Rgb.AsSpan(3).SequenceEqual(Rgb.AsSpan(0, Rgb.Length - 3));
 
     /// <summary>A pixel's three bytes.</summary>
     /// <param name="x">The column, from the left.</param>

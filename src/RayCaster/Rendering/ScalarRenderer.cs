@@ -1,13 +1,11 @@
 namespace RayCaster;
 
-/// <summary>The definition of a picture, one ray after another. What draws faster must give the same bytes; in a build from source it is checked
-/// against this.</summary>
+/// <summary>The definition of a picture, one ray after another. The fast renderer must give the same bytes.</summary>
 public static class ScalarRenderer
 {
     /// <summary>
-    /// Whether this library was built from other sources than those with which the fast way was tested to agree (tested.sha256). Then pictures
-    /// are compared with this
-    /// definition while they are drawn.
+    /// Whether the sources of this library differ from those with which the fast renderer was tested (tested.sha256). If so, pictures are
+    /// compared with this definition while they are drawn.
     /// </summary>
     public static bool IsChanged =>
 #if CHANGED
@@ -26,9 +24,9 @@ public static class ScalarRenderer
 
     /// <summary>Draws a window of the picture of a scene.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="window">Its pixels are set. It may be smaller than the picture.</param>
-    /// <param name="left">The picture's column that is the window's first.</param>
-    /// <param name="top">The picture's line, counted from the top, that is the window's first.</param>
+    /// <param name="window">Receives the pixels. It may be smaller than the picture.</param>
+    /// <param name="left">The picture's column at the window's left edge.</param>
+    /// <param name="top">The picture's line, counted from the top, at the window's upper edge.</param>
     public static void Render(Scene scene, Picture window, int left = 0, int top = 0)
     {
         for (var y = 0; y < window.Height; y++)
@@ -42,7 +40,7 @@ public static class ScalarRenderer
         }
     }
 
-    /// <summary>Casts the ray of a pixel through the scene; afterwards it knows its nearest hit.</summary>
+    /// <summary>Casts the ray of a pixel through the scene; the result holds its nearest hit.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="column">c, from the left.</param>
     /// <param name="row">r, from the bottom.</param>

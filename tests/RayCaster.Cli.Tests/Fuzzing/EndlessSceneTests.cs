@@ -14,7 +14,7 @@ public class EndlessSceneTests
         raycaster.RunInShell($"raycaster {scene} </dev/zero");
         Assert.Equal(2, raycaster.ExitCode);
         Assert.EndsWith(
-            ": error: the scene file has more than 67,108,864 bytes, which is the limit; let mesh files hold what is large\n", raycaster.Error);
+            ": error: the scene file has more than 67,108,864 bytes, which is the limit; put large meshes into mesh files\n", raycaster.Error);
         Assert.Empty(raycaster.Files);
     }
 }

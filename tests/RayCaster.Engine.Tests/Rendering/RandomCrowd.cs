@@ -48,8 +48,18 @@ internal static class RandomCrowd
         };
         var fovY = random.Next(5) == 0 ? 1 + 175 * random.NextDouble() : 45;
         return new Scene(
-            new Camera(unit * position, unit * target, up, fovY, width, height, unit * zNear, unit * zFar, unit * random.Next(2) * 1e-6,
-                (Clip)random.Next(2), (Sample)random.Next(2)),
+            new Camera(new(unit * position, unit * target)
+            {
+                Up = up,
+                FovY = fovY,
+                Width = width,
+                Height = height,
+                ZNear = unit * zNear,
+                ZFar = unit * zFar,
+                Bias = unit * random.Next(2) * 1e-6,
+                Clip = (Clip)random.Next(2),
+                Sample = (Sample)random.Next(2),
+            }),
             models, new Color(0.1, 0.2, 0.3));
 
         Model Sphere(Vector3 center, double r) => Model.Of(new Sphere(unit * center, unit * r));

@@ -151,7 +151,8 @@ public class RendererTests
         }
         models.Insert(random.Next(models.Count), Model.Of(new Plane(new(0, 0, -4), new(0, 0, 1))));
         var position = new Vector3(Next(9), Next(9), Next(9));
-        AssertEqual(new Scene(new Camera(position, new(0.1, 0, 0), width: 150, height: 131, sample: (Sample)(seed % 2)), models), $"seed {seed}");
+        var camera = new Camera(new(position, new(0.1, 0, 0)) { Width = 150, Height = 131, Sample = (Sample)(seed % 2) });
+        AssertEqual(new Scene(camera, models), $"seed {seed}");
     }
 
     /// <summary>Large enough for parts of all sizes that one model covers, and for bytes that floats leave in doubt.</summary>
@@ -161,7 +162,8 @@ public class RendererTests
     public void TheRoomComesOutToTheBit(double x, double y, double z, double fovY)
     {
         var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
-        AssertEqual(room with { Camera = room.Camera.WithView(new(x, y, z), Vector3.Zero, fovY).WithSize(700, 333), Background = new(0.2, 0.4, 2) },
+        var camera = room.Camera.WithSize(700, 333).Parameters with { Position = new(x, y, z), Target = Vector3.Zero, FovY = fovY };
+        AssertEqual(room with { Camera = new(camera), Background = new(0.2, 0.4, 2) },
             "the room");
     }
 
@@ -183,7 +185,7 @@ public class RendererTests
                 models.Add(Model.Of(new Sphere(new(Next(0.015), Next(0.015), Next(0.015)), 0.0002 + 0.001 * random.NextDouble())));
             var (position, target) = (new Vector3(Next(2), Next(2), 9 + Next(1)), Vector3.Zero);
             var up = (position - target).Normalized + 3e-12 * new Vector3(Next(1), Next(1), Next(1));
-            var camera = new Camera(position, target, up, 0.2, 150, 150);
+            var camera = new Camera(new(position, target) { Up = up, FovY = 0.2, Width = 150, Height = 150 });
             if (camera.Flaw is null) AssertEqual(new Scene(camera, models), $"picture {i}");
         }
     }
@@ -191,7 +193,7 @@ public class RendererTests
     [Fact]
     public void OfEqualHitsTheFirstModelShows()
     {
-        Scene With(params Model[] models) => new(new Camera(new(5, 0, 0), Vector3.Zero, width: 9, height: 9), models);
+        Scene With(params Model[] models) => new(new Camera(new(new(5, 0, 0), Vector3.Zero) { Width = 9, Height = 9 }), models);
         var plane = new Plane(Vector3.Zero, new(1, 0, 0));
         Model red = Model.Of(plane), blue = Model.Of(plane);
         (red.Color, blue.Color) = (new(1, 0, 0), new(0, 0, 1));
@@ -222,7 +224,8 @@ public class RendererTests
         var red = Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)));
         var blue = Model.Of(new Plane(new(-5, 0, 0), new(1, tilt, tilt / 3)));
         (red.Color, blue.Color) = (new(1, 0, 0), new(0, 0, 1));
-        AssertEqual(new Scene(new Camera(new(20, 1, 0), new(0, 0.5, 0.3), width: 256, height: 100), [red, blue]), $"planes at an angle of {tilt}");
+        var camera = new Camera(new(new(20, 1, 0), new(0, 0.5, 0.3)) { Width = 256, Height = 100 });
+        AssertEqual(new Scene(camera, [red, blue]), $"planes at an angle of {tilt}");
     }
 
     /// <summary>Model, bits of t and bytes of every pixel, drawn with little code and with all there is.</summary>

@@ -4,7 +4,7 @@ namespace RayCaster.Files.Tests.Frames;
 
 public class CameraPathTests
 {
-    private static readonly Camera Scene = new(new(10, 0, 4), new(1, 2, 3), fovY: 40, width: 30, height: 20, zNear: 0.5, zFar: 90);
+    private static readonly Camera Scene = new(new(new(10, 0, 4), new(1, 2, 3)) { FovY = 40, Width = 30, Height = 20, ZNear = 0.5, ZFar = 90 });
 
     [Fact]
     public void AnOrbitBeginsWithTheScenesOwnPicture() => Assert.Same(Scene, Orbit.Frame(Scene, 0, 7));
@@ -23,7 +23,7 @@ public class CameraPathTests
     [Fact]
     public void AnOrbitGoesAboutWhateverIsUp()
     {
-        var scene = new Camera(new(0, 3, 5), Vector3.Zero, up: new(0, 7, 0));
+        var scene = new Camera(new(new(0, 3, 5), Vector3.Zero) { Up = new(0, 7, 0) });
         for (var frame = 0; frame < 9; frame++)
         {
             var camera = Orbit.Frame(scene, frame, 9);
@@ -92,7 +92,7 @@ public class CameraPathTests
     [InlineData("""{ "keys": [ { "time": 0, "position": [9, 0, 0], "fov": 3 }, { "time": 1, "position": [8, 0, 0] } ] }""",
         "keys[0].fov is an unknown key; did you mean \"fovY\"?")]
     [InlineData("""{ "interpolation": "curve", "keys": [] }""", "interpolation must be \"smooth\" or \"linear\", but is \"curve\"")]
-    [InlineData("""[]""", "the camera's way must be an object in braces { }, but is ")]
+    [InlineData("""[]""", "the camera's path must be an object in braces { }, but is ")]
     [InlineData("""{ "keys": """, "way.json(1,")]
     public void WhatIsWrongInAFileIsToldWithItsPlace(string json, string message)
     {
@@ -116,7 +116,7 @@ public class CameraPathTests
     public void ACameraThatSeesNothingSaysWhy(double x, double y, double z, string flaw)
     {
         Assert.Null(Scene.Flaw);
-        Assert.Equal(flaw, Scene.WithView(new(x, y, z), Scene.Target, 40).Flaw);
+        Assert.Equal(flaw, new Camera(Scene.Parameters with { Position = new(x, y, z) }).Flaw);
     }
 
     private static CameraKey[] Keys =>

@@ -59,7 +59,7 @@ public sealed class HostileSizeTests : IDisposable
     {
         var path = Sparse("a.json", 1 << 30);
         var before = GC.GetAllocatedBytesForCurrentThread();
-        Assert.Equal($"{path}: error: the scene file has more than 67,108,864 bytes, which is the limit; let mesh files hold what is large",
+        Assert.Equal($"{path}: error: the scene file has more than 67,108,864 bytes, which is the limit; put large meshes into mesh files",
             SceneReader.Read(path).Problems[0].ToString());
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 0, 1 << 20);
     }

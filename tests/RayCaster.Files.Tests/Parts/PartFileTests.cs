@@ -55,7 +55,7 @@ public sealed class PartFileTests : IDisposable
     public void WhatALaterVersionSaysIsNotUnderstood()
     {
         var path = Write(Facts with { Digest = "a\nb" });
-        Assert.EndsWith("what it says about its part of the picture cannot be understood; a newer raycaster may have drawn it",
+        Assert.EndsWith("its text about its part of the picture is unknown; perhaps a newer raycaster drew it",
             Assert.Throws<PictureFileException>(() => PartFile.Open(path)).Message);
     }
 
@@ -63,7 +63,7 @@ public sealed class PartFileTests : IDisposable
     public void AnythingElseIsNoPng()
     {
         var path = folder.Write("a.png", "P6 1 1 255 abc");
-        Assert.Equal($"cannot read {path}: it is no PNG, and so no part of a picture",
+        Assert.Equal($"cannot read {path}: it is not a PNG, so it is not a part of a picture",
             Assert.Throws<PictureFileException>(() => PartFile.Open(path)).Message);
     }
 

@@ -50,7 +50,7 @@ public sealed class PartSetTests : IDisposable
         ]);
         Assert.Equal(
         [
-            $"{folder["b"]} is of a picture of 3 x 11 pixels, {folder["a"]} of one of 3 x 10",
+            $"{folder["b"]} belongs to a picture of 3 x 11 pixels, {folder["a"]} to one of 3 x 10",
             $"{folder["c"]} shows another scene than {folder["a"]}: fedcba987654… instead of 0123456789ab…",
             $"{folder["d"]} was drawn by version 2.0.0, {folder["a"]} by 1.0.0",
         ], set.Problems);

@@ -94,19 +94,19 @@ public class BrokenPictureTests
         { [], "the file is empty" },
         { [0xFF, 0xD8, 0xFF], "it is a JPEG, whose colours are not exact; PNG, PBM, PGM and PPM can be read" },
         { "GIF89a"u8.ToArray(), "it is a GIF; PNG, PBM, PGM and PPM can be read" },
-        { "hello\n"u8.ToArray(), @"it begins with 'hello\x0A', which is no picture that is known; PNG, PBM, PGM and PPM can be read" },
+        { "hello\n"u8.ToArray(), @"it begins with 'hello\x0A', which is no known picture format; PNG, PBM, PGM and PPM can be read" },
         { "P7\nWIDTH 1"u8.ToArray(), "it begins with 'P7'; P1 to P6 can be read, and PNG" },
         { "P"u8.ToArray(), "it begins with 'P'; P1 to P6 can be read, and PNG" },
-        { "P6 x"u8.ToArray(), "'x' at byte 3, where the width is due" },
+        { "P6 x"u8.ToArray(), "'x' at byte 3, where the width should be" },
         { "P6 0 1 255 "u8.ToArray(), "its size is 0 × 1 pixels, but each side must be at least 1" },
         { "P6 1 1 0 abc"u8.ToArray(), "maxval is 0, but must be from 1 to 65535" },
         { "P6 1 1 65536 abcdef"u8.ToArray(), "maxval is 65536, but must be from 1 to 65535" },
-        { "P6 1 1 255,abc"u8.ToArray(), "',' at byte 10, where a line end is due" },
+        { "P6 1 1 255,abc"u8.ToArray(), "',' at byte 10, where a line end should be" },
         { "P6 1 1 255 ab"u8.ToArray(), "the file is cut short: 1 × 1 pixels need 3 bytes after the header, but there are 2" },
         { "P3 1 1 255 0 256 0"u8.ToArray(), "the value 256 at byte 12 is greater than maxval, which is 255" },
-        { "P3 1 1 255 0 -1 0"u8.ToArray(), "'-' at byte 13, where a value is due" },
+        { "P3 1 1 255 0 -1 0"u8.ToArray(), "'-' at byte 13, where a value should be" },
         { "P5 1 1 7 \x08"u8.ToArray(), "the value 8 at byte 9 is greater than maxval, which is 7" },
-        { "P1 2 1 12"u8.ToArray(), "'2' at byte 8, where a 0 or 1 is due" },
+        { "P1 2 1 12"u8.ToArray(), "'2' at byte 8, where a 0 or 1 should be" },
         { "P6 99999999999 1 255 "u8.ToArray(), "the width at byte 3 is greater than 2,147,483,647, which is the limit" },
         {
             "P6 2147483647 2147483647 255 "u8.ToArray(),
@@ -122,7 +122,7 @@ public class BrokenPictureTests
         },
         {
             [0x89, (byte)'P', (byte)'N', (byte)'G', (byte)'\n'],
-            "it begins like a PNG, but its first eight bytes are damaged, as by a transfer as text"
+            "it begins like a PNG, but its first eight bytes are damaged; perhaps it was transferred as text"
         },
         { Png(Chunk("CgBI", 1, 2, 3, 4), Header(1, 1, 8, 2)), "its first chunk is CgBI instead of IHDR" },
         { Png(Chunk("IHDR", 1, 2, 3)), "its chunk IHDR has 3 bytes instead of 13" },
@@ -131,8 +131,8 @@ public class BrokenPictureTests
         { Png(Header(1, 1, 16, 3)), "its bit depth is 16, which colour type 3 does not allow" },
         { Png(Header(1, 1, 8, 2, interlacing: 2)), "its interlace method is 2, but must be 0 or 1" },
         { Png(Header(0, 1, 8, 2)), "its size is 0 × 1 pixels, but each side must be at least 1" },
-        { Png(Header(1, 1, 8, 2), Header(1, 1, 8, 2)), "its chunk IHDR is not known here or out of place" },
-        { Png(Header(1, 1, 8, 2), Chunk("ABCD")), "its chunk ABCD is not known here or out of place" },
+        { Png(Header(1, 1, 8, 2), Header(1, 1, 8, 2)), "its chunk IHDR is unknown or in the wrong place" },
+        { Png(Header(1, 1, 8, 2), Chunk("ABCD")), "its chunk ABCD is unknown or in the wrong place" },
         { Png(Header(1, 1, 8, 3), Data(0, 0), Chunk("IEND")), "its palette has 0 bytes, but must be 1 to 256 colours of 3 bytes" },
         { Png(Header(1, 1, 8, 3), Chunk("PLTE", 1, 2, 3), Data(0, 1), Chunk("IEND")), "a pixel has colour 1 of a palette that has 1" },
         { Png(Header(1, 1, 8, 2), Data(5, 1, 2, 3), Chunk("IEND")), "a line has filter 5, but there are only 0 to 4" },
@@ -150,7 +150,7 @@ public class BrokenPictureTests
         },
         {
             Png(Header(26000, 26000, 1, 0), Chunk("IDAT", 1, 2, 3), Chunk("IEND")),
-            "the file is cut short: 26,000 × 26,000 pixels are 84,526,000 bytes, which no compression brings down to the 3 that it holds"
+            "the file is cut short: 26,000 × 26,000 pixels are 84,526,000 bytes, which cannot be compressed to the 3 that the file holds"
         },
         {
             [.. Png(), 0xFF, 0xFF, 0xFF, 0xFF, .. "IHDR"u8, 0, 0, 0, 0],

@@ -52,7 +52,7 @@ public sealed class WronglyMadePngTests : IDisposable
         animation.SetLength(0);
         AnimationFile.Write(animation, [good, good], 25);
         var film = folder.Write("film.png", animation.ToArray());
-        Assert.Equal($"cannot read {film}: it is an animation already, of which only the first picture would be taken",
+        Assert.Equal($"cannot read {film}: it is an animation, not a single picture",
             Assert.Throws<PictureFileException>(() => AnimationFile.Write(new MemoryStream(), [film], 25)).Message);
     }
 

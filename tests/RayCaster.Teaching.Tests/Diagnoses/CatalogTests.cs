@@ -7,7 +7,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 public class CatalogTests
 {
     private static readonly Dictionary<string, Scene> scenes =
-        SceneFolder.Files("scenes/mistakes").ToDictionary(SceneFolder.NameOf, file => Half(SceneFolder.Read(file)));
+        SceneFolder.Files("scenes/mistakes").Select(SceneFolder.NameOf).ToDictionary(name => name, name => SceneFolder.Small(name, 4));
 
     /// <summary>The share of pixels beyond a level that other last bits of the same mistake may change.</summary>
     private const double Share = 0.0002;
@@ -56,14 +56,11 @@ public class CatalogTests
         Assert.All(MistakeCatalog.All, mistake => Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id)));
         var worded = MistakeCatalog.All.Where(mistake => mistake.Wordings.Count > 1); // of the others SceneFitnessTests tell that they show
         Mistake[] hidden = [.. worded.SelectMany(mistake => mistake.Wordings)
-            .Where(wording => small.All(scene => AreAlike(scene.Right, WrongPicture.Draw(scene.Scene, [wording]))))];
+            .Where(wording => rights.All(scene => AreAlike(scene.Right, WrongPicture.Draw(scene.Scene, [wording]))))];
         Assert.True(hidden.Length == 0, string.Join(Environment.NewLine, hidden.Select(wording => $"{wording}: {wording.Cause}")));
     }
 
-    /// <summary>The scenes with few pixels, and their pictures.</summary>
-    private static readonly (Scene Scene, Picture Right)[] small = [.. scenes.Values
-        .Select(scene => scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) })
-        .Select(scene => (scene, ScalarRenderer.Render(scene)))];
+    private static readonly (Scene Scene, Picture Right)[] rights = [.. scenes.Values.Select(scene => (scene, ScalarRenderer.Render(scene)))];
 
     private static bool AreAlike(Picture a, Picture b) =>
         (a.Width, a.Height) == (b.Width, b.Height) && a.Rgb.AsSpan().SequenceEqual(b.Rgb);
@@ -71,14 +68,11 @@ public class CatalogTests
     [Fact]
     public void WhatASceneDoesNotHaveIsNotTouched()
     {
-        var scene = SceneFolder.Read(SceneFolder.FileOf("sphere"));
+        var scene = SceneFolder.Small("sphere", 4);
         var right = new Lab(scene).Render().Rgb;
         var untouched = MistakeCatalog.All.Where(mistake => !mistake.Touches(scene));
         Assert.All(untouched, mistake => Assert.Equal(right, new Lab(scene, mistake).Render().Rgb));
         Assert.True(MistakeCatalog.Named("r-nosq")!.Touches(scene));
         Assert.False(MistakeCatalog.Named("tri-uv")!.Touches(scene));
     }
-
-    /// <summary>A quarter of the pixels show the same mistakes.</summary>
-    private static Scene Half(Scene scene) => scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) };
 }

@@ -26,15 +26,16 @@ public class ConfusionTests(ITestOutputHelper output)
         ["rows", "cols", "bgr", "nohalf", "u-cross", "att-no2", "att-none", "tri-uv", "far-root", "circ-inf", "slab-tmax", "no-zfar"];
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void ASampleIsNamedAsWellAsItWas()
     {
         var table = new ConfusionTable();
         string[] scenes = ["mistakes/generic", "mistakes/portrait", "mistakes/inside", "mistakes/generic"];
         for (var i = 0; i < Planted.All.Count; i++)
-            table.Plant(Small(scenes[i % scenes.Length], 3), manners[i % manners.Length], Planted.All[i]);
+            table.Plant(SceneFolder.Small(scenes[i % scenes.Length], 3), manners[i % manners.Length], Planted.All[i]);
         for (var i = 0; i < 6; i++)
-            table.Plant(Small("mistakes/generic", 3), manners[i % manners.Length], Planted.Named(partners[i]), Planted.Named(partners[^(i + 1)]));
-        foreach (var name in others) table.Plant(Small(name, 3), new(Truncates: true, Float: true));
+            table.Plant(SceneFolder.Small("mistakes/generic", 3), manners[i % manners.Length], Planted.Named(partners[i]), Planted.Named(partners[^(i + 1)]));
+        foreach (var name in others) table.Plant(SceneFolder.Small(name, 3), new(Truncates: true, Float: true));
         Print(table);
         Assert.Equal(0, table.FalseNames);
         Assert.InRange(ConfusionTable.Share(table.First, table.Singles), LeastFirst, 1);
@@ -51,16 +52,16 @@ public class ConfusionTests(ITestOutputHelper output)
         var turn = 0;
         foreach (var name in made.Concat(others))
         {
-            var scene = Small(name, made.Contains(name) ? 1 : 2);
+            var scene = SceneFolder.Small(name, made.Contains(name) ? 1 : 2);
             foreach (var mistake in Planted.All) table.Plant(scene, manners[turn++ % manners.Length], mistake);
         }
         for (var i = 0; i < partners.Length; i++)
             for (var k = 0; k < i; k++)
                 foreach (var name in (string[])["mistakes/generic", "room"])
-                    table.Plant(Small(name, 2), manners[turn++ % manners.Length], Planted.Named(partners[i]), Planted.Named(partners[k]));
+                    table.Plant(SceneFolder.Small(name, 2), manners[turn++ % manners.Length], Planted.Named(partners[i]), Planted.Named(partners[k]));
         foreach (var name in SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Select(SceneFolder.NameOf)
             .Except(["mesh", "mesh-formats"]))
-            foreach (var manner in manners.Where(manner => !manner.OtherSample)) table.Plant(Small(name, 2), manner);
+            foreach (var manner in manners.Where(manner => !manner.OtherSample)) table.Plant(SceneFolder.Small(name, 2), manner);
         Print(table);
 
         var file = ProjectFolder.PathOf("docs/diagnosis.md");
@@ -74,11 +75,4 @@ public class ConfusionTests(ITestOutputHelper output)
     private const string Mark = "## The last measurement";
 
     private void Print(ConfusionTable table) => output.WriteLine($"{table.Summary()}\n\n{table.Confusions()}");
-
-    /// <summary>A scene of the project with fewer pixels.</summary>
-    private static Scene Small(string name, int divisor)
-    {
-        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
-        return scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / divisor, scene.Camera.Height / divisor) };
-    }
 }

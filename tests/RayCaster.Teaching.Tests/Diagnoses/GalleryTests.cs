@@ -13,6 +13,7 @@ public class GalleryTests
     public static TheoryData<string> Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void ThePageTellsTheCatalogue()
     {
         var page = Gallery.Page();

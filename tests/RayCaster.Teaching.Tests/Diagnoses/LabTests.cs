@@ -10,7 +10,7 @@ public class LabTests
     [MemberData(nameof(Scenes))]
     public void WithoutAMistakeEveryByteIsTheDefinitions(string name)
     {
-        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
+        var scene = SceneFolder.Small(name);
         Assert.Equal(Renderer.Render(scene).Rgb, new Lab(scene).Render().Rgb); // which is the scalar definition's, to the bit
     }
 
@@ -73,7 +73,7 @@ public class LabTests
     [Fact]
     public void SwappedSidesAreThoseOfTheFile()
     {
-        var camera = SceneFolder.Read(SceneFolder.FileOf("mistakes/generic")).Camera;
+        var camera = SceneFolder.Small("mistakes/generic").Camera;
         Assert.Equal((camera.Height, camera.Width), (Of("whswap").Width, Of("whswap").Height));
         Assert.Equal((camera.Width, camera.Height), (Of("whswap", "transpose").Width, Of("whswap", "transpose").Height));
     }
@@ -100,14 +100,14 @@ public class LabTests
     [Fact]
     public void AModelOfOnesOwnIsAskedForItsHits()
     {
-        var scene = new Scene(new(new(0, -5, 0), Vector3.Zero, width: 8, height: 8), [new Wall { Color = new(1, 0.5, 0) }]);
+        var scene = new Scene(new(new(new(0, -5, 0), Vector3.Zero) { Width = 8, Height = 8 }), [new Wall { Color = new(1, 0.5, 0) }]);
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, new Lab(scene).Render().Rgb);
         var lab = new Lab(scene, MistakeCatalog.Named("bgr")!, MistakeCatalog.Named("att-none")!);
         Assert.Equal(((byte)0, (byte)128, (byte)255), lab[4, 4]);
     }
 
     private static Lab Of(params string[] ids) =>
-        new(SceneFolder.Read(SceneFolder.FileOf("mistakes/generic")), [.. ids.Select(id => MistakeCatalog.Named(id)!)]);
+        new(SceneFolder.Small("mistakes/generic"), [.. ids.Select(id => MistakeCatalog.Named(id)!)]);
 
     /// <summary>y = 0, in plain doubles and ifs.</summary>
     private sealed class Wall : Model

@@ -5,7 +5,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>Pictures of scenes with a wrong number in them: no mistake of the program makes these, and none may be accused.</summary>
 public class LikelyCauseTests
 {
-    private static readonly Scene room = Small("room"), generic = Small("mistakes/generic");
+    private static readonly Scene room = SceneFolder.Small("room"), generic = SceneFolder.Small("mistakes/generic");
 
     [Fact]
     public void AFartherTargetIsNoMistakeOfThePrograms()
@@ -61,13 +61,7 @@ public class LikelyCauseTests
         var c = scene.Camera;
         return scene with
         {
-            Camera = new(c.Position, target ?? c.Target, c.Up, fovY ?? c.FovY, c.Width, c.Height, c.ZNear, zFar ?? c.ZFar, c.Bias, c.Clip, c.Sample),
+            Camera = new(c.Parameters with { Target = target ?? c.Target, FovY = fovY ?? c.FovY, ZFar = zFar ?? c.ZFar }),
         };
-    }
-
-    private static Scene Small(string name)
-    {
-        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
-        return scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) };
     }
 }

@@ -6,7 +6,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// taken.</summary>
 public class UnfinishedTests
 {
-    private static readonly Scene scene = Small("mistakes/generic");
+    private static readonly Scene scene = SceneFolder.Small("mistakes/generic");
 
     public static TheoryData<string> Subsets =>
         ["circle,triangle", "aabb", "plane,sphere", "aabb,circle,triangle", "sphere,aabb,circle,triangle", "plane"];
@@ -78,10 +78,4 @@ public class UnfinishedTests
     /// <summary>What is not drawn yet, in the order of an expectation.</summary>
     private static string InOrder(Diagnosis diagnosis, string expected) =>
         string.Join(',', diagnosis.NotYet.OrderBy(part => Array.IndexOf(expected.Split(','), part)));
-
-    private static Scene Small(string name)
-    {
-        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
-        return scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / 2, scene.Camera.Height / 2) };
-    }
 }

@@ -4,7 +4,15 @@ namespace RayCaster.Teaching.Tests.Explanations;
 public class HitLedgerTests
 {
     /// <summary>Looks from (10, 0, 0) along −x.</summary>
-    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero, fovY: 60, width: 24, height: 16, zNear: 2, zFar: 50, bias: 1);
+    private static readonly Camera Camera = new(new(new(10, 0, 0), Vector3.Zero)
+    {
+        FovY = 60,
+        Width = 24,
+        Height = 16,
+        ZNear = 2,
+        ZFar = 50,
+        Bias = 1,
+    });
 
     [Fact]
     public void AModelShowsInAsManyPixelsAsTheRendererFinds()

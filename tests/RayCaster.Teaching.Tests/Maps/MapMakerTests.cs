@@ -3,12 +3,12 @@ namespace RayCaster.Teaching.Tests.Maps;
 /// <summary>What maps say of a pixel is what the definition finds there.</summary>
 public class MapMakerTests
 {
-    private static readonly Camera Camera = new(new(10, 0, 0), Vector3.Zero, fovY: 40, width: 31, height: 21);
+    private static readonly Camera Camera = new(new(new(10, 0, 0), Vector3.Zero) { FovY = 40, Width = 31, Height = 21 });
 
     [Fact]
     public void TAndModelAreTheDefinitions()
     {
-        for (var seed = 0; seed < 20; seed++)
+        for (var seed = 0; seed < 8; seed++)
         {
             var scene = RandomScene.Make(new Random(seed));
             var (t, model) = (MapMaker.Make(scene, MapKind.T), MapMaker.Make(scene, MapKind.Model));
@@ -41,7 +41,7 @@ public class MapMakerTests
     [Fact]
     public void ATBeyondTheRangeOfFloatsIsStillAHit()
     {
-        var camera = new Camera(new(1e40, 0, 0), Vector3.Zero, width: 3, height: 3, zFar: 1e42);
+        var camera = new Camera(new(new(1e40, 0, 0), Vector3.Zero) { Width = 3, Height = 3, ZFar = 1e42 });
         var map = MapMaker.Make(new Scene(camera, [Model.Of(new Plane(Vector3.Zero, new(1, 0, 0)))]), MapKind.T);
         Assert.All(map.Values, t => Assert.Equal(float.MaxValue, t));
     }
@@ -49,7 +49,7 @@ public class MapMakerTests
     [Fact]
     public void NormalsAreOneLongAndFaceTheCamera()
     {
-        for (var seed = 0; seed < 20; seed++)
+        for (var seed = 0; seed < 8; seed++)
         {
             var scene = RandomScene.Make(new Random(seed));
             var map = MapMaker.Make(scene, MapKind.Normal);
@@ -69,7 +69,7 @@ public class MapMakerTests
     public void OfAMeshItIsTheNearestTrianglesNormal()
     {
         var triangles = 0;
-        for (var seed = 0; seed < 40; seed++)
+        for (var seed = 0; seed < 16; seed++)
         {
             var scene = RandomScene.Make(new Random(seed));
             var map = MapMaker.Make(scene, MapKind.Normal);
@@ -86,7 +86,7 @@ public class MapMakerTests
                     Assert.Equal(1, Math.Abs(n * expected), 1e-6);
                 }
         }
-        Assert.InRange(triangles, 1000, int.MaxValue);
+        Assert.InRange(triangles, 400, int.MaxValue);
     }
 
     [Fact]

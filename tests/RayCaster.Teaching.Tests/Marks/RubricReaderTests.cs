@@ -54,7 +54,7 @@ public sealed class RubricReaderTests : IDisposable
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["r-nosqr"] }] }""",
         "rubric.json(1,79): error: items[0].mistakes[0] must be the id of a known mistake, but is \"r-nosqr\"; did you mean \"r-nosq\"?")]
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "undone": ["spere"] }] }""",
-        "rubric.json(1,77): error: items[0].undone[0] must be one of plane, sphere, aabb, circle, triangle, attenuation, clipping, " +
+        "rubric.json(1,77): error: items[0].undone[0] must be one of plane, sphere, aabb, circle, triangle, mesh, attenuation, clipping, " +
             "but is \"spere\"; did you mean \"sphere\"?")]
     [InlineData("""{ "scenes": ["rom.json"], "items": [{ "name": "a", "points": 1 }] }""",
         "rubric.json(1,14): error: scenes[0] cannot be used: rom.json has errors")]

@@ -60,7 +60,7 @@ internal static class RubricSchema
         string[]? words = key switch
         {
             "mistakes" => [.. MistakeCatalog.All.Select(mistake => mistake.Id)],
-            "undone" => UndoneParts.Words,
+            "undone" => [.. Diagnosis.Parts],
             _ => null,
         };
         return words is null ? new() { ["type"] = "string" } : new() { ["enum"] = new JsonArray([.. words.Select(word => (JsonNode)word)]) };

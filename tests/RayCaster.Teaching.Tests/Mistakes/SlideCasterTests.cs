@@ -13,7 +13,7 @@ public class SlideCasterTests
     [MemberData(nameof(Scenes))]
     public void WithoutAMistakeItDrawsWhatTheLibraryDraws(string name)
     {
-        var scene = SceneFolder.Read(SceneFolder.FileOf(name));
+        var scene = SceneFolder.Small(name);
         var expected = SlideCaster.Render(scene, Mistake.None);
         var actual = ScalarRenderer.Render(scene);
         Assert.Equal((expected.Width, expected.Height), (actual.Width, actual.Height));

@@ -6,7 +6,7 @@ namespace RayCaster.Tests.Models;
 public class WatertightTests(ITestOutputHelper output)
 {
     private static readonly (string Name, Mesh Mesh)[] solids =
-        [("cube", Solids.Cube()), ("icosphere 80", Solids.Icosphere(1)), ("icosphere 1280", Solids.Icosphere(3))];
+        [("cube", Solids.Cube()), ("icosphere 80", Solids.Icosphere(1))];
 
     /// <summary>
     /// From inside a closed mesh every ray hits it. The textbook's two ways lose rays that are aimed at corners, since rounding
@@ -20,7 +20,7 @@ public class WatertightTests(ITestOutputHelper output)
         foreach (var (name, mesh) in solids)
         {
             var (rays, lost) = (0, new int[3]);
-            for (var i = 0; i < (mesh.TriangleCount > 1000 ? 2000 : 20_000); i++)
+            for (var i = 0; i < 4000; i++)
             {
                 var origin = Some.Point(random, 0.5);
                 var (a, b, c) = mesh[random.Next(mesh.TriangleCount)];
@@ -86,7 +86,7 @@ public class WatertightTests(ITestOutputHelper output)
     public void ACubeOfTrianglesCoversWhatTheBoxCovers(double x, double y, double z)
     {
         var up = x == 0 && y == 0 ? new Vector3(0, 1, 0) : new(0, 0, 1);
-        var camera = new Camera(new(x, y, z), default, up, fovY: 60, width: 128, height: 128);
+        var camera = new Camera(new(new(x, y, z), default) { Up = up, FovY = 60, Width = 128, Height = 128 });
         bool[] Covered(Model model) => [.. Pixels(camera).Select(pixel => Hits(camera, model, pixel))];
 
         var mesh = Covered(Solids.Cube());
@@ -106,7 +106,7 @@ public class WatertightTests(ITestOutputHelper output)
         Vector3[] targets = [new(1, 0, 0), new(-1, 0, 0), new(0, 1, 0), new(0, -1, 0), new(1, 1, 1), mesh[0].A, mesh[40].B];
         foreach (var target in targets)
         {
-            var camera = new Camera(default, target, up: new(0.1, 0.2, 1), fovY: 90, width: 48, height: 48);
+            var camera = new Camera(new(default, target) { Up = new(0.1, 0.2, 1), FovY = 90, Width = 24, Height = 24 });
             foreach (var pixel in Pixels(camera)) Assert.True(Hits(camera, mesh, pixel), $"a hole at {pixel}, looking at {target}");
         }
     }

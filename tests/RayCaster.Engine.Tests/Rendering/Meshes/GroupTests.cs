@@ -3,7 +3,7 @@ namespace RayCaster.Engine.Tests.Rendering.Meshes;
 /// <summary>What is found out about triangles that follow one another, several at once, is what is found out about each of them.</summary>
 public class GroupTests
 {
-    private static readonly Camera camera = new(new(5, 0.4, 0.3), Vector3.Zero, width: 640, height: 480);
+    private static readonly Camera camera = new(new(new(5, 0.4, 0.3), Vector3.Zero) { Width = 640, Height = 480 });
 
     /// <summary>Otherwise a tile's groups would be drawn with the far side of its other triangles.</summary>
     [Theory]

@@ -40,10 +40,18 @@ internal static class RandomMesh
             _ => (random.Next(2, 60), random.Next(2, 60)),
         };
         var zNear = random.Next(3) == 0 ? 4 * random.NextDouble() : random.Next(2) * 0.01;
-        var camera = new Camera(unit * position, unit * target, up, fovY, width, height,
-            unit * zNear, unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)),
-            random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
-            (Clip)random.Next(2), (Sample)random.Next(2));
+        var camera = new Camera(new(unit * position, unit * target)
+        {
+            Up = up,
+            FovY = fovY,
+            Width = width,
+            Height = height,
+            ZNear = unit * zNear,
+            ZFar = unit * (zNear + (random.Next(3) == 0 ? 3 : 1000)),
+            Bias = random.Next(3) switch { 0 => 0, 1 => 1e-6 * unit, _ => unit * random.NextDouble() },
+            Clip = (Clip)random.Next(2),
+            Sample = (Sample)random.Next(2),
+        });
         return (camera, new(Array.ConvertAll(mesh.Vertices, p => unit * p), mesh.Indices));
     }
 
