@@ -156,7 +156,8 @@ internal static class ColorMistakes
     ];
 
     /// <summary>Another colour, from the attenuated one and the model's own.</summary>
-    private static Action<Lab> Lit(Func<Color, Color, Color> of) => lab => lab.Lit.Becomes(lit => (attenuation, own) => of(lit(attenuation, own), own));
+    private static Action<Lab> Lit(Func<Color, Color, Color> of) => lab =>
+        lab.Lit.Becomes(lit => (attenuation, own) => of(lit(attenuation, own), own));
 
     /// <summary>Another attenuation, from t, |T − P| and the camera.</summary>
     private static Action<Lab> Fade(Func<double, double, Camera, double> attenuation) => lab =>

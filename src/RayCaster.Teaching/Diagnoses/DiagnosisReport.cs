@@ -98,7 +98,10 @@ public static class DiagnosisReport
             text.AppendLine();
             text.AppendLine("If not that, then, ever less likely:");
             foreach (var suspect in suspects.Skip(1))
-                text.AppendLine($"  {Names(suspect),-16} {(suspect.SamePicture ? "draws the same picture" : $"would leave {Rest(diagnosis, suspect)}")}");
+            {
+                var rest = suspect.SamePicture ? "draws the same picture" : $"would leave {Rest(diagnosis, suspect)}";
+                text.AppendLine($"  {Names(suspect),-16} {rest}");
+            }
         }
         AppendNotTried(text, diagnosis);
         if (level < HintLevel.Answer)
@@ -114,7 +117,8 @@ public static class DiagnosisReport
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
     public static string Json(
-        Diagnosis diagnosis, (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null) =>
+        Diagnosis diagnosis, (int Width, int Height)? picture = null, (int Width, int Height)? scene = null,
+        IReadOnlyList<Mistake>? hidden = null) =>
         JsonText.Of(new
         {
             Finding = diagnosis.Finding switch

@@ -45,7 +45,11 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
         var everySingle = Measured(Singles(Unfinished.Nothing, MayBeOtherSample ? [false, true] : [false]), rounds[0].Share);
         var singles = Best(everySingle, 1);
-        if (!MayBeOtherSample) singles = Sorted([.. singles, .. Best([.. singles.Where(IsNotCenter).Select(trial => trial with { OtherSample = true })])]);
+        if (!MayBeOtherSample)
+        {
+            var other = singles.Where(single => single.Id != center.Id).Select(single => single with { OtherSample = true });
+            singles = Sorted([.. singles, .. Best([.. other])]);
+        }
         singles = WithoutIdle(singles);
         // Beside a mistake that changes everything a missing shape counts for little, so it is looked for even where the mistake explains most.
         var beside = Best(
@@ -73,8 +77,6 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// just with the nearest.</summary>
     private bool MayBeOtherSample { get; } =
         evidence.Misfit(new Lab(scene, center), 0.05).Unexplained < 0.9 * evidence.WrongCount;
-
-    private static bool IsNotCenter(WrongProgram single) => single.Id != center.Id;
 
     private bool IsDone(List<WrongProgram> all) => all.Exists(trial => trial.Misfit.Unexplained <= Explained * Wrong);
 

@@ -59,7 +59,7 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
 
     /// <summary>
     /// The ways in which just those kinds are missing whose colours the picture does not show. A colour says what is drawn, wherever it is
-    /// drawn; kinds that have no colour of their own may be there or not.
+    /// drawn; kinds that have no colour of their own may be there or not. Clipping may be missing by itself.
     /// </summary>
     /// <param name="scene">The scene.</param>
     /// <param name="right">Its picture: what is not seen there cannot be missed.</param>
