@@ -73,22 +73,19 @@ internal static class PixelMistakes
         ];
         foreach (var (ofUc, ofUr, step, start) in slips)
         {
-            yield return ($"uc = {ofUc}, ur = {ofUr}", lab =>
-            {
-                MixUc(lab, step, start);
-                MixUr(lab, step, start);
-            });
-            yield return ($"only uc = {ofUc}", lab => MixUc(lab, step, start));
-            yield return ($"only ur = {ofUr}", lab => MixUr(lab, step, start));
+            var (mixUc, mixUr) = (MixUc(step, start), MixUr(step, start));
+            yield return ($"uc = {ofUc}, ur = {ofUr}", mixUc + mixUr);
+            yield return ($"only uc = {ofUc}", mixUc);
+            yield return ($"only ur = {ofUr}", mixUr);
         }
     }
 
     /// <summary>uc = w c / width − w / 2 with powers of width / height as factors of both parts.</summary>
-    private static void MixUc(Lab lab, int step, int start) => lab.Uc.Becomes(uc => c =>
+    private static Action<Lab> MixUc(int step, int start) => lab => lab.Uc.Becomes(uc => c =>
         Math.Pow(lab.Wide, step) * (uc(c) - uc(0)) + Math.Pow(lab.Wide, start) * uc(0));
 
     /// <summary>ur = h r / height − h / 2 with powers of height / width as factors of both parts.</summary>
-    private static void MixUr(Lab lab, int step, int start) => lab.Ur.Becomes(ur => r =>
+    private static Action<Lab> MixUr(int step, int start) => lab => lab.Ur.Becomes(ur => r =>
         Math.Pow(lab.Tall, step) * (ur(r) - ur(0)) + Math.Pow(lab.Tall, start) * ur(0));
 
     /// <summary>Half a pixel farther or nearer than the scene says; 1 is from the corner to the centre, or from the centre to the corner.</summary>

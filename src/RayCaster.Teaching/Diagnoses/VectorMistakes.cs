@@ -194,15 +194,17 @@ internal static class VectorMistakes
                 _ => n with { Z = component(a, b) },
             };
             if (what != first) yield return ($"the cross product's {axis} is {what}", lab => MistakeCross(lab, Other));
-            yield return ($"the cross product's {axis} is {what}, and triangles take only n from it", lab =>
-            {
-                lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b)));
-                lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside, sides: (a, b) => a % b));
-                lab.TrianglesReachOut = true;
-            });
-            yield return ($"the cross product's {axis} is {what}, but triangles do without it",
-                lab => lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b))));
+            Action<Lab> inCamera = lab => lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b)));
+            yield return ($"the cross product's {axis} is {what}, and triangles take only n from it", inCamera + TakeOnlyNormals);
+            yield return ($"the cross product's {axis} is {what}, but triangles do without it", inCamera);
         }
+    }
+
+    /// <summary>The triangle's n is the lab's cross product; u and v do without it.</summary>
+    private static void TakeOnlyNormals(Lab lab)
+    {
+        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside, sides: (a, b) => a % b));
+        lab.TrianglesReachOut = true;
     }
 
     /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
