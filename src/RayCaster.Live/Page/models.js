@@ -12,10 +12,7 @@ on("scene", message => {
   if (!scene.models) return;
   if (isOther) build();
   scene.models.forEach((model, i) => $(`model-${i}`).querySelector(".swatch").style.background = model.color);
-  ask({ ledger: true });
 });
-
-on("camera", () => ask({ ledger: true }));
 
 on("ledger", ledger => {
   ledger.models.forEach((entry, i) => {
@@ -62,7 +59,6 @@ function hide(i, button) {
   if (!hidden.delete(i)) hidden.add(i);
   button.setAttribute("aria-pressed", hidden.has(i));
   ask({ hidden: [...hidden].sort((a, b) => a - b) });
-  ask({ ledger: true });
 }
 
 /** Looks at one model in one way, or no longer if it is looked at like that. */
@@ -71,6 +67,5 @@ function look(how, i) {
   looked = isSame ? ["plain", -1] : [how, i];
   document.querySelectorAll("#model-list button[id$=-lit], #model-list button[id$=-behind]").forEach(button =>
     button.setAttribute("aria-pressed", button.id === `model-${looked[1]}-${looked[0]}`));
-  show($("ledger"), true);
   ask({ look: looked });
 }

@@ -8,35 +8,31 @@ using System.Text.RegularExpressions;
 
 namespace RayCaster.Live;
 
-/// <summary>A compiler's message.</summary>
-/// <param name="File">Its file, from the root of the file system.</param>
-/// <param name="Line">Its line, from 1.</param>
-/// <param name="Column">Its column, from 1.</param>
-/// <param name="Message">What is wrong.</param>
-internal sealed record CodeError(string File, int Line, int Column, string Message);
-
 /// <summary>
-/// The line to "dotnet watch", over which that program sends the compiler's errors to its own script in web pages. The script would break this page's
-/// rule that only its own scripts run, so the server listens here instead.
+/// The connection to "dotnet watch", which sends the compiler's errors to a script of its own in web pages. The page's Content-Security-Policy
+/// forbids that script, so the server connects in its place. Everything here does nothing without "dotnet watch".
 /// </summary>
-internal static partial class WatchLine
+internal static partial class DotnetWatch
 {
     private static readonly string? address = Environment.GetEnvironmentVariable("ASPNETCORE_AUTO_RELOAD_WS_ENDPOINT")?.Split(',')[0];
     private static readonly string? key = Environment.GetEnvironmentVariable("ASPNETCORE_AUTO_RELOAD_WS_KEY");
 
     /// <summary>
-    /// 16 bytes that stay the same while "dotnet watch" starts this program again and again, so that an open page finds the new one: from a key that
-    /// only the processes of this "dotnet watch" know. Null without "dotnet watch".
+    /// 16 bytes that stay the same after each restart by the same "dotnet watch", so that an open page finds the program again. They come from
+    /// a key that only the processes of this "dotnet watch" know.
     /// </summary>
     public static byte[]? Secret { get; } = key is null ? null : SHA256.HashData(Encoding.UTF8.GetBytes(key))[..16];
 
-    /// <summary>Whether "dotnet watch" has started this program before: a page is open already.</summary>
+    /// <summary>A port from 49152 to 65535 that stays the same after a restart.</summary>
+    public static int? Port => Secret is [var high, var low, ..] ? 49152 + (high << 8 | low) % 16384 : null;
+
+    /// <summary>Whether "dotnet watch" has started this program before, so that a page is open already.</summary>
     public static bool IsRestart => int.TryParse(Environment.GetEnvironmentVariable("DOTNET_WATCH_ITERATION"), out var count) && count > 1;
 
-    /// <summary>Reports the compiler's errors whenever they change, none when the code compiles again. Ends at once without "dotnet watch".</summary>
+    /// <summary>Reports the compiler's errors after each build that fails, and an empty list when the code compiles again.</summary>
     /// <param name="report">Takes the errors.</param>
-    /// <param name="cancellation">Ends it.</param>
-    public static async Task FollowAsync(Action<IReadOnlyList<CodeError>> report, CancellationToken cancellation)
+    /// <param name="cancellation">Ends the connection.</param>
+    public static async Task FollowAsync(Action<IReadOnlyList<Problem>> report, CancellationToken cancellation)
     {
         if (address is null || key is null) return;
         try
@@ -45,7 +41,7 @@ internal static partial class WatchLine
             socket.Options.SetRequestHeader("Origin", "http://localhost");
             socket.Options.AddSubProtocol(WebUtility.UrlEncode(Convert.ToBase64String(Encrypted(key))));
             await socket.ConnectAsync(new(address), cancellation);
-            var (buffer, filled, last) = (new byte[1 << 20], 0, "");
+            var (buffer, filled) = (new byte[1 << 20], 0);
             while (socket.State == WebSocketState.Open)
             {
                 var part = await socket.ReceiveAsync(buffer.AsMemory(filled), cancellation);
@@ -53,26 +49,26 @@ internal static partial class WatchLine
                 if (!part.EndOfMessage && filled < buffer.Length) continue;
                 var text = Encoding.UTF8.GetString(buffer.AsSpan(0, filled));
                 filled = 0;
-                if (text == last || Parse(text) is not { } errors) continue;
-                last = text;
-                report(errors);
+                if (Parse(text) is { } errors) report(errors);
             }
         }
-        catch (Exception e) when (e is WebSocketException or OperationCanceledException or JsonException or CryptographicException or FormatException)
+        catch (Exception e) when (
+            e is WebSocketException or OperationCanceledException or JsonException or CryptographicException or FormatException)
         {
-            // The watch has ended, or another SDK speaks otherwise: the terminal shows the errors as well.
+            // "dotnet watch" has ended, or another SDK uses another protocol. The terminal shows the errors in any case.
         }
     }
 
-    /// <summary>The errors of one message; null if it tells something else. Lines in it that are no compiler's messages are left out.</summary>
-    public static IReadOnlyList<CodeError>? Parse(string message)
+    /// <summary>The errors of one message, without lines of other forms; null if the message is of another type.</summary>
+    public static IReadOnlyList<Problem>? Parse(string message)
     {
-        var root = JsonDocument.Parse(message).RootElement;
+        using var document = JsonDocument.Parse(message);
+        var root = document.RootElement;
         return root.TryGetProperty("type", out var type) && type.ValueEquals("ReportDiagnostics")
             ? [.. from line in root.GetProperty("diagnostics").EnumerateArray()
-                  let match = Form().Match(line.GetString()!)
+                  let match = CompilerError().Match(line.GetString()!)
                   where match.Success
-                  select new CodeError(match.Groups[1].Value, Number(match, 2), Number(match, 3), match.Groups[4].Value)]
+                  select new Problem(true, match.Groups[1].Value, Number(match, 2), Number(match, 3), "", match.Groups[4].Value, "")]
             : null;
     }
 
@@ -80,9 +76,9 @@ internal static partial class WatchLine
 
     /// <summary>"file(line,column): error CS1002: ; expected".</summary>
     [GeneratedRegex(@"^(.+)\((\d{1,9}),(\d{1,9})\): (?:error|warning) (.+)$", RegexOptions.Singleline)]
-    private static partial Regex Form();
+    private static partial Regex CompilerError();
 
-    /// <summary>A secret that "dotnet watch" wants of whoever connects, and of which it then makes no use here.</summary>
+    /// <summary>The random bytes that "dotnet watch" demands of each connection; only its own script uses them later.</summary>
     private static byte[] Encrypted(string key)
     {
         using var rsa = RSA.Create();
