@@ -40,7 +40,7 @@ internal static class Messages
             ShownHeight = height,
             Models = state.Scene?.Models.Take(MostModels).Select((model, i) => new
             {
-                Name = NameOf(state.Scene, i),
+                Name = NameOf(model, i),
                 Type = model.Kind,
                 Color = Hex(model.Color.ToBytes()),
             }),
@@ -77,7 +77,7 @@ internal static class Messages
             Column = column,
             Line = line,
             Row = scene.Camera.Height - 1 - line,
-            Model = ray.HitModel is { } hit ? NameOf(scene, scene.Models.TakeWhile(model => model != hit).Count()) : "the background",
+            Model = ray.HitModel is { } hit ? NameOf(hit, scene.Models.TakeWhile(model => model != hit).Count()) : "the background",
             T = ray.HitParameter,
             Depth = ray.HitParameter * -(ray.Direction * scene.Camera.W),
             Bytes = (int[])[r, g, b],
@@ -108,6 +108,9 @@ internal static class Messages
         Report = ledger.Report(),
     });
 
+    /// <summary>A model's name, or without one its place in the scene file.</summary>
+    public static string NameOf(Model model, int index) => model.Name is { Length: > 0 } name ? name : $"models[{index}]";
+
     /// <summary>A colour for a style sheet: "#rrggbb".</summary>
     public static string Hex((byte R, byte G, byte B) color) => $"#{color.R:x2}{color.G:x2}{color.B:x2}";
 
@@ -125,8 +128,6 @@ internal static class Messages
     /// <summary>A link that opens VS Code at a place.</summary>
     private static string LinkTo(string file, int line, int column) =>
         $"vscode://file/{Uri.EscapeDataString(file.Replace('\\', '/').TrimStart('/')).Replace("%2F", "/")}{(line > 0 ? $":{line}:{column}" : "")}";
-
-    private static string NameOf(Scene scene, int model) => scene.Models[model].Name is { Length: > 0 } name ? name : $"models[{model}]";
 
     private static string InWords(Outcome outcome) => outcome switch
     {

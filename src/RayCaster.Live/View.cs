@@ -16,8 +16,6 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidde
     /// <summary>The longest side of a canvas that every browser shows.</summary>
     private const int MostSide = 8000;
 
-    private static readonly Mesh nothing = new([], []);
-
     /// <summary>The last selection of each scene's models: the renderer keeps what it knows of a list of models by that list's identity.</summary>
     private static readonly ConditionalWeakTable<IReadOnlyList<Model>, Selection> selections = [];
 
@@ -43,7 +41,7 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidde
         var models = all.ToArray();
         foreach (var index in Hidden.Split(',').Select(int.Parse))
             if (index < models.Length)
-                models[index] = nothing;
+                models[index] = new Mesh([], []) { Name = $"{Messages.NameOf(all[index], index)} (hidden)" };
         selections.AddOrUpdate(all, new(Hidden, models));
         return models;
     }
