@@ -32,15 +32,18 @@ public sealed class Chromium : IAsyncLifetime
         browser = await playwright.Chromium.LaunchAsync(new() { ExecutablePath = BrowserFactAttribute.Path, Args = flags });
     }
 
-    /// <summary>Opens the page, and waits for its first picture. What the page says to the console is noted.</summary>
-    internal async Task<(IPage Page, List<string> Complaints)> OpenAsync(LivePage live, BrowserNewPageOptions? options = null)
+    internal Task<(IPage Page, List<string> Complaints)> OpenAsync(LivePage live, BrowserNewPageOptions? options = null) =>
+        OpenAsync(live.Server.Address, options);
+
+    /// <summary>Opens the page and waits for its first picture. The list takes what the page writes to the console, and its errors.</summary>
+    internal async Task<(IPage Page, List<string> Complaints)> OpenAsync(string address, BrowserNewPageOptions? options = null)
     {
         var page = await browser!.NewPageAsync(options ?? new() { ViewportSize = new() { Width = 1300, Height = 900 } });
         var complaints = new List<string>();
         page.Console += (_, message) => complaints.Add(message.Text);
         page.PageError += (_, error) => complaints.Add(error);
         page.SetDefaultTimeout(60_000);
-        await page.GotoAsync(live.Server.Address);
+        await page.GotoAsync(address);
         await page.WaitForSelectorAsync("#picture[data-final=true]");
         return (page, complaints);
     }
