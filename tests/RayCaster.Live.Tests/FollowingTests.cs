@@ -84,7 +84,7 @@ public class FollowingTests
     public async Task TwentyPagesSeeTheSamePicture()
     {
         await using var page = await LivePage.OpenAsync();
-        for (var i = 0; i < 19; i++) await page.ConnectAsync(); // those before stay open and say nothing
+        for (var i = 0; i < 19; i++) await page.ConnectAsync(); // each stays open and confirms no frame
         await page.ConnectAsync();
         (await page.FrameAsync()).IsThatOf(page.Scene);
     }
