@@ -1,13 +1,12 @@
 namespace RayCaster.Live;
 
 /// <summary>The comparison of the user's own picture with the scene's, in words and in pictures.</summary>
-/// <param name="Version">The version of the user's picture.</param>
 /// <param name="Name">The picture's name; null if there is no picture.</param>
 /// <param name="Problem">Why it cannot be compared; null if it can.</param>
 /// <param name="Result">The comparison; null if there is none.</param>
 /// <param name="Scene">The scene that it should show.</param>
 /// <param name="SceneName">The scene's name.</param>
-internal sealed record Comparison(int Version, string? Name, string? Problem, PictureComparison? Result, Scene? Scene, string SceneName)
+internal sealed record Comparison(string? Name, string? Problem, PictureComparison? Result, Scene? Scene, string SceneName)
 {
     private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds
     private Task<Diagnosis>? diagnosis;
@@ -31,7 +30,7 @@ internal sealed record Comparison(int Version, string? Name, string? Problem, Pi
         if (Result?.Difference is not { } difference) yield break;
         yield return (Layer.Mine, Frame.Of(Result.Mine));
         yield return (Layer.Difference, Frame.Of(SideBySide.Heat(difference)));
-        yield return (Layer.ByObject, Frame.Of(WrongArea.ByObject(Scene!, Result)));
+        yield return (Layer.ByObject, Frame.Of(WrongArea.ByObject(Result)));
     }
 
     /// <summary>Names the mistake that may have made the picture.</summary>

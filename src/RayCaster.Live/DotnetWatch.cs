@@ -41,15 +41,10 @@ internal static partial class DotnetWatch
             socket.Options.SetRequestHeader("Origin", "http://localhost");
             socket.Options.AddSubProtocol(WebUtility.UrlEncode(Convert.ToBase64String(Encrypted(key))));
             await socket.ConnectAsync(new(address), cancellation);
-            var (buffer, filled) = (new byte[1 << 20], 0);
             while (socket.State == WebSocketState.Open)
             {
-                var part = await socket.ReceiveAsync(buffer.AsMemory(filled), cancellation);
-                filled += part.Count;
-                if (!part.EndOfMessage && filled < buffer.Length) continue;
-                var text = Encoding.UTF8.GetString(buffer.AsSpan(0, filled));
-                filled = 0;
-                if (Parse(text) is { } errors) report(errors);
+                using var message = new StreamReader(WebSocketStream.CreateReadableMessageStream(socket));
+                if (Parse(await message.ReadToEndAsync(cancellation)) is { } errors) report(errors);
             }
         }
         catch (Exception e) when (

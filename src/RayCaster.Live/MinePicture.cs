@@ -11,7 +11,7 @@ internal sealed class MinePicture : IDisposable
     private readonly CancellationTokenSource end = new();
     private readonly string? path;
     private (int Version, string? Name, Picture? Picture, string? Problem) now;
-    private (SceneState? State, Comparison? Comparison) last;
+    private (SceneState? State, int Version, Task<Comparison>? Comparison) last;
 
     /// <param name="path">The file to watch; null for none.</param>
     public MinePicture(string? path)
@@ -56,27 +56,30 @@ internal sealed class MinePicture : IDisposable
     }
 
     /// <summary>Compares with a scene's picture, once for all pages.</summary>
-    public async Task<Comparison> CompareAsync(LiveScene live, SceneState state, Studio studio, CancellationToken cancellation)
+    public Task<Comparison> CompareAsync(LiveScene live, SceneState state, Studio studio)
     {
-        var (version, name, picture, problem) = now;
         lock (gate)
-            if (ReferenceEquals(last.State, state) && last.Comparison?.Version == version) return last.Comparison;
-        var comparison = new Comparison(version, name, problem, null, state.Scene, live.Path);
-        if (picture is not null && View.SizeOf(state.Scene!.Camera) != (state.Scene.Camera.Width, state.Scene.Camera.Height))
-            comparison = comparison with { Problem = $"the page compares at most {View.MostPixels:N0} pixels; use \"raycaster compare\"" };
-        else if (picture is not null)
-            comparison = comparison with
-            {
-                Result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(state.Scene!), state.Scene), cancellation),
-            };
-        lock (gate) last = (state, comparison);
-        return comparison;
+        {
+            var (version, name, picture, problem) = now;
+            if (!ReferenceEquals(last.State, state) || last.Version != version)
+                last = (state, version, Task.Run(() => CompareAsync(new(name, problem, null, state.Scene, live.Path), picture, studio)));
+            return last.Comparison!;
+        }
     }
 
     public void Dispose()
     {
         end.Cancel();
         watch.Dispose();
+    }
+
+    private async Task<Comparison> CompareAsync(Comparison comparison, Picture? picture, Studio studio)
+    {
+        if (picture is null || comparison.Scene is not { } scene) return comparison;
+        if (View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height))
+            return comparison with { Problem = $"the page compares at most {View.MostPixels:N0} pixels; use \"raycaster compare\"" };
+        var result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(scene), scene), end.Token);
+        return comparison with { Result = result };
     }
 
     private static (Picture? Picture, string? Problem) Read(string path)

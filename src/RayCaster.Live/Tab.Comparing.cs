@@ -31,7 +31,7 @@ internal sealed partial class Tab
             if (!wantsComparison) return;
             (wantsComparison, wantsDiagnosis, level, diagnoses) = (false, false, hint, wantsDiagnosis);
         }
-        var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio, end.Token);
+        var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio).WaitAsync(end.Token);
         if (!ReferenceEquals(comparison, compared))
         {
             compared = comparison;

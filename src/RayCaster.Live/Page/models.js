@@ -19,7 +19,7 @@ on("ledger", ledger => {
     const cell = $(`model-${i}-rays`);
     if (!cell) return;
     const share = entry.shows / Math.max(1, ledger.rays) * 100;
-    cell.textContent = hidden.has(i) ? "hidden" : entry.shows > 0 ? `${share < 0.1 ? "< 0.1" : share.toFixed(1)} %` : entry.reason;
+    cell.textContent = hidden.has(i) ? "hidden" : entry.shows > 0 ? `${share < 0.1 ? "<\u00a00.1" : share.toFixed(1)}\u00a0%` : entry.reason;
     $(`model-${i}`).classList.toggle("unseen", entry.shows === 0);
   });
   $("ledger-report").textContent = ledger.report;
@@ -63,6 +63,7 @@ function toggle(i, name, text, label, press) {
 function hide(i, button) {
   if (!hidden.delete(i)) hidden.add(i);
   button.setAttribute("aria-pressed", hidden.has(i));
+  $(`model-${i}-rays`).textContent = hidden.has(i) ? "hidden" : "…";
   ask({ hidden: [...hidden].sort((a, b) => a - b) });
 }
 
