@@ -103,6 +103,15 @@ public sealed class FaultTests : IDisposable
     }
 
     [Fact]
+    public void ADiagnosisWithTooLittleMemoryIsTold()
+    {
+        if (OperatingSystem.IsWindows()) return; // no sh there
+        raycaster.Run(Room, "-q");
+        raycaster.RunInShell($"export DOTNET_GCHeapHardLimit={4 << 20:x}; raycaster diagnose '{Room}' room.png");
+        Assert.Equal((2, "raycaster: there is not enough memory\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
     public void AKilledRunLeavesTheOldPictureAndTheNextOneTidiesUp()
     {
         raycaster.Write("room.png", Old);
