@@ -20,9 +20,10 @@ internal static class PictureOutput
     /// <param name="output">The file, or "-".</param>
     /// <param name="cancellation">Keeps the file from being put in the place of the old one.</param>
     /// <param name="write">Writes the picture.</param>
+    /// <param name="found">What killed runs have left in the file's folder; null: it is listed.</param>
     /// <exception cref="ProblemException">Nobody takes the picture, or it would replace a file that was read.</exception>
     /// <exception cref="PictureFileException">The file does not do.</exception>
-    public static void Write(string output, CancellationToken cancellation, Action<Stream> write)
+    public static void Write(string output, CancellationToken cancellation, Action<Stream> write, TemporaryFileList? found = null)
     {
         if (output == SceneInput.Standard)
         {
@@ -30,14 +31,14 @@ internal static class PictureOutput
             return;
         }
         InputFiles.Keep(output);
-        using var file = new ReplacedFile(output);
+        using var file = new ReplacedFile(output, found);
         write(file);
         cancellation.ThrowIfCancellationRequested();
         file.Commit();
     }
 
     /// <summary>Writes a picture that is there already.</summary>
-    /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream})"/>
+    /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream}, TemporaryFileList?)"/>
     public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
         Write(output, cancellation, stream =>
     {
@@ -55,17 +56,18 @@ internal static class PictureOutput
     /// <param name="showProgress">Whether to tell on the terminal how far it is.</param>
     /// <param name="cancellation">Stops the work.</param>
     /// <param name="watch">Sees the lines too, from the first to the last, and again from the first if the picture is drawn anew.</param>
+    /// <param name="found">What killed runs have left in the file's folder; null: it is listed.</param>
     public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
-        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null)
+        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null, TemporaryFileList? found = null)
     {
         if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // what is written there cannot be taken back
         try
         {
-            Write(output, cancellation, WriteOnce);
+            Write(output, cancellation, WriteOnce, found);
         }
         catch (FastWayDisagreesException)
         {
-            Write(output, cancellation, WriteOnce); // the file was not put in place yet
+            Write(output, cancellation, WriteOnce, found); // the file was not put in place yet
         }
 
         void WriteOnce(Stream stream)

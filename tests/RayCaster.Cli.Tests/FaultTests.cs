@@ -130,6 +130,20 @@ public sealed class FaultTests : IDisposable
     }
 
     [Fact]
+    public void AKilledFilmIsTidiedByTheNextRun()
+    {
+        using (var process = raycaster.Start("orbit", Room, "--frames", "2", "--size", "20000x20000"))
+        {
+            WaitForTemporaryFile(process);
+            process.Kill();
+            process.WaitForExit();
+        }
+        Assert.Matches(@"^room-0000\.png\.[0-9a-f]{8}\.tmp$", Assert.Single(raycaster.Files));
+        raycaster.Run("orbit", Room, "--frames", "2", "-s", "9x9");
+        Assert.Equal(["room-0000.png", "room-0001.png"], raycaster.Files);
+    }
+
+    [Fact]
     public void ARunDoesNotDisturbAnotherThatWritesTheSamePicture()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there
