@@ -152,6 +152,15 @@ public sealed class MarkTests : IDisposable
     }
 
     [Fact]
+    public void AVariedSceneGoesToStandardOutputWhenAsked()
+    {
+        var scene = ProjectFolder.PathOf("scenes/weeks/1-planes.json");
+        raycaster.Run("vary", scene, "--seed", "12345", "-o", "mine.json").Run("vary", scene, "--seed", "12345", "-q", "-o", "-");
+        Assert.Equal(File.ReadAllText(raycaster.PathOf("mine.json")), raycaster.OutputText);
+        Assert.Equal(["mine.json"], raycaster.Files);
+    }
+
+    [Fact]
     public void HelpGroupsTheCommands()
     {
         raycaster.Run("help");
