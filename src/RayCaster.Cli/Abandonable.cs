@@ -2,14 +2,14 @@ using System.Runtime.ExceptionServices;
 
 namespace RayCaster.Cli;
 
-/// <summary>Work that need not come to its end: whatever it waits for or computes, who cancels it waits no longer than a moment.</summary>
+/// <summary>Work that can be left unfinished: after a cancellation, the caller waits only a moment for it.</summary>
 internal static class Abandonable
 {
     private const int Glance = 50, Moment = 200; // milliseconds
 
-    /// <summary>Does the work on a thread of its own; the first use of the thread pool would take three milliseconds of each run.</summary>
-    /// <exception cref="OperationCanceledException">It is cancelled. Work that does not end within a moment goes on, and nobody hears what comes
-    /// of it.</exception>
+    /// <summary>Does the work on its own thread. The first use of the thread pool would cost each run some milliseconds.</summary>
+    /// <exception cref="OperationCanceledException">It was cancelled. Work that does not end within a moment continues, and its result is
+    /// ignored.</exception>
     public static T Run<T>(Func<T> work, CancellationToken cancellation)
     {
         var (result, failure) = (default(T), default(Exception));

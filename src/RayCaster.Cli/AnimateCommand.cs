@@ -25,8 +25,8 @@ internal sealed class AnimateCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The command line does not do.</exception>
-    /// <exception cref="PictureFileException">A frame cannot be read, or the animation not be written.</exception>
+    /// <exception cref="ProblemException">The command line has a mistake.</exception>
+    /// <exception cref="PictureFileException">A frame cannot be read, or the animation cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var output = OutputOf(line, "animate");
@@ -50,7 +50,7 @@ internal sealed class AnimateCommand : Command
         return output;
     }
 
-    /// <summary>The frames, without the output that an earlier run may have left among them.</summary>
+    /// <summary>The frames, without the output file of an earlier run.</summary>
     public static List<string> FramesOf(CommandLine line, string output)
     {
         var frames = InputFiles.Of(line.Operands, out var chosen);

@@ -1,16 +1,16 @@
 namespace RayCaster.Cli;
 
-/// <summary>Says what is wrong with scene files, and what they are fit for as tests.</summary>
+/// <summary>Finds errors in scene files, and mistakes that their pictures cannot show.</summary>
 internal sealed class CheckCommand : Command
 {
     public override Option[] Options { get; } = [Option.For, Option.Require, Option.Json, Option.Threads, Option.Quiet];
 
     public override string Help => """
         Description:
-          Finds the errors of scene files without casting a ray, and then says what the scenes are
-          fit for as tests: which mistakes of a ray caster their pictures cannot show, which they
-          cannot tell apart, how many pixels depend on the last bits, and what to change. Several
-          scenes are judged as a set.
+          Finds errors in scene files without casting a ray. Then says how good the scenes are as
+          tests: which mistakes of a ray caster their pictures cannot show or cannot tell apart,
+          how many pixels depend on the last bits, and what to change. Several scenes are judged
+          as a set.
 
         Usage:
           raycaster check <scene>... [options]
@@ -19,10 +19,10 @@ internal sealed class CheckCommand : Command
           <scene>  A scene file; "-" reads it from standard input.
 
         Options:
-              --for <shapes>   Speaks only of what a program makes wrong that draws these: plane,
-                               sphere, aabb, circle, triangle, mesh, joined by commas.
-              --require <ids>  These mistakes must show, as rows,bgr: if one does not, the exit
-                               code is 1.
+              --for <shapes>   Only mistakes of programs that draw just these shapes, for example
+                               plane,sphere. The shapes: plane, sphere, aabb, circle, triangle, mesh.
+              --require <ids>  Mistakes that must show, for example rows,bgr: if one does not, the
+                               exit code is 1.
               --json           The answer as JSON.
           -q, --quiet          Errors and warnings only.
           -t, --threads <n>    How many threads draw. [default: one per core]
@@ -32,7 +32,7 @@ internal sealed class CheckCommand : Command
           dotnet run --project src/RayCaster.Cli -- check scenes/mistakes/*.json
 
         Exit codes:
-          0 no error, 1 a scene has errors or does not show what is required, 2 could not read one.
+          0 no error, 1 a scene has errors or does not show a required mistake, 2 failed.
 
         """;
 
@@ -71,7 +71,7 @@ internal sealed class CheckCommand : Command
         return ExitCode.No;
     }
 
-    /// <summary>What a program can make wrong that draws some shapes only; all without a word.</summary>
+    /// <summary>The mistakes that a program can have if it draws only these shapes; all mistakes if the option is missing.</summary>
     private static Mistake[] Asked(string? shapes)
     {
         if (shapes is null) return [.. MistakeCatalog.All];

@@ -1,21 +1,21 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Draws the fast way; where the course's library was changed, as long as that agrees with the definition. Once it does not, or from the start
-/// with <c>--plain</c>, the definition draws.
+/// Draws with the engine. If the course's library was changed, compares some pixels with the definition, and draws by the definition as soon as
+/// one differs. With <c>--plain</c>, draws by the definition from the start.
 /// </summary>
-/// <param name="scene">What to draw.</param>
+/// <param name="scene">The scene.</param>
 /// <param name="threads">How many threads cast rays; null for one per core.</param>
 /// <param name="plain">Whether the definition draws from the start.</param>
 internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
 {
-    /// <summary>The definition draws a picture of up to so many pixels in one call, as it is written; a larger one in strips, which need less
+    /// <summary>The definition draws a picture of up to so many pixels in one call. It draws a larger one in strips, which need less
     /// memory.</summary>
     private const long PixelsAtOnce = 1 << 22;
 
     private bool isByDefinition = plain;
 
-    /// <summary>What to draw.</summary>
+    /// <summary>The scene.</summary>
     public Scene Scene => scene;
 
     /// <summary>Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</summary>
@@ -23,11 +23,11 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
 
     /// <summary>Draws lines of the picture.</summary>
     /// <param name="lines">Which lines.</param>
-    /// <param name="write">Takes whole lines in order.</param>
-    /// <param name="linesDone">Told how many more lines have been cast, from any thread.</param>
+    /// <param name="write">Gets whole lines, in order.</param>
+    /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
     /// <param name="cancellation">Stops the work.</param>
-    /// <exception cref="FastWayDisagreesException">All lines were taken, but some are not as the definition says. A message was shown; called
-    /// again, this draws by the definition.</exception>
+    /// <exception cref="FastWayDisagreesException">All lines were drawn, but some differ from the definition. A message was shown; the next call
+    /// draws by the definition.</exception>
     public void Draw(LineRange lines, WriteLines write, Action<int>? linesDone, CancellationToken cancellation)
     {
         if (isByDefinition) DrawByDefinition(lines, write, linesDone, cancellation);
@@ -35,7 +35,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
         else new Renderer(scene, threads) { ManyFrames = ManyFrames }.Draw(lines, write.Invoke, linesDone, cancellation);
     }
 
-    /// <summary>Compares before anything is written.</summary>
+    /// <summary>Compares with the definition before any line is written.</summary>
     public void CheckInAdvance(LineRange lines, CancellationToken cancellation)
     {
         if (isByDefinition || !ScalarRenderer.IsChanged) return;
@@ -45,7 +45,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
         }
         catch (FastWayDisagreesException)
         {
-            // The message is shown, and the definition draws from now on.
+            // The message was shown; from now on, the definition draws.
         }
     }
 
@@ -79,8 +79,8 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
     }
 }
 
-/// <summary>Takes whole lines of red, green and blue bytes.</summary>
+/// <summary>Receives whole lines of red, green and blue bytes.</summary>
 internal delegate void WriteLines(ReadOnlySpan<byte> rgb);
 
-/// <summary>What was drawn is not the definition's picture and must not be kept.</summary>
+/// <summary>The lines that were drawn are not the definition's and must not be kept.</summary>
 internal sealed class FastWayDisagreesException : Exception;

@@ -1,26 +1,26 @@
 namespace RayCaster.Cli;
 
-/// <summary>Which colours a terminal shows.</summary>
+/// <summary>The colours that a terminal can show.</summary>
 internal enum ColorDepth
 {
     /// <summary>None: plain characters and no escape codes.</summary>
     None,
 
-    /// <summary>The 256 of xterm.</summary>
+    /// <summary>xterm's 256 colours.</summary>
     Palette,
 
-    /// <summary>24 bits.</summary>
+    /// <summary>24-bit colours.</summary>
     Full,
 }
 
-/// <summary>Finds out which colours to use.</summary>
+/// <summary>Decides which colours to use.</summary>
 internal static class ColorDepths
 {
-    /// <summary>--color comes before NO_COLOR, that before FORCE_COLOR, that before what standard output is.</summary>
-    /// <param name="when">What --color says: auto, always or never; null if it is not given.</param>
+    /// <summary>The first of these that is set decides: --color, NO_COLOR, FORCE_COLOR, the kind of standard output.</summary>
+    /// <param name="when">The value of --color: auto, always or never; null if it is not given.</param>
     /// <param name="isRedirected">Whether standard output is no terminal.</param>
-    /// <param name="variable">Gives the environment's variables; an empty one counts as not set.</param>
-    /// <exception cref="ProblemException">--color says something else.</exception>
+    /// <param name="variable">Reads an environment variable; an empty one counts as not set.</param>
+    /// <exception cref="ProblemException">--color has another value.</exception>
     public static ColorDepth Choose(string? when, bool isRedirected, Func<string, string?> variable)
     {
         var isWanted = when switch

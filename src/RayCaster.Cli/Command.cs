@@ -1,15 +1,16 @@
 namespace RayCaster.Cli;
 
-/// <summary>Something that the console app can be asked for.</summary>
+/// <summary>A command of the console app.</summary>
 internal abstract class Command
 {
-    /// <summary>The words that name a command; without one of them a scene is drawn.</summary>
+    /// <summary>The names of commands. Without one of them, the app draws a scene.</summary>
     public static readonly string[] Names =
-        ["check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "handout", "mark", "vary", "live", "help"];
+        ["draw", "check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "handout", "mark", "vary", "live", "help"];
 
-    /// <summary>The command of a name; null if there is none.</summary>
+    /// <summary>The command with a name; null if there is none.</summary>
     public static Command? Named(string name) => name switch
     {
+        "draw" => new DrawCommand(),
         "check" => new CheckCommand(),
         "compare" => new CompareCommand(),
         "diagnose" => new DiagnoseCommand(),
@@ -26,17 +27,17 @@ internal abstract class Command
         _ => null,
     };
 
-    /// <summary>The options that it takes; <see cref="Option.Help"/> is one of every command's.</summary>
+    /// <summary>Its options; every command also has <see cref="Option.Help"/>.</summary>
     public abstract Option[] Options { get; }
 
-    /// <summary>Whether an option is one of them.</summary>
+    /// <summary>Whether the command has an option.</summary>
     public bool Takes(Option option) => Array.IndexOf(Options, option) >= 0;
 
-    /// <summary>What "help" shows of it: whole lines of at most 90 characters.</summary>
+    /// <summary>The text of its help page: lines of at most 90 characters.</summary>
     public abstract string Help { get; }
 
-    /// <summary>Does it.</summary>
+    /// <summary>Runs the command.</summary>
     /// <returns>The exit code.</returns>
-    /// <exception cref="ProblemException">It cannot be done; the message is for the user.</exception>
+    /// <exception cref="ProblemException">The command failed; the message is for the user.</exception>
     public abstract int Run(CommandLine line, CancellationToken cancellation);
 }

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>The command line, understood: a command, what it is about, and the options given.</summary>
+/// <summary>The parsed command line: a command, its operands and its options.</summary>
 internal sealed class CommandLine
 {
     private const int MostOfCore = 4;
@@ -12,22 +12,22 @@ internal sealed class CommandLine
 
     private CommandLine(Command command) => Command = command;
 
-    /// <summary>What the user asks for.</summary>
+    /// <summary>The command.</summary>
     public Command Command { get; private set; }
 
     /// <summary>The command's name; empty for drawing, which needs none.</summary>
     public string CommandName { get; private set; } = "";
 
-    /// <summary>What the command is about: files, numbers.</summary>
+    /// <summary>The operands: files and numbers.</summary>
     public IReadOnlyList<string> Operands => operands;
 
-    /// <summary>The value of an option; null where it is not given.</summary>
+    /// <summary>The value of an option; null if it is not given.</summary>
     public string? this[Option option] => values.GetValueOrDefault(option);
 
     /// <summary>Whether an option is given.</summary>
     public bool Has(Option option) => values.ContainsKey(option);
 
-    /// <exception cref="ProblemException">The command line cannot be understood.</exception>
+    /// <exception cref="ProblemException">The command line has a mistake.</exception>
     public static CommandLine Parse(string[] arguments)
     {
         foreach (var word in arguments) FileWord.Check(word);
@@ -57,8 +57,8 @@ internal sealed class CommandLine
         return line;
     }
 
-    /// <summary>The operands of a command that takes just these.</summary>
-    /// <param name="names">What each is called in the message, should one be missing.</param>
+    /// <summary>The operands of a command that needs exactly these.</summary>
+    /// <param name="names">Their names, for the message if one is missing.</param>
     public IReadOnlyList<string> Exactly(params ReadOnlySpan<string> names)
     {
         if (operands.Count == names.Length) return operands;
@@ -67,12 +67,12 @@ internal sealed class CommandLine
                 "given");
     }
 
-    /// <summary>How many threads, null for one per core. More than a few for each core only take memory.</summary>
+    /// <summary>How many threads; null for one per core. More than a few per core only need memory.</summary>
     public int? ThreadCount() => this[Option.Threads] is not { } text ? null
         : ParseCount(text) is { } threads and <= 1024 ? Math.Min(threads, MostOfCore * Environment.ProcessorCount)
         : throw ProblemException.Usage($"'{text}' is not a number of threads: it is a whole number from 1 to 1024");
 
-    /// <summary>The picture's size, null for the scene's.</summary>
+    /// <summary>The picture's size; null for the scene's.</summary>
     public (int Width, int Height)? PictureSize() => this[Option.Size] is { } text ? ParseSize(text) : null;
 
     private static (int Width, int Height) ParseSize(string text)
@@ -85,7 +85,7 @@ internal sealed class CommandLine
         return (width, height);
     }
 
-    /// <summary>The kind of picture file, null for what the file's extension says.</summary>
+    /// <summary>The picture format; null for the one of the file's extension.</summary>
     public PictureFormat? PictureFormat() => this[Option.Format] switch
     {
         null => null,
@@ -95,7 +95,7 @@ internal sealed class CommandLine
         var text => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
     };
 
-    /// <summary>A whole number greater than 0, or null.</summary>
+    /// <summary>A whole number greater than 0; null if the option is not given.</summary>
     public static int? ParseCount(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count > 0 ? count : null;
 

@@ -1,6 +1,6 @@
 namespace RayCaster.Cli;
 
-/// <summary>Says whether a picture is the one that it should be.</summary>
+/// <summary>Compares a picture with the one that it should be.</summary>
 internal sealed class CompareCommand : Command
 {
     public override Option[] Options { get; } =
@@ -41,7 +41,7 @@ internal sealed class CompareCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">Files are missing on the command line, or nobody takes the answer.</exception>
+    /// <exception cref="ProblemException">The command line has a mistake, or standard output cannot be written.</exception>
     /// <exception cref="PictureFileException">A picture cannot be read or written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {

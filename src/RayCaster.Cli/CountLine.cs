@@ -3,8 +3,8 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>One line on a terminal that counts what is done; wiped at the end.</summary>
-/// <param name="isShown">Whether there is somebody to watch.</param>
+/// <summary>A line on the terminal that counts finished work; wiped at the end.</summary>
+/// <param name="isShown">Whether the line is shown.</param>
 /// <param name="what">What is counted.</param>
 internal sealed class CountLine(bool isShown, string what) : IDisposable
 {
@@ -12,14 +12,14 @@ internal sealed class CountLine(bool isShown, string what) : IDisposable
     private readonly long start = Stopwatch.GetTimestamp();
     private int drawn;
 
-    /// <summary>Shows how many are done, and about how long the others will take; any thread may call it.</summary>
+    /// <summary>Shows how many are done, and the estimated time for the rest. Any thread may call it.</summary>
     public void Show(int done, int all)
     {
         var left = Stopwatch.GetElapsedTime(start) / Math.Max(1, done) * (all - done);
         Draw(string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {what}  {(long)left.TotalMinutes:00}:{left:ss} left"));
     }
 
-    /// <summary>Takes the line away.</summary>
+    /// <summary>Wipes the line.</summary>
     public void Wipe() => Draw("");
 
     /// <inheritdoc cref="Wipe"/>

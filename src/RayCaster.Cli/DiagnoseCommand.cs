@@ -1,15 +1,15 @@
 namespace RayCaster.Cli;
 
-/// <summary>Says which mistake makes a wrong picture.</summary>
+/// <summary>Names the mistake that makes a wrong picture.</summary>
 internal sealed class DiagnoseCommand : Command
 {
     public override Option[] Options { get; } = [Option.Hint, Option.Done, Option.Json, Option.Threads];
 
     public override string Help => """
         Description:
-          Finds out what makes a wrong picture: what the program does not draw yet, or which
-          mistake it has. It draws the scene with each mistake of a catalogue, and with pairs
-          of them, and names the one that comes nearest.
+          Finds out why a picture is wrong: what the program does not draw yet, or which
+          mistake it has. Draws the scene with each known mistake, and with pairs of
+          mistakes, and names the one whose picture is most similar.
 
         Usage:
           raycaster diagnose <scene> <mine> [options]
@@ -19,12 +19,12 @@ internal sealed class DiagnoseCommand : Command
           <mine>   The picture that your program drew of it: PNG, PBM, PGM or PPM.
 
         Options:
-              --hint <level>   How much is told: symptom (what is to be seen), question (what to ask
+              --hint <level>   How much to show: symptom (what one sees), question (what to ask
                                yourself) or answer (what is wrong, and the slide). [default: question]
-              --done <parts>   What your program draws already, as plane,sphere: plane, sphere, aabb,
-                               circle, triangle, mesh, attenuation, clipping. If one of these is not
-                               to be seen, that is a mistake; the rest may be missing.
-              --json           Everything as JSON, the answers too; what is in the way as well.
+              --done <parts>   What your program draws already, for example plane,sphere: plane,
+                               sphere, aabb, circle, triangle, mesh, attenuation, clipping. If one of
+                               these does not show, that is a mistake; other parts may be missing.
+              --json           Everything as JSON, also the answers; errors, too.
           -t, --threads <n>    How many threads draw. [default: one per core]
 
         Examples:
@@ -32,8 +32,8 @@ internal sealed class DiagnoseCommand : Command
           dotnet run --project src/RayCaster.Cli -- diagnose scenes/room.json mine.png --hint answer
 
         Exit codes:
-          0 the picture is right, 1 it is wrong (or of another size than the scene says), 2 could
-          not tell. All known mistakes, with pictures: docs/mistakes.md
+          0 the picture is right, 1 it is wrong (or has another size than the scene), 2 failed.
+          All known mistakes, with pictures: docs/mistakes.md
 
         """;
 
@@ -45,7 +45,7 @@ internal sealed class DiagnoseCommand : Command
         }
         catch (Exception e) when (line.Has(Option.Json) && e is (ProblemException or PictureFileException))
         {
-            StandardFile.WriteOutput(DiagnosisReport.Json(e.Message)); // a program reads there, whatever happens
+            StandardFile.WriteOutput(DiagnosisReport.Json(e.Message)); // other programs read standard output, also after an error
             throw;
         }
     }

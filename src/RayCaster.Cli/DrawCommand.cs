@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Reads a scene, draws it or a part of it, writes the picture.</summary>
+/// <summary>Reads a scene, draws it or a part of it, and writes the picture.</summary>
 internal sealed class DrawCommand : Command
 {
     public override Option[] Options { get; } =
@@ -14,8 +14,8 @@ internal sealed class DrawCommand : Command
 
     public override string Help => HelpText.Full;
 
-    /// <exception cref="ProblemException">The scene does not do, or nobody takes the picture.</exception>
-    /// <exception cref="PictureFileException">The picture's file does not do.</exception>
+    /// <exception cref="ProblemException">The scene has errors, or standard output cannot be written.</exception>
+    /// <exception cref="PictureFileException">The picture cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = ScenePath(line);
@@ -28,7 +28,7 @@ internal sealed class DrawCommand : Command
         var (size, threads, quiet, rows) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet), line[Option.Rows]);
         if (rows is not null) Rows.Check(rows);
         var isPart = rows is not null || line.Has(Option.Resume);
-        var output = line[Option.Output] ?? (rows is null ? NameOf(path) + ".png" : null); // a part's name needs the picture's height
+        var output = line[Option.Output] ?? (rows is null ? NameOf(path) + ".png" : null); // the name of a part needs the picture's height
         var format = Format(line.PictureFormat(), output, isPart);
         if (output == SceneInput.Standard && line.Has(Option.Resume))
             throw ProblemException.Usage("--resume looks whether the picture is there already, but what was written to standard output is gone");
@@ -58,7 +58,7 @@ internal sealed class DrawCommand : Command
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
-        var isOdd = odd.IsOdd && lines.Count == scene.Camera.Height; // a part may well show one colour
+        var isOdd = odd.IsOdd && lines.Count == scene.Camera.Height; // a part may have one colour without a mistake
         if (line.Has(Option.Ledger) || (isOdd && HitLedger.IsQuick(scene))) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         else if (isOdd)
             StandardFile.WriteError("The picture shows nothing, or one colour; --ledger says why, which takes a while with so many triangles.\n");
@@ -99,7 +99,7 @@ internal sealed class DrawCommand : Command
             ? $"; did you mean -o {second}?"
             : "";
 
-    /// <summary>The kind of file; what can be stitched or resumed must be able to say what it is.</summary>
+    /// <summary>The picture format. Parts, and pictures drawn with --resume, must be PNG files, which contain what they show.</summary>
     private static PictureFormat Format(PictureFormat? wanted, string? output, bool isPart)
     {
         var format = wanted ?? (output is null ? PictureFormat.Png
@@ -110,10 +110,10 @@ internal sealed class DrawCommand : Command
                 "choose another name or format");
     }
 
-    /// <summary>What a scene's pictures are called: as its file is, without folder and extension.</summary>
+    /// <summary>The name of a scene's pictures: its file name without folder and extension.</summary>
     public static string NameOf(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
-    /// <summary>As room.part-0000-0249.png: the names of all parts of a picture are of one length, so that they stand in order.</summary>
+    /// <summary>For example room.part-0000-0249.png. The names of all parts have one length, so they sort in order.</summary>
     private static string PartName(string name, LineRange lines, int height)
     {
         var digits = $"D{Math.Max(4, (height - 1).ToString(CultureInfo.InvariantCulture).Length)}";

@@ -1,8 +1,8 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// What the process returns. 1 is kept for "the answer is no", so that "wrong picture" and "did not run" can be told apart; a signal
-/// gives 128 and its number, as in a shell.
+/// Exit codes of the process. 1 means only "the answer is no", so scripts can tell a wrong picture from a failed run. A signal gives 128 plus
+/// its number, as in a shell.
 /// </summary>
 internal static class ExitCode
 {

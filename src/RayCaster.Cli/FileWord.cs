@@ -1,16 +1,15 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// What a word may hold that names a file or is said in a message. One with a line end could forge a line of ours, one with a mark of direction
-/// could
-/// turn a name around; and a name that is not UTF-8 arrives here as another one, of a file that is not there.
+/// Refuses dangerous characters in file names and other words of messages. A line end could forge a line of output, and a direction mark could
+/// show a name in reverse. A name that is not UTF-8 arrives here as the name of another file, which does not exist.
 /// </summary>
 internal static class FileWord
 {
     private const char NotUtf8 = '\uFFFD';
 
-    /// <summary>Refuses a word that could deceive.</summary>
-    /// <exception cref="ProblemException">It is one; the message shows what is in it.</exception>
+    /// <summary>Refuses a word with a dangerous character.</summary>
+    /// <exception cref="ProblemException">The word has one; the message names it.</exception>
     public static void Check(string word)
     {
         foreach (var c in word)

@@ -7,9 +7,9 @@ internal sealed class HandOutCommand : Command
 
     public override string Help => """
         Description:
-          Writes a hand-out of the lab: a folder that is a course's repository, with a program that
-          draws from the first minute, what is to be written in ten steps, tests for each step, and
-          the picture of each scene after each step.
+          Writes a hand-out of the lab: a folder that is a course's repository. It has a program that
+          draws from the first minute, ten steps to write, tests for each step, and the picture of
+          each scene after each step.
 
         Usage:
           raycaster handout <folder> [options]
@@ -18,9 +18,9 @@ internal sealed class HandOutCommand : Command
           <folder>  A new folder.
 
         Options:
-              --open <steps>  The steps that are for the students to do, as 1..4 or 7; the others
-                              are done already. [default: 1..10]
-              --solution      No step is open: what the teacher keeps.
+              --open <steps>  The steps that the students write, for example 1..4 or 7; the others
+                              are written already. [default: 1..10]
+              --solution      All steps are written: for the teacher.
           -q, --quiet         Prints errors only.
 
         Examples:

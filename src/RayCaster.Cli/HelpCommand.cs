@@ -1,6 +1,6 @@
 namespace RayCaster.Cli;
 
-/// <summary>Shows what there is, or one command's page.</summary>
+/// <summary>Shows the help of the app or of a command.</summary>
 internal sealed class HelpCommand : Command
 {
     public override Option[] Options => [];

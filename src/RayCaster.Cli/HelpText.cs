@@ -1,9 +1,9 @@
 namespace RayCaster.Cli;
 
-/// <summary>What the console app says of itself.</summary>
+/// <summary>The help of the console app.</summary>
 internal static class HelpText
 {
-    /// <summary>For a start without arguments: the one command to try.</summary>
+    /// <summary>Shown without arguments: the one command to try.</summary>
     public const string Usage = """
         raycaster casts one ray per pixel through a scene file and writes the picture.
         Try:   dotnet run --project src/RayCaster.Cli -- scenes/first.json
@@ -11,32 +11,32 @@ internal static class HelpText
 
         """;
 
-    /// <summary>For those who ask.</summary>
+    /// <summary>The help page.</summary>
     public const string Full = """
         Description:
           Casts one ray per pixel through a scene file and writes the picture.
 
         Usage:
-          raycaster <scene> [options]
+          raycaster [draw] <scene> [options]
           raycaster <command> ...
 
         For students:
           live <scene>                     Opens a page that follows the scene file.
-          diagnose <scene> <mine>          Says which mistake makes a wrong picture.
+          diagnose <scene> <mine>          Names the mistake that makes a picture wrong.
           compare <mine> <reference>       Says whether two pictures are the same, and where not.
           explain <scene> <column> <line>  Shows how one pixel gets its colour.
 
         For teachers:
           handout <folder>                 Writes the lab for students: ten steps, with tests.
           mark <rubric> <submissions>      Marks a class by its pictures, with a page for each.
-          vary <scene>                     Makes a scene of its own for each student.
-          check <scene>...                 Finds errors, and what a scene's picture cannot show.
+          vary <scene>                     Makes a similar scene, one for each student.
+          check <scene>...                 Finds errors, and mistakes that a scene cannot show.
 
         For large pictures and many:
           stitch <part>...                 Joins parts into one picture; says which are missing.
           orbit <scene>                    Draws the frames of a camera that moves.
           animate <frame>...               Joins frames into an animated PNG.
-          sheet <picture>...               Shows many pictures, made small, on one.
+          sheet <picture>...               Draws small copies of many pictures on one sheet.
 
           help [command]                   Shows this help, or a command's.
 
@@ -50,23 +50,24 @@ internal static class HelpText
               --format <format>  png, ppm or ppm-text (PPM in readable numbers).
                                  [default: what the file's extension says]
           -s, --size <W>x<H>     Overrides the scene's picture size, in pixels.
-              --rows <lines>     Draws only these lines of the picture, a part for "stitch": as
-                                 0..249 (from the top, 0 first, both included), or as 3/8 (the
-                                 third of eight parts). [default output: room.part-0000-0249.png]
-              --resume           Does nothing if the picture or part is there already, whole
-                                 and of this very scene.
+              --rows <lines>     Draws only these lines of the picture, a part for "stitch": for
+                                 example 0..249 (from the top, 0 first, both included), or 3/8
+                                 (the third of eight parts).
+                                 [default output: room.part-0000-0249.png]
+              --resume           Does nothing if a complete picture or part of the same scene
+                                 exists already.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
-              --map <kind>       Writes numbers in place of the picture: t, depth, model, normal
-                                 or uv, as <scene>.<kind>.pfm, and to look at as .png.
-              --mistake <ids>    Draws the picture of a program with this mistake, or with
-                                 several at once, as rows+bgr; docs/mistakes.md lists them.
-              --ledger           Prints which models show, and why the others do not. Printed
-                                 by itself when the picture is empty or of one colour.
+              --map <kind>       Writes numbers instead of the picture: t, depth, model, normal
+                                 or uv. The files are <scene>.<kind>.pfm and a picture, .png.
+              --mistake <ids>    Draws the picture of a program with a mistake, or with several,
+                                 for example rows+bgr. docs/mistakes.md lists the mistakes.
+              --ledger           Prints which models show, and why the others do not. Also
+                                 printed if the picture is empty or has one colour.
               --plain            Draws by the definition, ScalarRenderer, ray by ray: for the
                                  debugger and for Console.WriteLine in a formula.
-              --preview          Shows the picture in the terminal, too (standard output).
+              --preview          Also shows the picture in the terminal (standard output).
               --color <when>     Colours of the preview: auto, always or never. [default: auto,
-                                 which heeds NO_COLOR, FORCE_COLOR, COLORTERM and TERM]
+                                 which uses NO_COLOR, FORCE_COLOR, COLORTERM and TERM]
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
               --version          Shows the version.
@@ -77,7 +78,7 @@ internal static class HelpText
           dotnet run --project src/RayCaster.Cli -- scenes/room.json -o room.ppm --size 1920x1080
 
         Exit codes:
-          0 done, 1 the answer is no (pictures differ, parts are missing), 2 could not do it,
+          0 done, 1 the answer is no (pictures differ, parts are missing), 2 failed,
           70 internal error, 129 hung up, 130 interrupted, 143 terminated.
 
         """;

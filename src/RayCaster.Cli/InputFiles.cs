@@ -1,11 +1,11 @@
 namespace RayCaster.Cli;
 
-/// <summary>The files that a run reads: those that its command line names, and those that a scene names.</summary>
+/// <summary>The files that a run reads, from the command line and from the scene.</summary>
 internal static class InputFiles
 {
     private static readonly HashSet<string> read = [];
 
-    /// <summary>Notes files that are read, so that no output takes the place of one of them.</summary>
+    /// <summary>Notes files that are read, so that no output replaces one.</summary>
     public static void Note(IEnumerable<string> files)
     {
         foreach (var file in files)
@@ -14,14 +14,14 @@ internal static class InputFiles
     }
 
     /// <summary>Refuses an output that is one of the files that were read.</summary>
-    /// <exception cref="ProblemException">So it is.</exception>
+    /// <exception cref="ProblemException">It is one of them.</exception>
     public static void Keep(string output)
     {
         if (output.Length == 0 || !read.Contains(PlaceOf(output))) return;
         throw new ProblemException($"raycaster: {output} is one of the files that are read\n  Choose another name with -o.");
     }
 
-    /// <summary>The full path of a file, through links between folders: where it lies, though it may be named in two ways.</summary>
+    /// <summary>The full path of a file, with links to folders resolved: the same for all names of the file.</summary>
     private static string PlaceOf(string file)
     {
         var path = Path.GetFullPath(file);
@@ -38,13 +38,13 @@ internal static class InputFiles
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return folder.FullName; // links in a ring, or a folder that may not be looked into
+            return folder.FullName; // a circle of links, or a folder that may not be read
         }
     }
 
     /// <summary>The files that operands name, each once.</summary>
     /// <param name="operands">Files, folders and patterns.</param>
-    /// <param name="chosen">Those that somebody has named by more than their folder.</param>
+    /// <param name="chosen">The files that were named themselves, not only by their folder.</param>
     /// <exception cref="ProblemException">An operand names nothing.</exception>
     public static List<string> Of(IReadOnlyList<string> operands, out HashSet<string> chosen)
     {
@@ -64,7 +64,7 @@ internal static class InputFiles
         return files;
     }
 
-    /// <summary>The file of a name, or those of a pattern: not every shell resolves it.</summary>
+    /// <summary>The file with a name, or the files of a pattern, which not every shell expands.</summary>
     private static string[] Matches(string operand)
     {
         var name = Path.GetFileName(operand);
@@ -75,7 +75,7 @@ internal static class InputFiles
         throw new ProblemException($"raycaster: no file matches {operand}");
     }
 
-    /// <exception cref="ProblemException">The folder may not be listed, or a name in it is none for a message.</exception>
+    /// <exception cref="ProblemException">The folder may not be listed, or a name in it has a dangerous character.</exception>
     private static string[] FilesIn(string folder, string pattern)
     {
         try

@@ -1,12 +1,12 @@
 namespace RayCaster.Cli;
 
-/// <summary>The end of a run that a signal has interrupted.</summary>
+/// <summary>Ends a run that a signal has interrupted.</summary>
 internal static class Interruption
 {
     private const int Patience = 500; // milliseconds
 
-    /// <summary>Gives up what is not finished, and says in a line what is. Standard error may be a pipe that nobody reads: it does not wait for
-    /// that.</summary>
+    /// <summary>Deletes unfinished files, and says in one line what was finished. Does not wait if standard error is a pipe that nobody
+    /// reads.</summary>
     public static void Tell()
     {
         WrittenFiles.GiveUp();

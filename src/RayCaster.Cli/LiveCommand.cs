@@ -3,7 +3,7 @@ using System.Diagnostics;
 
 namespace RayCaster.Cli;
 
-/// <summary>Starts the live page, a program of its own: what serves pages would make this one start slower.</summary>
+/// <summary>Starts the live page. It is a separate program, because a web server would make this one start more slowly.</summary>
 internal sealed class LiveCommand : Command
 {
     private const int Glance = 50; // milliseconds
@@ -29,7 +29,7 @@ internal sealed class LiveCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The other program is not there.</exception>
+    /// <exception cref="ProblemException">The other program was not found.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var arguments = new List<string> { line.Exactly("<scene>")[0] };
@@ -40,7 +40,7 @@ internal sealed class LiveCommand : Command
         while (!live.WaitForExit(Glance))
             if (cancellation.IsCancellationRequested)
             {
-                live.Kill(entireProcessTree: true); // it keeps nothing that could be lost
+                live.Kill(entireProcessTree: true); // it has nothing to save
                 cancellation.ThrowIfCancellationRequested();
             }
         return live.ExitCode;

@@ -2,15 +2,15 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Drawing with --map: what each pixel's ray finds as numbers, and a picture of them.</summary>
+/// <summary>Drawing with --map: numbers for each pixel, and a picture of them.</summary>
 internal static class MapOutput
 {
-    /// <summary>Reads the scene, casts its rays, writes both files.</summary>
+    /// <summary>Reads the scene, casts its rays, and writes both files.</summary>
     /// <param name="line">The command line.</param>
     /// <param name="path">The scene.</param>
     /// <param name="cancellation">Ends the work.</param>
-    /// <exception cref="ProblemException">The command line does not do.</exception>
-    /// <exception cref="PictureFileException">A file does not do, or the map is too large.</exception>
+    /// <exception cref="ProblemException">The command line has a mistake.</exception>
+    /// <exception cref="PictureFileException">A file cannot be written, or the map is too large.</exception>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         if (MapKinds.Named(line[Option.Map]!) is not { } kind)
@@ -22,7 +22,7 @@ internal static class MapOutput
         if (!numbers.EndsWith(".pfm", StringComparison.OrdinalIgnoreCase))
             throw ProblemException.Usage($"a map's numbers go to a file that ends in .pfm, but '{numbers}' is given; its picture is called alike");
         var colors = TerminalScreen.Colors(line);
-        // Its own ending, so that "-o room.pfm" does not replace the picture room.png.
+        // A name of its own, so "-o room.pfm" does not replace the picture room.png.
         var ending = $".{kind.Name()}";
         var picture = numbers[..^4] + (numbers[..^4].EndsWith(ending, StringComparison.Ordinal) ? "" : ending) + ".png";
 

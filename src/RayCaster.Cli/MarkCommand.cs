@@ -12,8 +12,8 @@ internal sealed class MarkCommand : Command
     public override string Help => """
         Description:
           Marks the submissions of a class by their pictures: runs each program on the scenes of a
-          rubric, or takes the pictures that it left, finds out what is wrong, and gives points for
-          what is right. What nothing explains is flagged, and never scored by a guess.
+          rubric, or reads the pictures in its folder, finds the mistakes, and gives points. Pictures
+          that no known mistake explains are not scored; the teacher must look at them.
 
         Usage:
           raycaster mark <rubric> <submissions> -o <folder> [options]
@@ -21,29 +21,28 @@ internal sealed class MarkCommand : Command
 
         Arguments:
           <rubric>       Scenes, how to run a program, and what costs points (JSON,
-                         docs/teaching.md). By itself it is checked: which of its mistakes
-                         its scenes cannot show.
-          <submissions>  A folder with a folder for each student.
+                         docs/teaching.md). Without <submissions>, the rubric is checked: which
+                         of its mistakes no scene can show.
+          <submissions>  A folder that contains a folder for each student.
 
         Options:
           -o, --output <folder>  Where the marks go: marks.csv, class.html for the teacher, and
                                  feedback.html in a folder for each student.
-              --junit <file>     The marks as JUnit XML, too.
-              --resume           Keeps the marks that are there, of submissions that have not
-                                 changed since.
-          -t, --threads <n>      How many submissions are in work at a time. [default: one per core]
+              --junit <file>     Also writes the marks as JUnit XML.
+              --resume           Keeps finished marks of submissions that have not changed.
+          -t, --threads <n>      How many submissions are marked at a time. [default: one per core]
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
 
-        The programs of students run with your rights. docs/teaching.md says what holds them, and
-        what only a container does.
+        The students' programs run with your rights. docs/teaching.md says which limits they have,
+        and what only a container prevents.
 
         Examples:
           raycaster mark docs/rubric.json
           raycaster mark docs/rubric.json submissions -o marks
 
         Exit codes:
-          0 marked, whatever the marks are; 1 the rubric has errors; 2 could not do it.
+          0 marked, whatever the marks are; 1 the rubric has errors; 2 failed.
 
         """;
 

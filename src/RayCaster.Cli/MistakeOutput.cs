@@ -1,14 +1,14 @@
 namespace RayCaster.Cli;
 
-/// <summary>Drawing with --mistake: the picture of a program that is wrong, for exams and for trying a rubric.</summary>
+/// <summary>Drawing with --mistake: the picture of a wrong program, for exams and for testing a rubric.</summary>
 internal static class MistakeOutput
 {
-    /// <summary>Reads the scene, draws it wrong, writes the picture.</summary>
+    /// <summary>Reads the scene, draws it with the mistakes, and writes the picture.</summary>
     /// <param name="line">The command line.</param>
     /// <param name="path">The scene.</param>
     /// <param name="cancellation">Ends the work.</param>
-    /// <exception cref="ProblemException">The command line does not do.</exception>
-    /// <exception cref="PictureFileException">The picture's file does not do.</exception>
+    /// <exception cref="ProblemException">The command line has a mistake.</exception>
+    /// <exception cref="PictureFileException">The picture cannot be written.</exception>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         var mistakes = NameList.Of(line[Option.Mistake]!, '+', [.. MistakeCatalog.All.Select(mistake => mistake.Id)], "a mistake")

@@ -1,17 +1,17 @@
 namespace RayCaster.Cli;
 
-/// <summary>Names on the command line, joined by a sign: as "plane,sphere" or "rows+bgr".</summary>
+/// <summary>Lists of names on the command line, such as "plane,sphere" or "rows+bgr".</summary>
 internal static class NameList
 {
-    /// <summary>Kinds of shape as a scene file calls them.</summary>
+    /// <summary>The kinds of shape, by their names in scene files.</summary>
     public static readonly string[] Shapes = ["plane", "sphere", "aabb", "circle", "triangle", "mesh"];
 
-    /// <summary>Takes the names apart.</summary>
-    /// <param name="text">What is given.</param>
-    /// <param name="separator">What stands between two names.</param>
-    /// <param name="known">The names there are.</param>
-    /// <param name="what">What a name is, for messages: "a mistake".</param>
-    /// <exception cref="ProblemException">A name is not known.</exception>
+    /// <summary>Splits a list.</summary>
+    /// <param name="text">The list.</param>
+    /// <param name="separator">The character between two names.</param>
+    /// <param name="known">The known names.</param>
+    /// <param name="what">What a name stands for, in messages: "a mistake".</param>
+    /// <exception cref="ProblemException">A name is unknown.</exception>
     public static string[] Of(string text, char separator, IReadOnlyList<string> known, string what)
     {
         var names = text.Split(separator, StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);

@@ -1,9 +1,8 @@
 namespace RayCaster.Cli;
 
-/// <summary>An option of the command line. It means the same wherever a command takes it.</summary>
+/// <summary>An option of the command line. It has the same meaning for all commands.</summary>
 /// <param name="name">With two dashes.</param>
-/// <param name="shortName">With one dash; empty if there is none. Some letters never reach us: "dotnet run" takes -c, -f, -r, -a, -p, -v and -e
-/// for itself.</param>
+/// <param name="shortName">With one dash; empty if there is none. Not -c, -f, -r, -a, -p, -v or -e: "dotnet run" uses these itself.</param>
 /// <param name="takesValue">Whether a value follows; otherwise it is a switch.</param>
 internal sealed class Option(string name, string shortName = "", bool takesValue = true)
 {
@@ -45,7 +44,7 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Version = new("--version", takesValue: false);
     public static readonly Option Help = new("--help", "-h", takesValue: false);
 
-    /// <summary>All there are, so that a word is understood before it is known which command it belongs to.</summary>
+    /// <summary>All options. A word can be parsed before the command is known.</summary>
     public static readonly Option[] All =
     [
         Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
@@ -53,16 +52,16 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
         Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, NoBrowser, Version, Help,
     ];
 
-    /// <summary>What it is called, with two dashes.</summary>
+    /// <summary>The name, with two dashes.</summary>
     public string Name => name;
 
-    /// <summary>With one dash; empty if there is none.</summary>
+    /// <summary>The short name, with one dash; empty if there is none.</summary>
     public string Short => shortName;
 
     /// <summary>Whether a value follows.</summary>
     public bool TakesValue => takesValue;
 
-    /// <summary>The option that a word names, or null.</summary>
+    /// <summary>The option with a name; null if there is none.</summary>
     public static Option? Named(string word)
     {
         foreach (var option in All)

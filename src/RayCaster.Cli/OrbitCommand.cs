@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Draws the frames of a camera that moves.</summary>
+/// <summary>Draws frames with a moving camera.</summary>
 internal sealed class OrbitCommand : Command
 {
     private const int MostFrames = 1_000_000;
@@ -41,7 +41,7 @@ internal sealed class OrbitCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The scene or the way of the camera does not do.</exception>
+    /// <exception cref="ProblemException">The scene or the camera path has errors.</exception>
     /// <exception cref="PictureFileException">A frame cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
@@ -76,8 +76,8 @@ internal sealed class OrbitCommand : Command
             var view = scene with { Camera = camera };
             var whole = LineRange.Whole(camera.Height);
             var output = Path.Combine(folder, $"{name}-{frame.ToString(digits, CultureInfo.InvariantCulture)}.png");
-            var part = PictureOutput.Facts(view, whole); // says what it is, so that it can be left out later
-            if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue; // one reason stands for all
+            var part = PictureOutput.Facts(view, whole); // the file contains what it shows, so --resume can skip it
+            if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue; // the reason is printed for the first frame only
             PictureOutput.Draw(
                 output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, showProgress, cancellation,
                 found: leftByKilledRuns);

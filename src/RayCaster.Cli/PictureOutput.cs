@@ -1,11 +1,11 @@
 namespace RayCaster.Cli;
 
-/// <summary>Where a picture goes: a file that is there whole or not at all, or standard output.</summary>
+/// <summary>Writes pictures: to a file, which is complete or unchanged, or to standard output.</summary>
 internal static class PictureOutput
 {
     /// <summary>Refuses standard output where it is a terminal.</summary>
     /// <param name="output">The file, or "-"; null if it has no name yet.</param>
-    /// <exception cref="ProblemException">It is one.</exception>
+    /// <exception cref="ProblemException">It is a terminal.</exception>
     public static void KeepOffTerminal(string? output)
     {
         if (output == SceneInput.Standard && TerminalScreen.TakesOutput)
@@ -13,16 +13,16 @@ internal static class PictureOutput
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
     }
 
-    /// <summary>What messages call it.</summary>
+    /// <summary>Its name in messages.</summary>
     public static string NameOf(string output) => output == SceneInput.Standard ? "standard output" : output;
 
-    /// <summary>Opens it, has it written and closes it.</summary>
+    /// <summary>Opens the output, writes it and closes it.</summary>
     /// <param name="output">The file, or "-".</param>
-    /// <param name="cancellation">Keeps the file from being put in the place of the old one.</param>
+    /// <param name="cancellation">If cancelled, the old file stays.</param>
     /// <param name="write">Writes the picture.</param>
-    /// <param name="found">What killed runs have left in the file's folder; null: it is listed.</param>
-    /// <exception cref="ProblemException">Nobody takes the picture, or it would replace a file that was read.</exception>
-    /// <exception cref="PictureFileException">The file does not do.</exception>
+    /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
+    /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
+    /// <exception cref="PictureFileException">The file cannot be written.</exception>
     public static void Write(string output, CancellationToken cancellation, Action<Stream> write, TemporaryFileList? found = null)
     {
         if (output == SceneInput.Standard)
@@ -37,7 +37,7 @@ internal static class PictureOutput
         file.Commit();
     }
 
-    /// <summary>Writes a picture that is there already.</summary>
+    /// <summary>Writes a picture.</summary>
     /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream}, TemporaryFileList?)"/>
     public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
         Write(output, cancellation, stream =>
@@ -49,25 +49,25 @@ internal static class PictureOutput
 
     /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="output">The file, or "-".</param>
-    /// <param name="format">Its kind.</param>
+    /// <param name="format">The picture format.</param>
     /// <param name="renderer">Draws the scene.</param>
     /// <param name="lines">Which lines.</param>
-    /// <param name="part">What the file is to say of itself, if anything.</param>
-    /// <param name="showProgress">Whether to tell on the terminal how far it is.</param>
+    /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
+    /// <param name="showProgress">Whether to show a progress line.</param>
     /// <param name="cancellation">Stops the work.</param>
-    /// <param name="watch">Sees the lines too, from the first to the last, and again from the first if the picture is drawn anew.</param>
-    /// <param name="found">What killed runs have left in the file's folder; null: it is listed.</param>
+    /// <param name="watch">Also gets the lines in order; again from the first line if the picture is drawn again.</param>
+    /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
         bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null, TemporaryFileList? found = null)
     {
-        if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // what is written there cannot be taken back
+        if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // lines on standard output cannot be replaced later
         try
         {
             Write(output, cancellation, WriteOnce, found);
         }
         catch (FastWayDisagreesException)
         {
-            Write(output, cancellation, WriteOnce, found); // the file was not put in place yet
+            Write(output, cancellation, WriteOnce, found); // the file has not replaced the old one yet
         }
 
         void WriteOnce(Stream stream)
@@ -87,7 +87,7 @@ internal static class PictureOutput
         }
     }
 
-    /// <summary>Whether a picture need not be drawn since it is there; where a file is there but does not do, it says why.</summary>
+    /// <summary>Whether the picture exists already and need not be drawn. If a file exists but has other content, prints why it is drawn again.</summary>
     public static bool IsThere(string output, PartFacts part, bool quiet)
     {
         if (PartFile.Holds(output, part, out var reason)) return true;
@@ -95,8 +95,8 @@ internal static class PictureOutput
         return false;
     }
 
-    /// <summary>What a part says of itself.</summary>
-    /// <exception cref="ProblemException">A model does not say what it is made of.</exception>
+    /// <summary>What a part shows, to be written into its file.</summary>
+    /// <exception cref="ProblemException">A model cannot describe its numbers.</exception>
     public static PartFacts Facts(Scene scene, LineRange lines)
     {
         try

@@ -4,7 +4,7 @@ namespace RayCaster.Cli;
 
 internal static class Program
 {
-    /// <summary>A file has become larger than "ulimit -f" allows; the number is the same on Linux and macOS.</summary>
+    /// <summary>The signal for a file that is larger than "ulimit -f" allows; the same number on Linux and macOS.</summary>
     private const PosixSignal FileTooLarge = (PosixSignal)25;
 
     private static int Main(string[] arguments)
@@ -13,7 +13,7 @@ internal static class Program
         var exitCode = ExitCode.Interrupted;
         void Cancel(PosixSignalContext context)
         {
-            context.Cancel = true; // not the default, which would leave the temporary file behind
+            context.Cancel = true; // the default would end the process and leave the temporary file
             exitCode = context.Signal switch
             {
                 PosixSignal.SIGHUP => ExitCode.HungUp,
@@ -23,16 +23,16 @@ internal static class Program
             cancellation.Cancel();
         }
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, Cancel);
-        using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Cancel); // the terminal's window was closed
+        using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, Cancel); // the terminal window was closed
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, Cancel);
-        // It would end the process on the spot; without it the write fails, which is told in words. Not disposed of: it may come after that.
+        // By default it ends the process. Ignored, the write fails with a message. Not disposed: the signal may come later.
         var tooLarge = OperatingSystem.IsWindows() ? null : PosixSignalRegistration.Create(FileTooLarge, context => context.Cancel = true);
 
         try
         {
             return Abandonable.Run(() => Run(arguments, cancellation.Token), cancellation.Token);
         }
-        catch (Exception) when (cancellation.IsCancellationRequested) // some of what fails then fails since the terminal is gone
+        catch (Exception) when (cancellation.IsCancellationRequested) // after a cancellation, writing may fail because the terminal is gone
         {
             Interruption.Tell();
             return exitCode;
@@ -92,7 +92,7 @@ internal static class Program
         }
     }
 
-    /// <summary>Whether memory ran out, on whatever thread.</summary>
+    /// <summary>Whether memory ran out, on any thread.</summary>
     private static bool IsOutOfMemory(Exception? e) =>
         e is OutOfMemoryException || (e is AggregateException or TypeInitializationException && IsOutOfMemory(e.InnerException));
 

@@ -3,14 +3,14 @@ using System.Globalization;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// One line on a terminal that tells how far the work is, drawn only when it lasts, at most ten times a second, and wiped at the end.
+/// A progress line on the terminal: drawn only if the work takes long, at most ten times a second, and wiped at the end.
 /// </summary>
 /// <param name="output">Where to draw: the terminal behind standard error.</param>
 /// <param name="width">Pixels in a line of the picture.</param>
 /// <param name="height">Lines of the picture.</param>
-/// <param name="columns">How wide the terminal is; less than 20 means that it does not know.</param>
-/// <param name="clock">What tells the time.</param>
-/// <param name="what">What a pixel costs: rays, unless none are cast.</param>
+/// <param name="columns">The terminal's width; less than 20 means unknown.</param>
+/// <param name="clock">The clock.</param>
+/// <param name="what">What is counted for each pixel: rays, or something else if no rays are cast.</param>
 internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock, string what = "rays") : IDisposable
 {
     private static readonly TimeSpan Patience = TimeSpan.FromSeconds(0.5);
@@ -22,17 +22,17 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     private int linesDone, drawn;
     private bool isGone;
 
-    /// <summary>Whether there is somebody to watch.</summary>
+    /// <summary>Whether the line can be seen.</summary>
     public static bool IsWanted =>
         !Console.IsErrorRedirected
         && Environment.GetEnvironmentVariable("TERM") != "dumb"
         && string.IsNullOrEmpty(Environment.GetEnvironmentVariable("CI"));
 
-    /// <summary>One on the terminal behind standard error.</summary>
+    /// <summary>A progress line on standard error's terminal.</summary>
     public static ProgressLine OnTerminal(int width, int height, string what = "rays") =>
         new(Console.Error, width, height, TerminalScreen.Width(), TimeProvider.System, what);
 
-    /// <summary>Counts lines of the picture; any thread may call it.</summary>
+    /// <summary>Counts finished lines of the picture. Any thread may call it.</summary>
     public void LinesDone(int lines)
     {
         var done = Interlocked.Add(ref linesDone, lines);
@@ -69,7 +69,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
 
     private void Draw(string text)
     {
-        var room = (columns < 20 ? 80 : columns) - 1; // the last column would wrap
+        var room = (columns < 20 ? 80 : columns) - 1; // a character in the last column would wrap the line
         if (text.Length > room) text = text[..room];
         try
         {
@@ -79,7 +79,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         }
         catch (IOException)
         {
-            (isGone, drawn) = (true, 0); // the terminal was closed, which must not end the work
+            (isGone, drawn) = (true, 0); // the terminal was closed; the work continues
         }
     }
 }

@@ -1,14 +1,14 @@
 namespace RayCaster.Cli;
 
-/// <summary>Which lines of a picture the option --rows asks for, or which frames of a film --only does.</summary>
+/// <summary>Parses the lines of --rows and the frames of --only.</summary>
 internal static class Rows
 {
-    /// <summary>What a value of the option means for a picture of some height.</summary>
+    /// <summary>The lines of a picture that a value stands for.</summary>
     /// <param name="text"><c>0..249</c>: the lines 0 to 249, both included; <c>3/8</c>: the third of eight parts.</param>
     /// <param name="height">Lines of the whole picture.</param>
-    /// <param name="what">What they are called.</param>
-    /// <param name="of">What they are of.</param>
-    /// <exception cref="ProblemException">That is no such text, or the picture has no such lines.</exception>
+    /// <param name="what">Their name in messages: lines or frames.</param>
+    /// <param name="of">What has them, in messages: a picture or a film.</param>
+    /// <exception cref="ProblemException">The value has another form, or the picture has no such lines.</exception>
     public static LineRange Of(string text, int height, string what = "lines", string of = "a picture")
     {
         var whole = LineRange.Whole(height);
@@ -26,7 +26,7 @@ internal static class Rows
         return lines;
     }
 
-    /// <summary>Refuses what means no lines of any picture, before a scene is read.</summary>
-    /// <exception cref="ProblemException">So it is.</exception>
+    /// <summary>Refuses a value of another form before a scene is read.</summary>
+    /// <exception cref="ProblemException">The value has another form.</exception>
     public static void Check(string text) => Of(text, int.MaxValue);
 }

@@ -1,21 +1,21 @@
 namespace RayCaster.Cli;
 
-/// <summary>The scene that a command is about.</summary>
+/// <summary>Reads the scene of a command.</summary>
 internal static class SceneInput
 {
-    /// <summary>What stands for standard input, and for standard output.</summary>
+    /// <summary>The name for standard input and for standard output.</summary>
     public const string Standard = "-";
 
-    /// <summary>Reads a scene; prints what is wrong with it.</summary>
+    /// <summary>Reads a scene and prints its errors and warnings.</summary>
     /// <param name="path">The file, or "-".</param>
-    /// <param name="size">The picture's size, if it is not to be the scene's.</param>
+    /// <param name="size">The picture's size; null for the scene's.</param>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
-    /// <param name="quiet">Whether warnings are left out.</param>
-    /// <param name="cancellation">Keeps what follows from beginning.</param>
-    /// <returns>The scene, or null after its errors have been printed.</returns>
+    /// <param name="quiet">Whether to print no warnings.</param>
+    /// <param name="cancellation">Ends the command after reading.</param>
+    /// <returns>The scene; null if it has errors.</returns>
     public static Scene? Read(string path, (int Width, int Height)? size, int? threads, bool quiet, CancellationToken cancellation)
     {
-        var (wide, high) = size ?? (0, 0); // the scene's own is not known before it is read
+        var (wide, high) = size ?? (0, 0); // the scene's own size is not known yet
         var reading = Read(path, threads, text => WarmUp.Begin(text, (long)wide * high));
         cancellation.ThrowIfCancellationRequested();
         if (reading.Scene is null || !quiet) StandardFile.WriteError(reading.Report());
@@ -23,17 +23,17 @@ internal static class SceneInput
         return scene with { Camera = scene.Camera.WithSize(width, height) };
     }
 
-    /// <summary>Says so where this build draws the scene otherwise than its stored reference shows it: then its judgement is worth
-    /// nothing.</summary>
+    /// <summary>Prints a warning if this build's picture of the scene differs from the stored reference: then it cannot judge other
+    /// pictures.</summary>
     public static void WarnOfEditedJudge(string path, Scene scene)
     {
         if (path != Standard && StoredReference.Contradiction(path, scene) is { } message) StandardFile.WriteError(message + Environment.NewLine);
     }
 
-    /// <summary>Reads a scene and all that is to be said of it.</summary>
+    /// <summary>Reads a scene with its errors and warnings.</summary>
     /// <param name="path">The file, or "-".</param>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
-    /// <param name="look">Sees the text before it is read.</param>
+    /// <param name="look">Gets the text before it is parsed.</param>
     public static SceneReading Read(string path, int? threads, Action<ReadOnlySpan<byte>>? look = null)
     {
         var reading = path == Standard ? ReadStandardInput(threads, look) : SceneReader.Read(path, threads, look);
@@ -41,7 +41,7 @@ internal static class SceneInput
         return reading;
     }
 
-    /// <remarks>By itself, since the console, too, would be loaded where this is compiled.</remarks>
+    /// <remarks>A method of its own, because the runtime would load the console library wherever this is compiled.</remarks>
     private static SceneReading ReadStandardInput(int? threads, Action<ReadOnlySpan<byte>>? look)
     {
         if (StandardInput.IsClosed) throw new ProblemException("raycaster: the scene is to be read from standard input, but that is closed");

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Shows many pictures, made small, on one.</summary>
+/// <summary>Draws small copies of many pictures on one sheet.</summary>
 internal sealed class SheetCommand : Command
 {
     public override Option[] Options { get; } = [Option.Output, Option.Columns, Option.Size, Option.Quiet];
@@ -27,8 +27,8 @@ internal sealed class SheetCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The command line does not do.</exception>
-    /// <exception cref="PictureFileException">A picture cannot be read, or the sheet not be written.</exception>
+    /// <exception cref="ProblemException">The command line has a mistake.</exception>
+    /// <exception cref="PictureFileException">A picture cannot be read, or the sheet cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var output = AnimateCommand.OutputOf(line, "sheet");

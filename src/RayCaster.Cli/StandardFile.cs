@@ -4,23 +4,23 @@ using Microsoft.Win32.SafeHandles;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Standard output and standard error as plain files. The console's own streams would swallow that the reader of a picture has gone, and
-/// take a quarter of the time of a program that only says hello. On Windows they are used nevertheless: a console there has its own encoding.
+/// Standard output and standard error as plain files. The console's streams do not report that the reader of a picture has closed the pipe, and
+/// they take a quarter of the time of a minimal program. Windows still uses them, because its consoles have their own encoding.
 /// </summary>
 internal static class StandardFile
 {
     private const int Output = 1, Error = 2;
 
-    /// <summary>Whether something was written to standard output, or at least begun.</summary>
+    /// <summary>Whether a write to standard output was begun.</summary>
     public static bool HasTakenBytes { get; private set; }
 
-    /// <summary>Writes a command's answer.</summary>
+    /// <summary>Writes a command's answer to standard output.</summary>
     /// <param name="text">Whole lines.</param>
-    /// <exception cref="ProblemException">Nobody takes it.</exception>
+    /// <exception cref="ProblemException">Standard output cannot be written.</exception>
     public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(WithoutControls(text))));
 
-    /// <summary>Has something written to standard output.</summary>
-    /// <exception cref="ProblemException">Nobody takes it.</exception>
+    /// <summary>Writes to standard output.</summary>
+    /// <exception cref="ProblemException">Standard output cannot be written.</exception>
     public static void WriteOutput(Action<Stream> write)
     {
         try
@@ -45,14 +45,14 @@ internal static class StandardFile
     private static Stream OpenOutput() => OperatingSystem.IsWindows() ? Console.OpenStandardOutput() : Open(Output);
 
     /// <summary>
-    /// Writes what is still buffered and moves the place where other processes write that share the file: "(raycaster … -o -; date) &gt; file".
+    /// Writes the buffer, and moves the position at which other processes write to the same file, as in "(raycaster … -o -; date) &gt; file".
     /// </summary>
     private static void Leave(Stream stream)
     {
-        if (stream is FileStream file) _ = file.SafeFileHandle; // a FileStream keeps its own place until it shows its handle
+        if (stream is FileStream file) _ = file.SafeFileHandle; // a FileStream keeps its own position until its handle is used
     }
 
-    /// <summary>Tells the user something; where nobody can read it, nobody misses it.</summary>
+    /// <summary>Writes a message to standard error. Errors of the write are ignored.</summary>
     /// <param name="text">Whole lines.</param>
     public static void WriteError(string text)
     {
@@ -65,7 +65,7 @@ internal static class StandardFile
         }
         try
         {
-            using var error = Open(Error); // anew for each message: standard output may be the same file
+            using var error = Open(Error); // opened for each message, because standard output may be the same file
             error.Write(Encoding.UTF8.GetBytes(text));
             Leave(error);
         }
@@ -74,7 +74,7 @@ internal static class StandardFile
         }
     }
 
-    /// <summary>What is not ours, such as the name of the current folder, may hold what moves a terminal's cursor.</summary>
+    /// <summary>Replaces control characters: for example, the name of the current folder may contain some that move the cursor.</summary>
     private static string WithoutControls(string text) => string.Create(text.Length, text, (span, from) =>
     {
         for (var i = 0; i < span.Length; i++)
@@ -83,7 +83,7 @@ internal static class StandardFile
                 : '\uFFFD';
     });
 
-    /// <summary>A closed file is refused in the second way, one that grows larger than the system allows in the third.</summary>
+    /// <summary>A closed file gives the second kind of exception, a file that is larger than the system allows the third.</summary>
     private static bool IsRefusal(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException;
 
     private static string Reason(Exception e) => e switch

@@ -1,14 +1,13 @@
 namespace RayCaster.Cli;
 
-/// <summary>Standard input, as far as there is one.</summary>
+/// <summary>Standard input, which may be closed.</summary>
 internal static class StandardInput
 {
     private const string Descriptors = "/proc/self/fd", Facts = "/proc/self/fdinfo";
 
     /// <summary>
-    /// Whether the process was started without it. On Linux the first file that the runtime opens then takes its number: a pipe for its own use,
-    /// from which
-    /// a read would never return. It is told by its other end, which is open for writing in this process and in no other.
+    /// Whether the process was started without standard input. On Linux, the first file that the runtime opens then gets its number: a pipe for
+    /// its own use, and a read from it would never return. Such a pipe is recognised by its other end, which this process has open for writing.
     /// </summary>
     public static bool IsClosed
     {
@@ -32,7 +31,7 @@ internal static class StandardInput
         }
         catch (IOException)
         {
-            return null; // closed in the meantime: that by which the folder was listed
+            return null; // closed in the meantime: the descriptor that listed the folder
         }
     }
 

@@ -3,10 +3,10 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Joins the parts that --rows has drawn into one picture, or says what is missing.</summary>
+/// <summary>Joins parts drawn with --rows into one picture, or lists the missing lines.</summary>
 internal sealed class StitchCommand : Command
 {
-    /// <summary>How many problems are written out.</summary>
+    /// <summary>How many problems are listed at most.</summary>
     private const int Printed = 20;
 
     public override Option[] Options { get; } = [Option.Output, Option.Format, Option.Missing, Option.Quiet, Option.NoProgress];
@@ -50,7 +50,7 @@ internal sealed class StitchCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The command line does not do, or nobody takes the picture.</exception>
+    /// <exception cref="ProblemException">The command line has a mistake, or standard output cannot be written.</exception>
     /// <exception cref="PictureFileException">A part cannot be read, or the picture cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
@@ -98,7 +98,7 @@ internal sealed class StitchCommand : Command
         return ExitCode.Done;
     }
 
-    /// <summary>Says why not, a line for each reason.</summary>
+    /// <summary>Prints the reasons, one line each.</summary>
     private static int No(string answer, IReadOnlyList<string> reasons)
     {
         var shown = string.Concat(reasons.Take(Printed).Select(reason => $"  {reason}\n"));

@@ -4,26 +4,26 @@ using System.Text;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// A picture in a terminal's characters, collected while its lines go by. A character is one cell wide and two cells high: the block "▀" shows
-/// the upper one in its own colour and the lower one in the background's. A cell has the mean of the bytes of its pixels.
+/// A picture in a terminal's characters, built while its lines are drawn. A character has two cells: the block "▀" shows the upper one in its
+/// own colour and the lower one in the background's. A cell has the mean of its pixels' bytes.
 /// </summary>
 internal sealed class TerminalPreview
 {
-    /// <summary>What paper shows as less and more ink, a terminal as more and less light: from black to white.</summary>
+    /// <summary>Characters for terminals without colours, from dark to bright.</summary>
     private const string Ramp = " .:-=+*#%@";
 
     private readonly int width, height, across, down;
     private readonly int[] cellOfColumn;
-    private readonly long[] sums; // red, green, blue and the number of pixels, cell by cell
+    private readonly long[] sums; // red, green, blue and the number of pixels for each cell
     private int linesTaken;
 
     /// <param name="width">Pixels in a line of the picture.</param>
     /// <param name="height">Lines of the picture.</param>
-    /// <param name="columns">How many characters a line of the terminal has.</param>
-    /// <param name="lines">How many lines may be used.</param>
+    /// <param name="columns">Characters in a line of the terminal.</param>
+    /// <param name="lines">Lines that may be used.</param>
     public TerminalPreview(int width, int height, int columns, int lines)
     {
-        var scale = Math.Min(1, Math.Min((double)columns / width, 2.0 * lines / height)); // a small picture is not blown up
+        var scale = Math.Min(1, Math.Min((double)columns / width, 2.0 * lines / height)); // a small picture is not enlarged
         (this.width, this.height) = (width, height);
         (across, down) = (Math.Max(1, (int)Math.Round(width * scale)), Math.Max(1, (int)Math.Round(height * scale)));
         cellOfColumn = new int[width];
@@ -31,7 +31,7 @@ internal sealed class TerminalPreview
         sums = new long[4 * across * down];
     }
 
-    /// <summary>Takes the next lines of the picture.</summary>
+    /// <summary>Adds the next lines of the picture.</summary>
     /// <param name="rgb">Whole lines of red, green and blue.</param>
     public void Take(ReadOnlySpan<byte> rgb)
     {
@@ -49,8 +49,8 @@ internal sealed class TerminalPreview
         }
     }
 
-    /// <summary>The characters, whole lines of them.</summary>
-    /// <param name="depth">Which colours the terminal has.</param>
+    /// <summary>The characters, in whole lines.</summary>
+    /// <param name="depth">The colours of the terminal.</param>
     public string Text(ColorDepth depth)
     {
         var text = new StringBuilder();
@@ -109,8 +109,8 @@ internal sealed class TerminalPreview
         text.Append('m');
     }
 
-    /// <summary>The nearest of xterm's 256 colours: a cube of 6 × 6 × 6 from 16 on, and 24 greys from 232 on. The first 16 are each user's
-    /// own.</summary>
+    /// <summary>The nearest of xterm's 256 colours: a cube of 6 × 6 × 6 from 16 on, and 24 greys from 232 on. Users can change the first 16, so
+    /// these are not used.</summary>
     private static int PlaceInPalette((byte R, byte G, byte B) color)
     {
         var (r, g, b) = (Step(color.R), Step(color.G), Step(color.B));

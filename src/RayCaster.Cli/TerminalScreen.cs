@@ -2,21 +2,21 @@ using System.Text;
 
 namespace RayCaster.Cli;
 
-/// <summary>The terminal that the app runs in, as far as there is one.</summary>
+/// <summary>The terminal in which the app runs, if there is one.</summary>
 internal static class TerminalScreen
 {
     private const int UsualColumns = 80, UsualLines = 24, FewestColumns = 20, FewestLines = 4;
 
-    /// <summary>Which colours standard output takes, if there is a preview to write to it.</summary>
-    /// <exception cref="ProblemException">--color says neither auto nor always nor never.</exception>
+    /// <summary>The colours of standard output, if there is a preview.</summary>
+    /// <exception cref="ProblemException">--color is neither auto nor always nor never.</exception>
     public static ColorDepth Colors(CommandLine line) =>
-        !line.Has(Option.Preview) && !line.Has(Option.Color) ? ColorDepth.None // nobody wants to know, and a look at the console takes time
+        !line.Has(Option.Preview) && !line.Has(Option.Color) ? ColorDepth.None // not needed, and the console library takes time to load
         : ColorDepths.Choose(line[Option.Color], !TakesOutput, Environment.GetEnvironmentVariable);
 
     /// <summary>Whether standard output is a terminal.</summary>
     public static bool TakesOutput => !Console.IsOutputRedirected;
 
-    /// <summary>A preview for a picture that fits into the window, with a line left for the prompt.</summary>
+    /// <summary>A preview that fits into the window, with a line for the prompt.</summary>
     /// <param name="width">Pixels in a line of the picture.</param>
     /// <param name="height">Lines of the picture.</param>
     public static TerminalPreview Preview(int width, int height)
@@ -26,14 +26,14 @@ internal static class TerminalScreen
     }
 
     /// <summary>Writes a preview to standard output.</summary>
-    /// <exception cref="ProblemException">Nobody takes it.</exception>
+    /// <exception cref="ProblemException">Standard output cannot be written.</exception>
     public static void Show(TerminalPreview preview, ColorDepth colors)
     {
         if (OperatingSystem.IsWindows() && TakesOutput) Console.OutputEncoding = Encoding.UTF8; // for the blocks
-        StandardFile.WriteOutput(output => output.Write(Encoding.UTF8.GetBytes(preview.Text(colors)))); // its escape codes are our own
+        StandardFile.WriteOutput(output => output.Write(Encoding.UTF8.GetBytes(preview.Text(colors)))); // the escape codes in it are safe
     }
 
-    /// <summary>How many columns; 0 where that is not known.</summary>
+    /// <summary>The number of columns; 0 if unknown.</summary>
     public static int Width() => Known(() => Console.WindowWidth);
 
     private static int Height() => Known(() => Console.WindowHeight);

@@ -1,15 +1,15 @@
 namespace RayCaster.Cli;
 
-/// <summary>Makes a scene of its own for each student.</summary>
+/// <summary>Makes a similar scene, one for each student.</summary>
 internal sealed class VaryCommand : Command
 {
     public override Option[] Options { get; } = [Option.Seed, Option.Output, Option.Quiet];
 
     public override string Help => """
         Description:
-          Moves the numbers of a scene a little, so that each student has a scene of their own
-          that looks the same and shows the same mistakes, which is checked. Comments and layout
-          of the file stay as they are.
+          Changes the numbers of a scene a little, so that each student gets another scene. It
+          looks similar and shows the same mistakes, which is checked. Comments and layout of the
+          file stay.
 
         Usage:
           raycaster vary <scene> --seed <text> -o <file>
@@ -18,16 +18,15 @@ internal sealed class VaryCommand : Command
           <scene>  The scene file.
 
         Options:
-              --seed <text>    Whose scene it is, say the student's number: the same seed gives the
-                               same scene.
-          -o, --output <file>  Where to write the scene; where it names meshes, beside the old one.
+              --seed <text>    For example the student's number: the same seed gives the same scene.
+          -o, --output <file>  Where to write the scene; in the same folder if it names mesh files.
           -q, --quiet          Prints errors only.
 
         Examples:
           raycaster vary scenes/weeks/4-all.json --seed 12345 -o scenes/my/12345.json
 
         Exit codes:
-          0 done, 1 the scene has errors, or no variation shows the same mistakes, 2 could not do it.
+          0 done, 1 the scene has errors, or no variation shows the same mistakes, 2 failed.
 
         """;
 

@@ -1,40 +1,37 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Draws a small picture to nowhere while a scene file is still being read, so that the runtime has compiled most of what draws before the scene
-/// is there.
-/// The beginning of a long file is read many times in advance, too, so that the runtime optimises what reads models.
+/// Draws a small picture to nowhere while a scene file is being read, so that the runtime compiles the drawing code in the meantime. Also reads the
+/// beginning of a long file many times, so that the runtime optimises the code that reads models.
 /// </summary>
 /// <remarks>
-/// What the scene will hold is guessed from its text; a wrong guess costs time of a core that would have been idle. Without a warm-up a mesh of a
-/// million
-/// triangles at 1920 x 1080 takes a quarter longer from file to picture on two cores.
+/// Guesses the scene's models from its text; a wrong guess only costs time of an idle core. Without a warm-up, a mesh of a million triangles at
+/// 1920 x 1080 takes a quarter longer from file to picture on two cores.
 /// </remarks>
 internal static class WarmUp
 {
     /// <summary>
-    /// Fewer pixels of few models are drawn by so little code that two threads which compile at once would take more of the processor's time than
-    /// they
-    /// spare on the clock.
+    /// Fewer pixels of few models need little code: two threads that compile at the same time would cost more processor time than they save on
+    /// the clock.
     /// </summary>
     private const int ManyPixels = 1 << 20;
 
-    /// <summary>In a longer text so many models stand that they are drawn as a crowd.</summary>
+    /// <summary>A longer text has so many models that the engine draws them in batches.</summary>
     private const int LongText = 1 << 16;
 
-    /// <summary>The bytes that are looked at; all of most scenes.</summary>
+    /// <summary>The number of bytes that are searched: all of most scenes.</summary>
     private const int Glimpse = 1 << 13;
 
-    /// <summary>How often the beginning is read: some forty models each time make more calls than the runtime asks for.</summary>
+    /// <summary>How often the beginning is read. With some forty models each time, these are enough calls for the runtime to optimise the code.</summary>
     private const int Readings = 150;
 
     private const int Width = 128, Height = 64, CrowdSize = 100;
 
     private static int begun;
 
-    /// <summary>Begins on another thread, once in a process, and where that has more than one core.</summary>
-    /// <param name="text">A scene file's text; nobody knows yet whether it is right.</param>
-    /// <param name="pixels">How many pixels the picture will have, as far as that is known already.</param>
+    /// <summary>Starts the warm-up on another thread, once in a process, if there is more than one core.</summary>
+    /// <param name="text">A scene file's text, which may have errors.</param>
+    /// <param name="pixels">The number of pixels, if it is known already.</param>
     public static void Begin(ReadOnlySpan<byte> text, long pixels)
     {
         var isLong = text.Length > LongText;
@@ -52,13 +49,13 @@ internal static class WarmUp
             }
             catch (Exception)
             {
-                // This picture is shown to nobody. If memory is short, drawing the real one fails with a message.
+                // Nobody sees this picture. If memory is short, drawing the real one fails with a message.
             }
         })
         { IsBackground = true, Name = "warm-up" }.Start();
     }
 
-    /// <summary>Some models of each kind that a text names.</summary>
+    /// <summary>Some models of each kind that occurs in a text.</summary>
     internal static List<Model> Guess(ReadOnlySpan<byte> text, int count)
     {
         var models = new List<Model>();
@@ -76,12 +73,12 @@ internal static class WarmUp
         return models;
     }
 
-    /// <summary>A text that ends after its last whole model as a scene does; empty where it names a mesh, whose file is not to be read in
+    /// <summary>The text up to its last complete model, closed like a scene. Empty if it names a mesh, because mesh files must not be read in
     /// advance.</summary>
     internal static byte[] Beginning(ReadOnlySpan<byte> text) =>
         text.IndexOf("\"mesh\""u8) < 0 && text.LastIndexOf("},"u8) is >= 0 and var end ? [.. text[..(end + 1)], .. "]}"u8] : [];
 
-    /// <summary>Draws them, to nowhere.</summary>
+    /// <summary>Draws models to nowhere.</summary>
     internal static void Draw(List<Model> models, bool isPlain)
     {
         var scene = new Scene(new Camera(new(new(0, -2, 0.5), new(0.5, 0, 0)) { Width = Width, Height = Height }), models);

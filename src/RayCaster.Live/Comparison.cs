@@ -31,7 +31,7 @@ internal sealed record Comparison(int Version, string? Name, string? Problem, Pi
         if (Result?.Difference is not { } difference) yield break;
         yield return (Layer.Mine, Frame.Of(Result.Mine));
         yield return (Layer.Difference, Frame.Of(SideBySide.Heat(difference)));
-        yield return (Layer.ByObject, Frame.Of(WrongArea.ByObject(Scene!, Result)));
+        yield return (Layer.ByObject, Frame.Of(WrongArea.ByObject(Result)));
     }
 
     /// <summary>Which mistake may have made the picture, in words.</summary>

@@ -144,7 +144,7 @@ internal static class Messages
         Outcome.BeforeNear => "nearer than zNear",
         Outcome.BeyondFar => "beyond zFar",
         Outcome.Outside or Outcome.PassesBy => "the rays pass it by",
-        Outcome.Along => "the rays run along it",
+        Outcome.Parallel => "the rays run along it",
         _ => "its formula gives no number",
     };
 

@@ -1,14 +1,14 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What a model is called in texts for people.</summary>
+/// <summary>The names of models in texts for people.</summary>
 internal static class ModelName
 {
     /// <summary>The background's name.</summary>
     public const string Background = "the background";
 
-    /// <summary>For a sentence: its name between backquotes; where it has none, or shares it, its place in the scene file and its type.</summary>
+    /// <summary>For a sentence: the name in backquotes. A model without a name of its own gets its path in the scene file and its type.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="model">The model's place; −1 for the background.</param>
+    /// <param name="model">The model's index; −1 for the background.</param>
     public static string Of(Scene scene, int model)
     {
         if (model < 0) return Background;
@@ -19,11 +19,11 @@ internal static class ModelName
         return name;
     }
 
-    /// <summary>For a table: its name, or its place and type.</summary>
+    /// <summary>For a table: the name, or path and type.</summary>
     public static string Typed(Scene scene, int model) =>
         scene.Models[model].Name is { Length: > 0 } name ? name : $"models[{model}] ({scene.Models[model].Kind})";
 
-    /// <summary>Where the type stands beside it: its name, or its place.</summary>
+    /// <summary>For a text that also has the type: the name, or the path.</summary>
     public static string Plain(Scene scene, int model) =>
         scene.Models[model].Name is { Length: > 0 } name ? name : $"models[{model}]";
 }

@@ -35,6 +35,13 @@ public sealed class DrawTests : IDisposable
         Assert.Equal((0, ""), (raycaster.ExitCode, raycaster.Error));
     }
 
+    [Fact]
+    public void TheWordDrawMayComeFirst()
+    {
+        raycaster.Run("draw", Room, "-s", "30x20");
+        Assert.Equal((0, "room.png"), (raycaster.ExitCode, Assert.Single(raycaster.Files)));
+    }
+
     [Theory]
     [InlineData("a.png")]
     [InlineData("a.PPM")]

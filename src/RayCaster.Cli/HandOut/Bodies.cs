@@ -3,17 +3,16 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// A source file of the lab with marked bodies. Between <c>// BEGIN SOLUTION "slide"</c> and <c>// END SOLUTION</c> stands what students write;
-/// lines
-/// <c>// STUB code</c> in it are what stands there until then. Without such a line a note stands there: no hit.
+/// A source file of the lab with marked bodies. Students write the code between <c>// BEGIN SOLUTION "slide"</c> and <c>// END SOLUTION</c>. Lines
+/// <c>// STUB code</c> between them are the code before that; without such lines it is a comment, and there is no hit.
 /// </summary>
 internal sealed partial class Bodies
 {
-    private readonly string[] lines; // without their ends
+    private readonly string[] lines; // without line ends
 
     private Bodies(string[] lines, List<Body> all) => (this.lines, All) = (lines, all);
 
-    /// <summary>A marked body: the lines of its two markers, from 0.</summary>
+    /// <summary>A marked body, with the indexes of its markers' lines.</summary>
     /// <param name="Slide">The slide's title.</param>
     /// <param name="Begin">The line of its first marker.</param>
     /// <param name="End">The line of its last marker.</param>
@@ -23,9 +22,9 @@ internal sealed partial class Bodies
     public IReadOnlyList<Body> All { get; }
 
     /// <summary>Finds the bodies.</summary>
-    /// <param name="file">What an error calls the file.</param>
-    /// <param name="text">The file.</param>
-    /// <exception cref="ProblemException">A marker is missing, or names no slide of a step.</exception>
+    /// <param name="file">The file's name in errors.</param>
+    /// <param name="text">The file's text.</param>
+    /// <exception cref="ProblemException">A marker is missing, or its slide belongs to no step.</exception>
     public static Bodies Parse(string file, string text)
     {
         var lines = text.Split('\n');
@@ -59,13 +58,13 @@ internal sealed partial class Bodies
         ProblemException Problem(int line, string message) => new($"{file}({line + 1}): error: {message}");
     }
 
-    /// <summary>The file with stubs in the place of some bodies.</summary>
-    /// <param name="isOpen">Whether a body of a slide is for the students to write.</param>
+    /// <summary>The file with stubs in place of some bodies.</summary>
+    /// <param name="isOpen">Whether students write the bodies of a slide.</param>
     public string With(Func<string, bool> isOpen) => Replaced(body => isOpen(body.Slide) ? Stub(body) : Inside(body));
 
-    /// <summary>The file with some bodies as they stand in another version of it.</summary>
-    /// <param name="other">The other version: the same file but for what stands in the bodies.</param>
-    /// <param name="isTaken">Whether a body of a slide is taken from there.</param>
+    /// <summary>The file with some bodies from another version of it.</summary>
+    /// <param name="other">The other version, which differs only in the bodies.</param>
+    /// <param name="isTaken">Whether the bodies of a slide are taken from the other version.</param>
     public string WithBodiesOf(Bodies other, Func<string, bool> isTaken)
     {
         var next = 0;

@@ -3,14 +3,14 @@ using System.Text;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// The files of a hand-out that are the same for everybody or made of the lab's source. They are in this program itself, so that no clone of
-/// its repository is needed; the project file says which they are.
+/// The files of a hand-out that are the same for all courses or are made from the lab's source. They are embedded in this program, so it needs no
+/// clone of the repository; the project file lists them.
 /// </summary>
 internal static class HandOutFiles
 {
     private const string Prefix = "handout/", Source = "src/Lab/";
 
-    /// <summary>All files: paths below the hand-out's folder, and what is in them.</summary>
+    /// <summary>All files: their paths in the hand-out's folder, and their content.</summary>
     public static IEnumerable<(string Path, byte[] Content)> All()
     {
         var assembly = typeof(HandOutFiles).Assembly;
@@ -24,9 +24,9 @@ internal static class HandOutFiles
         }
     }
 
-    /// <summary>The same with stubs in the place of some bodies of the lab.</summary>
-    /// <param name="isOpen">Whether a step is for the students to do.</param>
-    /// <exception cref="ProblemException">A body of the lab is not marked as it must be.</exception>
+    /// <summary>All files, with stubs in place of some bodies of the lab.</summary>
+    /// <param name="isOpen">Whether students write a step.</param>
+    /// <exception cref="ProblemException">A body of the lab has wrong markers.</exception>
     public static List<(string Path, byte[] Content)> With(Func<int, bool> isOpen)
     {
         var steps = new HashSet<int>();

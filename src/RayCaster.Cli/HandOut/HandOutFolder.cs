@@ -1,16 +1,16 @@
 namespace RayCaster.Cli;
 
-/// <summary>Writes a hand-out: a folder that is a course's repository. It is there whole or not at all.</summary>
+/// <summary>Writes a hand-out: a folder that is a course's repository. The folder is written completely or not at all.</summary>
 internal static class HandOutFolder
 {
-    /// <summary>What the lab and its tests use of this program.</summary>
+    /// <summary>The assemblies of this program that the lab and its tests use.</summary>
     private static readonly string[] libraries = ["RayCaster.Library", "RayCaster.Files", "RayCaster.Engine", "RayCaster.Teaching"];
 
     /// <summary>Writes all files.</summary>
-    /// <param name="folder">The folder; it must not be there, or be empty.</param>
-    /// <param name="isOpen">Whether a step is for the students to do.</param>
-    /// <param name="cancellation">Ends the work; nothing is left behind.</param>
-    /// <exception cref="ProblemException">It cannot be written.</exception>
+    /// <param name="folder">The folder, which must be new or empty.</param>
+    /// <param name="isOpen">Whether students write a step.</param>
+    /// <param name="cancellation">Ends the work; no file is left.</param>
+    /// <exception cref="ProblemException">The folder cannot be written.</exception>
     public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)
     {
         var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));

@@ -1,9 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Finds out whether this build still draws a scene as its stored reference picture shows it. A build whose course library was changed may not,
-/// and then its judgement of other
-/// pictures is worth nothing.
+/// Checks whether this build still draws a scene as its stored reference picture shows it. If a change in the course library has made them
+/// differ, this build cannot judge other pictures.
 /// </summary>
 public static class StoredReference
 {
@@ -17,10 +16,11 @@ public static class StoredReference
     public static string? Contradiction(string path, Scene scene)
     {
         if (!ScalarRenderer.IsChanged || Find(path) is not { } file) return null;
-        var camera = scene.Camera;
+        var reference = PictureFile.Read(file);
         var shapes = scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
-        if ((long)camera.Width * camera.Height * shapes > MostWork) return null;
-        var comparison = new PictureComparison(ScalarRenderer.Render(scene), PictureFile.Read(file));
+        if ((long)reference.Width * reference.Height * shapes > MostWork) return null;
+        var inItsSize = scene with { Camera = scene.Camera.WithSize(reference.Width, reference.Height) };
+        var comparison = new PictureComparison(ScalarRenderer.Render(inItsSize), reference);
         return comparison.Likeness.IsSame() ? null
             : $"The judge has been edited: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}. What follows may be wrong.";
     }

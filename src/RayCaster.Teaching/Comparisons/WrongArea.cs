@@ -20,14 +20,15 @@ public static class WrongArea
         return (middle % width, middle / width);
     }
 
-    /// <summary>Each object in one colour, the hotter the larger the share of its pixels that are wrong; black where none is.</summary>
-    public static Picture ByObject(Scene scene, PictureComparison comparison)
+    /// <summary>Each model in one colour: the larger the share of its pixels that are wrong, the hotter. Black if the pictures were not compared
+    /// model by model.</summary>
+    public static Picture ByObject(PictureComparison comparison)
     {
-        var hits = new Renderer(scene).CastHits();
-        var colors = new Dictionary<int, (byte, byte, byte)>();
-        foreach (var model in comparison.ByModels?.Models ?? []) colors[model.Model] = HeatMap.Of((int)Math.Ceiling(255 * model.Share));
-        var picture = new Picture(hits.Width, hits.Height);
-        for (var i = 0; i < hits.Model.Length; i++) picture[i % hits.Width, i / hits.Width] = colors.GetValueOrDefault(hits.Model[i]);
+        var picture = new Picture(comparison.Reference.Width, comparison.Reference.Height);
+        if (comparison.ByModels is not { } byModels) return picture;
+        var colors = byModels.Models.ToDictionary(model => model.Model, model => HeatMap.Of((int)Math.Ceiling(255 * model.Share)));
+        for (var i = 0; i < picture.Width * picture.Height; i++)
+            picture[i % picture.Width, i / picture.Width] = colors.GetValueOrDefault(byModels.ModelAt(i));
         return picture;
     }
 

@@ -113,8 +113,8 @@ public static class DiagnosisReport
     /// <param name="picture">The picture's size; left out if null.</param>
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
-    public static string Json(
-        Diagnosis diagnosis, (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null) =>
+    public static string Json(Diagnosis diagnosis,
+        (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null) =>
         JsonText.Of(new
         {
             Finding = diagnosis.Finding switch

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>The camera's part of an explanation.</summary>
 internal static class CameraExplanation
 {
-    /// <summary>W, U, V, h, w: set up once for a picture, in plain doubles.</summary>
+    /// <summary>W, U, V, h and w, which are the same for all pixels.</summary>
     public static IReadOnlyList<FormulaStep> Axes(Camera camera)
     {
         var (P, T, up) = (Digits.Of(camera.Position), Digits.Of(camera.Target), Digits.Of(camera.Up));
@@ -17,7 +17,7 @@ internal static class CameraExplanation
         ];
     }
 
-    /// <summary>From the pixel to its direction.</summary>
+    /// <summary>The steps from the pixel to the direction of its ray.</summary>
     public static IReadOnlyList<FormulaStep> RaySteps(Camera camera, int column, int row)
     {
         var d = camera.Direction(((Derivation)column).As("c", ""), ((Derivation)row).As("r", ""));

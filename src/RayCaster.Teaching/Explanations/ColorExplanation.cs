@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>The colour's part of an explanation.</summary>
 internal static class ColorExplanation
 {
-    /// <summary>From the hit to the channels, and from the channels to their levels.</summary>
+    /// <summary>The steps from the hit to the channels, and from the channels to their levels.</summary>
     public static (IReadOnlyList<FormulaStep> Attenuation, IReadOnlyList<FormulaStep> Color, Color Value) Of(Scene scene, Ray ray)
     {
         if (ray.HitModel is not { } model)

@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// A number that writes down what it computes. With it a formula explains one pixel, from the very code that draws it: the values are
-/// those of <see cref="Scalar"/>, to the bit.
+/// A number that records how it was computed. A formula over this type explains a pixel: it is the same code that draws, and the values equal
+/// those of <see cref="Scalar"/> to the bit.
 /// </summary>
 internal readonly struct Derivation : IReal<Derivation>
 {
@@ -15,10 +15,10 @@ internal readonly struct Derivation : IReal<Derivation>
     {
     }
 
-    /// <summary>How it came about.</summary>
+    /// <summary>How it was computed.</summary>
     public Term Term => term ?? new(Operation.Constant, 0);
 
-    /// <summary>What came out.</summary>
+    /// <summary>The value.</summary>
     public double Value => term?.Value ?? 0;
 
     /// <inheritdoc/>

@@ -8,14 +8,14 @@ internal static class Digits
     /// <summary>A number.</summary>
     public static string Of(double value) => Of(value, 6);
 
-    /// <summary>A vector, or a number where there is only one.</summary>
+    /// <summary>A number for one value, a vector for three.</summary>
     public static string Of(IReadOnlyList<double> values) =>
         values is [var only] ? Of(only) : $"({string.Join(", ", values.Select(value => Of(value)))})";
 
     /// <summary>A vector.</summary>
     public static string Of(Vector3 v) => Of([v.X, v.Y, v.Z]);
 
-    /// <summary>Two numbers that are not equal, with as many digits as it takes to see it.</summary>
+    /// <summary>Two different numbers, with enough digits to show the difference.</summary>
     public static (string A, string B) Apart(double a, double b)
     {
         for (var digits = 6; digits < 17; digits++)

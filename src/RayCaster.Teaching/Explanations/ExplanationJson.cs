@@ -7,7 +7,7 @@ internal static class ExplanationJson
 {
     /// <summary>The text.</summary>
     /// <param name="pixel">The pixel.</param>
-    /// <param name="reference">What another picture has there; null for none.</param>
+    /// <param name="reference">The same pixel in another picture; null for none.</param>
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null) => JsonText.Of(new
     {
         Pixel = new { pixel.Column, pixel.Line, pixel.Row, pixel.Scene.Camera.Width, pixel.Scene.Camera.Height },
@@ -55,7 +55,7 @@ internal static class ExplanationJson
         model.Index,
         model.Name,
         model.Type,
-        model.Verdict,
+        Verdict = model.Outcome.Verdict(),
         model.Reason,
         Slide = Slides.OfShape(model.Type),
         model.Beside,
@@ -67,8 +67,8 @@ internal static class ExplanationJson
         {
             crossing.T,
             crossing.Z,
-            crossing.Verdict,
-            crossing.Refusal,
+            Verdict = crossing.Outcome.Verdict(),
+            Refusal = crossing.Outcome.Refusal(),
             crossing.Reason,
             crossing.Untested,
             crossing.Numbers,
@@ -81,7 +81,8 @@ internal static class ExplanationJson
         Name = pixel.NameOf(index),
         T = pixel.Ray.HitParameter,
         Point = Vector(pixel.Ray.At(pixel.Ray.HitParameter)),
-        Hides = pixel.Trials.Where(trial => trial.Hit is not null && trial.Index != index).Select(trial => new { Model = trial.Index, T = trial.Hit }),
+        Hides = pixel.Trials.Where(trial => trial.Hit is not null && trial.Index != index)
+            .Select(trial => new { Model = trial.Index, T = trial.Hit }),
     };
 
     private static object Color(PixelExplanation pixel)

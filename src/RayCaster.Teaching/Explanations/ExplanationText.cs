@@ -9,9 +9,9 @@ internal sealed class ExplanationText
 
     private readonly StringBuilder text = new();
 
-    /// <summary>The whole of it, in lines.</summary>
+    /// <summary>The text, in lines.</summary>
     /// <param name="pixel">The pixel.</param>
-    /// <param name="reference">What another picture has there; null for none.</param>
+    /// <param name="reference">The same pixel in another picture; null for none.</param>
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null)
     {
         var writer = new ExplanationText();
@@ -79,7 +79,7 @@ internal sealed class ExplanationText
             return;
         }
         var t = $"t = {(crossing.Numbers.Length == 0 ? "" : $"{crossing.Numbers} = ")}{Digits.Of(crossing.T)}";
-        Line(6, $"→ {t}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Verdict) : crossing.Reason)}");
+        Line(6, $"→ {t}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Outcome) : crossing.Reason)}");
     }
 
     private void Slabs(IReadOnlyList<SlabExplanation> slabs)
@@ -131,11 +131,11 @@ internal sealed class ExplanationText
 
     private static string Signed(int difference) => difference > 0 ? $"+{difference}" : Digits.Of(difference);
 
-    private static string Word(Verdict verdict) => verdict switch
+    private static string Word(Outcome outcome) => outcome switch
     {
-        Verdict.Shows => "shows",
-        Verdict.Hidden => "counts, but is hidden",
-        Verdict.Missed => "no crossing",
+        Outcome.Shows => "shows",
+        Outcome.Hidden => "counts, but is hidden",
+        >= Outcome.Outside => "no crossing",
         _ => "does not count",
     };
 
@@ -176,7 +176,7 @@ internal sealed class ExplanationText
         }
     }
 
-    /// <summary>Steps under each other, their equals signs too.</summary>
+    /// <summary>Steps in lines, with the equals signs in one column.</summary>
     private void Steps(int indent, IReadOnlyList<FormulaStep> steps)
     {
         var longest = steps.Count == 0 ? 0 : steps.Max(step => step.Name.Length);
@@ -206,7 +206,7 @@ internal sealed class ExplanationText
         Line(0, about.Length == 0 ? title : $"{title}: {about}");
     }
 
-    /// <summary>A line, broken between words where it is too long.</summary>
+    /// <summary>Adds a line; a long line is broken between words.</summary>
     private void Line(int indent, string line)
     {
         var first = true;

@@ -3,21 +3,21 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Teaching;
 
 /// <summary>A step of a formula with the numbers of one pixel.</summary>
-/// <param name="Name">What the slide calls it.</param>
+/// <param name="Name">Its name on the slide.</param>
 /// <param name="Formula">How it is computed, as written in the code.</param>
-/// <param name="Numbers">The same with this pixel's numbers put in, down to the named steps before it.</param>
-/// <param name="Values">What came out: one number, or the three of a vector.</param>
+/// <param name="Numbers">The formula with this pixel's numbers; named steps before it stand as their values.</param>
+/// <param name="Values">The result: one number, or the three of a vector.</param>
 public sealed record FormulaStep(string Name, string Formula, string Numbers, IReadOnlyList<double> Values)
 {
     /// <summary>Whether it is a test: its value is 1 for true and 0 for false.</summary>
     public bool IsTest { get; init; }
 
-    /// <summary>What came out of a step that gives one number.</summary>
+    /// <summary>The result of a step that gives one number.</summary>
     public double Value => Values[0];
 
     internal Vector3 Vector => new(Values[0], Values[1], Values[2]);
 
-    /// <summary>The named steps that led to some numbers, in the order in which they were computed.</summary>
+    /// <summary>The named steps from which some numbers were computed, in the order of the computation.</summary>
     internal static IReadOnlyList<FormulaStep> LeadingTo(params ReadOnlySpan<Derivation> results) => LeadingTo(new TermText(), results);
 
     /// <inheritdoc cref="LeadingTo(ReadOnlySpan{Derivation})"/>

@@ -3,18 +3,18 @@ using System.Text;
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Counts, model by model, what becomes of the rays of a picture: which pixels it shows in, and why its other crossings are refused. Taken from
-/// the models' own formulas.
+/// Counts for each model what becomes of a picture's rays: how many pixels show the model, and why other crossings do not count. The models'
+/// own formulas decide.
 /// </summary>
 public sealed class HitLedger
 {
-    /// <summary>The most rays of a sample.</summary>
+    /// <summary>The most rays that a sample has.</summary>
     public const int MostSampled = 65_536;
 
-    /// <summary>Formulas that take about a second; with more a sample of the rays is judged.</summary>
+    /// <summary>So many evaluations of a formula take about a second. If more are needed, only a sample of the rays is judged.</summary>
     private const long MostFormulas = 8_000_000;
 
-    /// <summary>So many models and triangles are judged in a few seconds, mostly in one.</summary>
+    /// <summary>So many models and triangles are judged within a few seconds, mostly within one.</summary>
     private const long MostPartsOfQuick = 500_000;
 
     private readonly LedgerEntry[] entries;
@@ -27,22 +27,22 @@ public sealed class HitLedger
     /// <summary>The models in the order of the scene.</summary>
     public IReadOnlyList<LedgerEntry> Models => entries;
 
-    /// <summary>How many rays have been judged.</summary>
+    /// <summary>How many rays were judged.</summary>
     public long Rays { get; private set; }
 
     /// <summary>How many of them hit something.</summary>
     public long Hits { get; private set; }
 
-    /// <summary>How many hits are black since they lie beyond 2 |T − P|.</summary>
+    /// <summary>How many hits are black because t ≥ 2 |T − P|.</summary>
     public long Unlit { get; private set; }
 
     /// <summary>The least and the greatest t of hits; +∞ and −∞ if there are none.</summary>
     public (double Least, double Greatest) Range { get; private set; } = (double.PositiveInfinity, double.NegativeInfinity);
 
-    /// <summary>Whether all hits have one colour, and which; null if not.</summary>
+    /// <summary>The colour of all hits; null if they have several.</summary>
     internal (byte R, byte G, byte B)? OnlyColor { get; private set; }
 
-    /// <summary>Casts the rays: all of them, or in a large picture, or with many models, a grid of at most <see cref="MostSampled"/>.</summary>
+    /// <summary>Judges all rays. In a large picture or a scene of many models, judges a grid of at most <see cref="MostSampled"/> rays.</summary>
     /// <param name="scene">The scene.</param>
     /// <param name="cancellation">Ends the work with an <see cref="OperationCanceledException"/>.</param>
     public static HitLedger Take(Scene scene, CancellationToken cancellation = default)
@@ -58,7 +58,7 @@ public sealed class HitLedger
         }
         var ledger = new HitLedger(scene, entries);
         var step = StepOf(camera, cost);
-        // From the middle of the first step on, which in a picture of one line is that line.
+        // Starts in the middle of the first step; in a picture of one line that is the line.
         var (firstColumn, firstRow) = (Math.Min(step, camera.Width) / 2, Math.Min(step, camera.Height) / 2);
         for (var row = firstRow; row < camera.Height; row += step)
         {
@@ -71,8 +71,7 @@ public sealed class HitLedger
         return ledger;
     }
 
-    /// <summary>Whether a scene is judged so soon that nobody minds who has not asked for it: its parts count, in however few models they
-    /// are.</summary>
+    /// <summary>Whether judging a scene is quick enough to be done without a request. All triangles of meshes are counted.</summary>
     public static bool IsQuick(Scene scene)
     {
         var parts = 0L;
@@ -80,7 +79,7 @@ public sealed class HitLedger
         return parts <= MostPartsOfQuick;
     }
 
-    /// <summary>The table, and in words what is odd.</summary>
+    /// <summary>The table, and in words what is unusual.</summary>
     public string Report()
     {
         var text = new StringBuilder();
@@ -112,7 +111,7 @@ public sealed class HitLedger
         Range = (Math.Min(Range.Least, nearest), Math.Max(Range.Greatest, nearest));
     }
 
-    /// <summary>Every how many columns and rows a ray is judged.</summary>
+    /// <summary>The distance between judged rays, in columns and rows.</summary>
     private static int StepOf(Camera camera, long cost)
     {
         if ((double)camera.Width * camera.Height * cost <= MostFormulas) return 1;

@@ -1,21 +1,18 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What became of the rays that one model met: each ray is counted once.</summary>
-/// <param name="label">What messages call the model.</param>
+/// <summary>What became of the rays, for one model. Each ray is counted once.</summary>
+/// <param name="label">The model's name in messages.</param>
 public sealed class LedgerEntry(string label)
 {
-    /// <summary>How many outcomes there are.</summary>
-    internal const int Outcomes = (int)Outcome.NoNumber + 1;
-
-    private readonly long[] counts = new long[Outcomes];
+    private readonly long[] counts = new long[Outcomes.Count];
 
     /// <summary>The model's name, or its place in the scene file and its kind.</summary>
     public string Label { get; } = label;
 
-    /// <summary>How many rays came to this.</summary>
+    /// <summary>The number of rays with an outcome.</summary>
     public long this[Outcome outcome] => counts[(int)outcome];
 
-    /// <summary>Rays that hit the model: it shows, or is hidden by a nearer one.</summary>
+    /// <summary>The rays that hit the model; in some of their pixels a nearer model hides it.</summary>
     public long Hits => this[Outcome.Shows] + this[Outcome.Hidden];
 
     /// <summary>The greatest z of crossings that are nearer than zNear; −∞ if there are none.</summary>
@@ -25,8 +22,8 @@ public sealed class LedgerEntry(string label)
     public double LeastBeyondFar { get; private set; } = double.PositiveInfinity;
 
     /// <summary>
-    /// Why it does not show, if it does not: the commonest outcome, but what crosses it tells more than what passes beside, and a crossing
-    /// in front of the camera more than one behind, where half of every plane lies.
+    /// The main reason why the model does not show: the most frequent outcome. Rays that cross it count before rays that miss it, and crossings
+    /// in front of the camera before crossings behind it: half of every plane is behind the camera.
     /// </summary>
     public Outcome Reason
     {
@@ -51,7 +48,7 @@ public sealed class LedgerEntry(string label)
         counts[(int)Outcome.Hidden]++;
     }
 
-    /// <summary>The outcome with the most rays, of equal ones the first.</summary>
+    /// <summary>The outcome with the most rays; among equals, the first.</summary>
     private Outcome Commonest(Outcome first, Outcome last)
     {
         var most = first;

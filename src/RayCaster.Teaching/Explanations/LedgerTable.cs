@@ -6,7 +6,7 @@ namespace RayCaster.Teaching;
 /// <summary>The ledger as a table: a line for each model, a column for each outcome that occurs.</summary>
 internal static class LedgerTable
 {
-    /// <summary>Of more models only those with the most hits are written out.</summary>
+    /// <summary>If there are more models, only those with the most hits have a line.</summary>
     private const int MostLines = 30;
 
     private static readonly (Outcome Outcome, string Title)[] Columns =
@@ -19,7 +19,7 @@ internal static class LedgerTable
         (Outcome.BeyondFar, "z > zFar"),
         (Outcome.Outside, "outside"),
         (Outcome.PassesBy, "passes by"),
-        (Outcome.Along, "along it"),
+        (Outcome.Parallel, "along it"),
         (Outcome.NoNumber, "no number"),
     ];
 

@@ -2,10 +2,10 @@ using System.Globalization;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What a ledger says in words: what is odd, why that is likely, and what to change.</summary>
+/// <summary>A ledger in words: what is unusual, why, and what to change.</summary>
 internal static class LedgerVerdict
 {
-    /// <summary>Of more models that do not show only these are named.</summary>
+    /// <summary>If more models do not show, only so many are named.</summary>
     private const int MostNamed = 10;
 
     public static IEnumerable<string> Of(HitLedger ledger)
@@ -28,7 +28,7 @@ internal static class LedgerVerdict
         var groups = new SortedDictionary<Outcome, List<LedgerEntry>>();
         foreach (var entry in ledger.Models)
         {
-            var reason = entry.Reason == Outcome.PassesBy ? Outcome.Outside : entry.Reason; // the same to the eye
+            var reason = entry.Reason == Outcome.PassesBy ? Outcome.Outside : entry.Reason; // they look the same
             if (!groups.TryGetValue(reason, out var group)) groups[reason] = group = [];
             group.Add(entry);
         }
@@ -41,7 +41,7 @@ internal static class LedgerVerdict
                 sentences.Add(remedy);
     }
 
-    /// <summary>What to change where a reason is a model's, or several models'.</summary>
+    /// <summary>What to change if some models do not show for this reason.</summary>
     private static string? Remedy(HitLedger ledger, Outcome reason, List<LedgerEntry> group)
     {
         var camera = ledger.Scene.Camera;
@@ -71,7 +71,7 @@ internal static class LedgerVerdict
         }
     }
 
-    /// <summary>Tries what the words propose before they propose it.</summary>
+    /// <summary>Tries each proposal before it is made.</summary>
     private static string OfLookingAway(Scene scene)
     {
         var (position, target) = (scene.Camera.Position, scene.Camera.Target);
@@ -86,7 +86,7 @@ internal static class LedgerVerdict
 
     private const int Side = 32;
 
-    /// <summary>How many rays of a small picture hit something from another place.</summary>
+    /// <summary>How many rays of a small picture from another camera position hit something.</summary>
     private static int HitsOf(Scene scene, Vector3 position, Vector3 target, double fovY)
     {
         var camera = new Camera(scene.Camera.Parameters with { Position = position, Target = target, FovY = fovY, Width = Side, Height = Side });
@@ -147,7 +147,7 @@ internal static class LedgerVerdict
         Outcome.UnderBias => one ? "is crossed only at t <= bias" : "are crossed only at t <= bias",
         Outcome.BeforeNear => one ? "lies nearer than zNear" : "lie nearer than zNear",
         Outcome.BeyondFar => one ? "lies beyond zFar" : "lie beyond zFar",
-        Outcome.Along => one ? "is seen edge on" : "are seen edge on",
+        Outcome.Parallel => one ? "is seen edge on" : "are seen edge on",
         Outcome.NoNumber => one ? "gives no number (NaN)" : "give no number (NaN)",
         _ => one ? "lies beside every ray" : "lie beside every ray",
     };

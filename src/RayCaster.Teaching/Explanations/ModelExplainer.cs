@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Explains models for one ray, by their own formulas over numbers that write down what they compute.</summary>
+/// <summary>Explains models for one ray: evaluates their formulas over <see cref="Derivation"/>, which records each step.</summary>
 /// <param name="scene">The scene.</param>
-/// <param name="cast">The ray, come back with the nearest hit.</param>
+/// <param name="cast">The ray with its nearest hit.</param>
 /// <param name="shown">The place of the model that the pixel shows; null for none.</param>
 internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
 {
@@ -28,8 +28,8 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
             crossings = Crossings(trial, shape, derived, steps, writer);
         }
 
-        var (verdict, reason) = Sum(trial, crossings);
-        return new ModelExplanation(trial.Index, ModelName.Plain(scene, trial.Index), trial.Model.Kind, verdict, reason, steps, crossings)
+        var (outcome, reason) = Sum(trial, crossings);
+        return new ModelExplanation(trial.Index, ModelName.Plain(scene, trial.Index), trial.Model.Kind, outcome, reason, steps, crossings)
         {
             Slabs = Slabs(shape, steps),
             Weights = shape is Model<Triangle> ? Reasons.Weights(steps) : null,
@@ -37,19 +37,19 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         };
     }
 
-    private (Verdict Verdict, string Reason) Sum(Trial trial, IReadOnlyList<CrossingExplanation> crossings)
+    private (Outcome Outcome, string Reason) Sum(Trial trial, IReadOnlyList<CrossingExplanation> crossings)
     {
         if (trial.Hit is { } t) return Hit(trial, t);
-        if (crossings.Count == 0) return (Verdict.Missed, "the ray passes all its triangles by");
+        if (crossings.Count == 0) return (Outcome.PassesBy, "the ray passes all its triangles by");
         var reasons = crossings.Select(crossing => crossing.Reason).Distinct();
-        return (trial.Refusal is Refusal.NoNumber ? Verdict.Missed : Verdict.Refused, string.Join("; ", reasons));
+        return (trial.Outcome, string.Join("; ", reasons));
     }
 
-    private (Verdict Verdict, string Reason) Hit(Trial trial, double t)
+    private (Outcome Outcome, string Reason) Hit(Trial trial, double t)
     {
-        if (trial.Index == shown) return (Verdict.Shows, "the nearest that counts: the pixel shows it");
+        if (trial.Index == shown) return (Outcome.Shows, "the nearest that counts: the pixel shows it");
         var name = ModelName.Plain(scene, shown!.Value);
-        return (Verdict.Hidden, t == cast.HitParameter
+        return (Outcome.Hidden, t == cast.HitParameter
             ? $"a tie: {name} has the same t and stands earlier in the scene"
             : $"hidden by {name}, whose {Nearer(cast.HitParameter, t)}");
     }
@@ -68,24 +68,23 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         foreach (var crossing in (Derivation[])[derived.Near, derived.Far])
         {
             var (t, term) = (crossing.Value, crossing.Term);
-            if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed once, or the same reason once more
-            var refusal = cast.Clip.Refuse(t, cast.ZPerT);
-            var (verdict, reason) = refusal switch
+            if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed only once, or the same reason again
+            var (outcome, reason) = Outcomes.Of(t, cast) switch
             {
-                Refusal.None when isHit => (Verdict.NotNeeded, "the crossing before it counts already"),
-                Refusal.None => Hit(trial, t),
-                Refusal.NoNumber => (Verdict.Missed, Reasons.NoCrossing(shape, steps, term)),
-                _ => (Verdict.Refused, Reasons.Of(refusal, t, t * cast.ZPerT, scene.Camera)),
+                Outcome.Shows when isHit => (Outcome.NotNeeded, "the crossing before it counts already"),
+                Outcome.Shows => Hit(trial, t),
+                Outcome.NoNumber => (Outcome.NoNumber, Reasons.NoCrossing(shape, steps, term)),
+                var refused => (refused, Reasons.Of(refused, t, t * cast.ZPerT, scene.Camera)),
             };
-            isHit |= refusal is Refusal.None;
-            crossings.Add(new(t, t * cast.ZPerT, verdict, refusal, reason, IsStep(term) ? "" : writer.Of(term), Untested(term)));
+            isHit |= outcome.Counts();
+            crossings.Add(new(t, t * cast.ZPerT, outcome, reason, IsStep(term) ? "" : writer.Of(term), Untested(term)));
         }
         return crossings;
     }
 
     /// <summary>
-    /// A triangle's corners as they are seen along the ray. Its own formula does not name them: one name more there, and the compiler
-    /// no longer inlines the formula's operators where it draws.
+    /// A triangle's corners as seen along the ray. The triangle's formula does not name them: with one more name there, the compiler would no
+    /// longer inline the operators when it draws.
     /// </summary>
     private IReadOnlyList<FormulaStep> Corners(Model shape)
     {
@@ -97,20 +96,20 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
 
     private static bool IsStep(Term term) => term.Chosen.Operation is Operation.Name;
 
-    /// <summary>The t of "a crossing here, if …" where the test failed.</summary>
+    /// <summary>The t that a crossing would have without the test that failed.</summary>
     private static double? Untested(Term term) =>
         double.IsNaN(term.Value) && term.Operation is Operation.If && double.IsFinite(term.B.Value) ? term.B.Value : null;
 
     private CrossingExplanation Plain(Trial trial)
     {
         var (t, z) = (trial.Near, trial.Near * cast.ZPerT);
-        var refusal = trial.Hit is null ? cast.Clip.Refuse(t, cast.ZPerT) : Refusal.None;
-        var (verdict, reason) = trial.Hit is { } hit ? Hit(trial, hit)
-            : refusal is Refusal.NoNumber ? (Verdict.Missed, "its Intersect finds no crossing")
-            : (Verdict.Refused, refusal is Refusal.None
-                ? "its Intersect gives no hit, though this t counts"
-                : Reasons.Of(refusal, t, z, scene.Camera));
-        return new(t, z, verdict, refusal, reason, "", null);
+        var (outcome, reason) = trial.Hit is { } hit ? Hit(trial, hit) : Outcomes.Of(t, cast) switch
+        {
+            Outcome.NoNumber => (Outcome.NoNumber, "its Intersect finds no crossing"),
+            Outcome.Shows => (Outcome.NoNumber, "its Intersect gives no hit, though this t counts"),
+            var refused => (refused, Reasons.Of(refused, t, z, scene.Camera)),
+        };
+        return new(t, z, outcome, reason, "", null);
     }
 
     private static IReadOnlyList<SlabExplanation> Slabs(Model shape, IReadOnlyList<FormulaStep> steps)

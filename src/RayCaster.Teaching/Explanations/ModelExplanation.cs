@@ -2,15 +2,15 @@ using System.Text.Json.Serialization;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What one model has to do with a pixel.</summary>
+/// <summary>One model in the explanation of a pixel.</summary>
 /// <param name="Index">Its place in the scene, from 0.</param>
 /// <param name="Name">Its name, or its path in the scene file.</param>
 /// <param name="Type">What kind of shape it is.</param>
-/// <param name="Verdict">What becomes of it.</param>
-/// <param name="Reason">The verdict's reason in words.</param>
-/// <param name="Steps">Its formula; empty for a model in plain doubles and ifs, which tells its t and nothing more.</param>
-/// <param name="Crossings">Where the ray crosses it, nearest first; where there is no crossing, one that says why.</param>
-public sealed record ModelExplanation(int Index, string Name, string Type, Verdict Verdict, string Reason,
+/// <param name="Outcome">What becomes of it.</param>
+/// <param name="Reason">The reason for the outcome, in words.</param>
+/// <param name="Steps">The steps of its formula; empty for a model in plain doubles and ifs, of which only t is known.</param>
+/// <param name="Crossings">The crossings, nearest first; if there is none, one entry says why.</param>
+public sealed record ModelExplanation(int Index, string Name, string Type, Outcome Outcome, string Reason,
     IReadOnlyList<FormulaStep> Steps, IReadOnlyList<CrossingExplanation> Crossings)
 {
     /// <summary>A box's slabs; empty for other shapes.</summary>
@@ -19,11 +19,11 @@ public sealed record ModelExplanation(int Index, string Name, string Type, Verdi
     /// <summary>A triangle's barycentric numbers w, u, v, which add up to 1; null for other shapes and for a triangle seen edge-on.</summary>
     public IReadOnlyList<double>? Weights { get; init; }
 
-    /// <summary>How a mesh's triangles fare; null for other shapes. Steps and crossings are those of
+    /// <summary>The outcomes of a mesh's triangles; null for other shapes. Steps and crossings are those of
     /// <see cref="MeshExplanation.Triangle"/>.</summary>
     public MeshExplanation? Mesh { get; init; }
 
-    /// <summary>Where next to the pixel the model shows, in words; null where it does not.</summary>
+    /// <summary>Which neighbouring pixels show the model, in words; null if none does.</summary>
     public string? Beside { get; init; }
 }
 
@@ -35,31 +35,32 @@ public sealed record ModelExplanation(int Index, string Name, string Type, Verdi
 /// <param name="T1">(hi − P) / d.</param>
 /// <param name="Enters">The lesser of both.</param>
 /// <param name="Leaves">The greater of both.</param>
-/// <param name="DecidesEntry">Whether it is the last that the ray enters: t_min is this one's.</param>
-/// <param name="DecidesExit">Whether it is the first that the ray leaves: t_max is this one's.</param>
+/// <param name="DecidesEntry">Whether the ray enters this slab last, so t_min is its.</param>
+/// <param name="DecidesExit">Whether the ray leaves this slab first, so t_max is its.</param>
 public sealed record SlabExplanation(char Axis, double Lo, double Hi, double T0, double T1, double Enters, double Leaves,
     bool DecidesEntry, bool DecidesExit);
 
-/// <summary>How the triangles of a mesh fare.</summary>
-/// <param name="Triangles">How many there are; the ray is tried with each.</param>
-/// <param name="Triangle">The one that is explained, by its place in the mesh, from 0: the nearest that counts, else one that nearly does; null
+/// <summary>The outcomes of a mesh's triangles.</summary>
+/// <param name="Triangles">How many there are.</param>
+/// <param name="Triangle">The index of the triangle that is explained: the nearest that counts, else the one that is nearest to counting; null
 /// for none.</param>
-/// <param name="Missed">How many the ray passes by.</param>
+/// <param name="Missed">How many the ray misses.</param>
 /// <param name="Behind">How many lie behind the camera.</param>
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias.</param>
 /// <param name="BeforeNear">How many are nearer than zNear.</param>
 /// <param name="BeyondFar">How many are farther than zFar.</param>
 /// <param name="Counting">How many crossings count; the nearest is the mesh's.</param>
 public sealed record MeshExplanation(
-    int Triangles, [property: JsonIgnore(Condition = JsonIgnoreCondition.Never)] int? Triangle, int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
+    int Triangles, [property: JsonIgnore(Condition = JsonIgnoreCondition.Never)] int? Triangle,
+    int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
 
-/// <summary>How the models fare that are not explained one by one.</summary>
+/// <summary>The outcomes of the models that are not explained one by one.</summary>
 /// <param name="Hidden">How many are hit, but hidden.</param>
 /// <param name="Behind">How many lie behind the camera.</param>
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias only.</param>
 /// <param name="BeforeNear">How many are nearer than zNear.</param>
 /// <param name="BeyondFar">How many are farther than zFar.</param>
-/// <param name="Missed">How many the ray passes by.</param>
+/// <param name="Missed">How many the ray misses.</param>
 public sealed record OtherModels(int Hidden, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Missed)
 {
     /// <summary>How many there are in all.</summary>

@@ -1,15 +1,15 @@
 namespace RayCaster.Teaching;
 
-/// <summary>How one model is looked at.</summary>
+/// <summary>How one model is shown.</summary>
 public enum Look
 {
     /// <summary>Like all others.</summary>
     Plain,
 
-    /// <summary>It is lit, all others are dark.</summary>
+    /// <summary>The model is lit, all others are dark.</summary>
     Lit,
 
-    /// <summary>It shows where it is behind others, too.</summary>
+    /// <summary>The model also shows where others hide it.</summary>
     Behind,
 }
 
@@ -18,10 +18,10 @@ public static class ModelPicture
 {
     private const int Stripe = 4; // pixels
 
-    /// <summary>Draws the scene with one model lit and the others dark, or with the model showing through those before it.</summary>
+    /// <summary>Draws the scene with one model lit and the others dark; or with the model visible through those in front of it.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="look">How the model stands out.</param>
-    /// <param name="model">Its place; −1 for none, which leaves all dark.</param>
+    /// <param name="look">How the model is shown.</param>
+    /// <param name="model">Its index; −1 for none: all models are dark.</param>
     /// <param name="cancellation">Ends the work between its steps.</param>
     public static Picture Draw(Scene scene, Look look, int model, CancellationToken cancellation)
     {
@@ -46,7 +46,7 @@ public static class ModelPicture
     private static (byte R, byte G, byte B) ColorOf(Scene scene, HitMap hits, int pixel) =>
         scene.Shade(hits.T[pixel], hits.Model[pixel] < 0 ? null : scene.Models[hits.Model[pixel]]).ToBytes();
 
-    /// <summary>A quarter of the light, and grey, so that the shapes are still seen.</summary>
+    /// <summary>A quarter of the light, in grey: the shapes are still visible.</summary>
     private static (byte, byte, byte) Dark((byte R, byte G, byte B) color)
     {
         var grey = (byte)((color.R + 2 * color.G + color.B) / 16);

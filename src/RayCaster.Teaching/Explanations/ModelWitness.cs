@@ -1,21 +1,21 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Says what becomes of rays and one model.</summary>
+/// <summary>Finds what becomes of rays, for one model.</summary>
 /// <param name="model">The model.</param>
 /// <param name="origin">Where all rays start.</param>
 internal sealed class ModelWitness(Model model, Vector3 origin)
 {
     private const int TrianglesOfBlock = 32;
 
-    /// <summary>Of a mesh the bounds of triangles that follow each other, seen from the origin, for most rays pass by most of them.</summary>
+    /// <summary>For a mesh, the bounds of groups of triangles, seen from the origin: most rays miss most groups.</summary>
     private readonly Bounds[] blocks = model is Mesh mesh ? BlocksOf(mesh, origin) : [];
 
-    /// <summary>How many formulas, or looks at bounds, a ray costs.</summary>
+    /// <summary>How many formulas or tests of bounds one ray needs.</summary>
     public int Cost => Math.Max(1, blocks.Length);
 
     /// <summary>What becomes of a ray.</summary>
     /// <param name="ray">The ray.</param>
-    /// <param name="t">The t that counts, or of a refused crossing; NaN if there is none.</param>
+    /// <param name="t">The t that counts, else that of a crossing that does not; NaN if there is none.</param>
     /// <returns><see cref="Outcome.Shows"/> for a hit, whatever else is in the scene.</returns>
     public Outcome Judge(Ray ray, out double t) =>
         blocks.Length > 0 ? JudgeMesh(ray, out t)
@@ -27,14 +27,14 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
         t = ray.Clip.First(crossings, (Scalar)ray.ZPerT);
         if (!double.IsNaN(t)) return Outcome.Shows;
 
-        // Of two crossings the far one comes nearest to counting: the near one would, if that were only too near.
+        // The far crossing is nearer to counting: if only the near one were too near, the far one would count.
         t = double.IsFinite(crossings.Far) ? crossings.Far : crossings.Near;
-        if (double.IsFinite(t)) return Refused(ray, t);
+        if (double.IsFinite(t)) return Outcomes.Of(t, ray);
         var witness = model.Intersect(new Ray<Witness>(ray.Origin, ray.Direction))!.Value.Near.Loss;
         return witness == Outcome.Shows ? Outcome.NoNumber : witness;
     }
 
-    /// <summary>A mesh is hit if one of its triangles is; else the crossing tells that lies in front of the camera.</summary>
+    /// <summary>A mesh is hit if one of its triangles is. If not, a crossing in front of the camera decides before one behind it.</summary>
     private Outcome JudgeMesh(Ray ray, out double t)
     {
         var along = new AlongRay<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
@@ -47,7 +47,7 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
             {
                 double crossing = ((Mesh)model)[part].Intersect(along).Near;
                 if (!double.IsFinite(crossing)) continue;
-                var other = ray.Counts(crossing) ? Outcome.Shows : Refused(ray, crossing);
+                var other = Outcomes.Of(crossing, ray);
                 if (outcome == Outcome.Shows ? other != Outcome.Shows || crossing >= nearest
                     : other != Outcome.Shows && outcome != Outcome.PassesBy && crossing <= nearest) continue;
                 (outcome, nearest) = (other, crossing);
@@ -57,27 +57,18 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
         return outcome;
     }
 
-    /// <summary>A model without a formula only answers whether it is hit. So it is asked again without clip planes, and about the way
-    /// back.</summary>
+    /// <summary>A model without a formula tells only whether it is hit. So it is tried again without clip planes, then in the opposite
+    /// direction.</summary>
     private Outcome JudgeByAsking(Ray ray, out double t)
     {
         t = model.Intersect(ray) ?? double.NegativeInfinity;
         if (ray.Counts(t)) return Outcome.Shows;
         if (double.IsNaN(t) || double.IsPositiveInfinity(t)) return Outcome.NoNumber;
         t = model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN;
-        if (double.IsFinite(t)) return Refused(ray, t);
+        if (double.IsFinite(t)) return Outcomes.Of(t, ray);
         t = -(model.Intersect(new Ray(ray.Origin, -ray.Direction)) ?? double.NaN);
         return double.IsFinite(t) ? Outcome.Behind : Outcome.PassesBy;
     }
-
-    private static Outcome Refused(Ray ray, double t) => ray.Clip.Refuse(t, ray.ZPerT) switch
-    {
-        Refusal.Behind => Outcome.Behind,
-        Refusal.UnderBias => Outcome.UnderBias,
-        Refusal.BeforeNear => Outcome.BeforeNear,
-        Refusal.BeyondFar => Outcome.BeyondFar,
-        _ => Outcome.NoNumber,
-    };
 
     private static Bounds[] BlocksOf(Mesh mesh, Vector3 origin)
     {
@@ -87,8 +78,8 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
         return Array.ConvertAll(blocks, bounds => bounds.PaddedFrom(origin));
     }
 
-    /// <summary>Whether the line of a ray, on both sides of the camera, may cross padded bounds. A NaN, from a line within a face, drops
-    /// nothing.</summary>
+    /// <summary>Whether the line of a ray, on both sides of the camera, may cross padded bounds. NaN, from a line within a face, changes neither
+    /// limit, so such bounds are kept.</summary>
     private static bool Crosses(in Bounds bounds, Vector3 d)
     {
         var (least, most) = (double.NegativeInfinity, double.PositiveInfinity);

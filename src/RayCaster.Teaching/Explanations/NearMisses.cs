@@ -1,13 +1,13 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Of many models those that have to do with a pixel.</summary>
+/// <summary>Chooses, from many models, those that matter for a pixel.</summary>
 internal static class NearMisses
 {
     private const int OfEachKind = 3;
 
     /// <summary>
-    /// The winner; the nearest of the hidden; those whose crossing fails by least; those that the ray passes so close by that they show
-    /// in the next pixel. In the scene's order.
+    /// The model that shows; the nearest hidden models; the models whose crossings nearly count; and the models that a neighbouring pixel
+    /// shows. In the scene's order.
     /// </summary>
     public static IEnumerable<Trial> Of(IReadOnlyList<Trial> trials, int? winner, IReadOnlyList<Neighbour> neighbours, Ray ray, Camera camera)
     {
@@ -15,7 +15,7 @@ internal static class NearMisses
         if (winner is { } index) chosen.Add(index);
         chosen.UnionWith(trials.Where(trial => trial.Hit is not null && trial.Index != winner)
             .OrderBy(trial => trial.Hit).Take(OfEachKind).Select(trial => trial.Index));
-        chosen.UnionWith(trials.Where(trial => trial.Refusal is not (Refusal.None or Refusal.NoNumber))
+        chosen.UnionWith(trials.Where(trial => !trial.Outcome.Counts() && !trial.Outcome.IsMiss())
             .OrderBy(trial => Lacking(trial, ray, camera)).Take(OfEachKind).Select(trial => trial.Index));
         foreach (var neighbour in neighbours)
             if (neighbour.Model is { } model) chosen.Add(model);
@@ -27,12 +27,12 @@ internal static class NearMisses
     {
         return Math.Min(Distance(trial.Near), Distance(trial.Far));
 
-        double Distance(double t) => ray.Clip.Refuse(t, ray.ZPerT) switch
+        double Distance(double t) => Outcomes.Of(t, ray) switch
         {
-            Refusal.Behind => -t,
-            Refusal.UnderBias => camera.Bias - t,
-            Refusal.BeforeNear => camera.ZNear - t * ray.ZPerT,
-            Refusal.BeyondFar => t * ray.ZPerT - camera.ZFar,
+            Outcome.Behind => -t,
+            Outcome.UnderBias => camera.Bias - t,
+            Outcome.BeforeNear => camera.ZNear - t * ray.ZPerT,
+            Outcome.BeyondFar => t * ray.ZPerT - camera.ZFar,
             _ => double.PositiveInfinity,
         };
     }

@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Watches the lines of a picture go by and knows at the end whether it looks like a mistake: one single colour, or nothing but background and
-/// black. It looks no further than the third colour, so a usual picture costs it nothing.
+/// Checks the lines of a picture while they are drawn, and tells at the end whether it looks like a mistake: it has one colour, or only the
+/// background's and black. It stops at the third colour, so a usual picture costs nothing.
 /// </summary>
 /// <param name="background">The scene's background.</param>
 public sealed class OddPicture(Color background)
@@ -11,7 +11,7 @@ public sealed class OddPicture(Color background)
 
     private readonly List<int> seen = new(3); // red, green and blue in one number
 
-    /// <summary>Whether the lines so far are odd.</summary>
+    /// <summary>Whether the lines so far look like a mistake.</summary>
     public bool IsOdd => seen.Count <= 1 || (seen.Count == 2 && seen.Contains(Black) && seen.Contains(Number(background.ToBytes())));
 
     /// <summary>Takes the next lines.</summary>

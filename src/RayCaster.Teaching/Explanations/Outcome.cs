@@ -1,35 +1,78 @@
+using System.Text.Json;
+
 namespace RayCaster.Teaching;
 
-/// <summary>What became of a ray and a model.</summary>
+/// <summary>What becomes of a model, or of one of its crossings, on a ray.</summary>
 public enum Outcome
 {
-    /// <summary>The pixel shows the model.</summary>
+    /// <summary>It counts, and the pixel shows it.</summary>
     Shows,
 
-    /// <summary>The model is hit, but a nearer one shows, or at the same t one that is earlier in the scene.</summary>
+    /// <summary>It counts, but another model is nearer; or as near, and earlier in the scene.</summary>
     Hidden,
 
-    /// <summary>It is crossed at t &lt; 0: behind the camera.</summary>
+    /// <summary>It counts, but the model's first crossing counts too.</summary>
+    NotNeeded,
+
+    /// <summary>t &lt; 0: behind the camera.</summary>
     Behind,
 
-    /// <summary>It is crossed at 0 ≤ t ≤ bias.</summary>
+    /// <summary>0 ≤ t ≤ bias: too near to where the ray starts.</summary>
     UnderBias,
 
-    /// <summary>It is crossed where z &lt; zNear.</summary>
+    /// <summary>z &lt; zNear.</summary>
     BeforeNear,
 
-    /// <summary>It is crossed where z &gt; zFar.</summary>
+    /// <summary>z &gt; zFar.</summary>
     BeyondFar,
 
-    /// <summary>A condition of its formula does not hold: outside of the circle, the triangle, a box's slabs.</summary>
+    /// <summary>No crossing: a condition of the formula is false. The ray is outside of the circle, the triangle, or a box's slabs.</summary>
     Outside,
 
-    /// <summary>Its formula takes the root of a negative number: the ray passes by; also said of meshes, and of models without a formula.</summary>
+    /// <summary>No crossing: the formula takes the root of a negative number. Also for meshes, and for models without a formula.</summary>
     PassesBy,
 
-    /// <summary>Its formula divides by 0: the ray runs along it.</summary>
-    Along,
+    /// <summary>No crossing: the formula divides by 0, so the ray is parallel to the surface.</summary>
+    Parallel,
 
-    /// <summary>Its formula gives no number (NaN) for another reason: its own numbers are out of range, or it is wrong.</summary>
+    /// <summary>No crossing: the formula gives NaN for another reason. Its numbers are out of range, or it is wrong.</summary>
     NoNumber,
+}
+
+/// <summary>Decides which crossings count, and puts outcomes into groups.</summary>
+internal static class Outcomes
+{
+    /// <summary>How many outcomes there are.</summary>
+    public const int Count = (int)Outcome.NoNumber + 1;
+
+    /// <summary>Why a crossing does not count; <see cref="Outcome.Shows"/> if it does, whatever else is in the scene.</summary>
+    /// <param name="t">The crossing; where it is NaN or infinite, the outcome is <see cref="Outcome.NoNumber"/>.</param>
+    /// <param name="ray">The ray.</param>
+    public static Outcome Of(double t, Ray ray) => Of(t, ray.Clip, ray.ZPerT);
+
+    /// <inheritdoc cref="Of(double, Ray)"/>
+    /// <param name="t">The crossing.</param>
+    /// <param name="clip">Which crossings count.</param>
+    /// <param name="zPerT">The z of one unit of t.</param>
+    public static Outcome Of(double t, ClipRange clip, double zPerT) =>
+        !double.IsFinite(t) ? Outcome.NoNumber
+        : t < 0 ? Outcome.Behind
+        : !clip.IsAhead(t) ? Outcome.UnderBias
+        : !clip.IsBeyondNear(t * zPerT) ? Outcome.BeforeNear
+        : clip.IsWithinFar(t * zPerT) ? Outcome.Shows
+        : Outcome.BeyondFar;
+
+    /// <summary>Whether a crossing counts.</summary>
+    public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;
+
+    /// <summary>Whether there is no crossing.</summary>
+    public static bool IsMiss(this Outcome outcome) => outcome >= Outcome.Outside;
+
+    /// <summary>The group, for other programs: shows, hidden, notNeeded, refused or missed.</summary>
+    public static string Verdict(this Outcome outcome) => outcome.Counts() ? Word(outcome) : outcome.IsMiss() ? "missed" : "refused";
+
+    /// <summary>Why a crossing does not count, for other programs: none, behind, underBias, beforeNear, beyondFar or noNumber.</summary>
+    public static string Refusal(this Outcome outcome) => outcome.Counts() ? "none" : Word(outcome.IsMiss() ? Outcome.NoNumber : outcome);
+
+    private static string Word(Outcome outcome) => JsonNamingPolicy.CamelCase.ConvertName(outcome.ToString());
 }

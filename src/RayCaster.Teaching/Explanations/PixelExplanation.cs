@@ -1,12 +1,12 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// How one pixel got its colour: the ray, each model's formula with this pixel's numbers, what becomes of each crossing, and the colour.
-/// It is derived by the code that draws, so it cannot disagree with the picture.
+/// How one pixel gets its colour: the ray, each model's formula with this pixel's numbers, what becomes of each crossing, and the colour.
+/// The code that draws computes it, so it agrees with the picture.
 /// </summary>
 public sealed class PixelExplanation
 {
-    /// <summary>With more models than this only those that have to do with the pixel are explained one by one.</summary>
+    /// <summary>If there are more models, only those that matter for the pixel are explained one by one.</summary>
     public const int ManyModels = 12;
 
     private PixelExplanation(Scene scene, int column, int line)
@@ -55,10 +55,10 @@ public sealed class PixelExplanation
     /// <summary>uc, ur, the direction before and after normalising.</summary>
     public IReadOnlyList<FormulaStep> RaySteps { get; }
 
-    /// <summary>The ray, come back with the nearest hit.</summary>
+    /// <summary>The ray with its nearest hit.</summary>
     public Ray Ray { get; }
 
-    /// <summary>The models in the scene's order; of more than <see cref="ManyModels"/> those that have to do with the pixel.</summary>
+    /// <summary>The models in the scene's order; if there are more than <see cref="ManyModels"/>, those that matter for the pixel.</summary>
     public IReadOnlyList<ModelExplanation> Models { get; }
 
     /// <summary>The models that are not among <see cref="Models"/>.</summary>
@@ -70,10 +70,10 @@ public sealed class PixelExplanation
     /// <summary>What the pixels beside it show.</summary>
     public IReadOnlyList<Neighbour> Neighbours { get; }
 
-    /// <summary>How the light that is left came about; empty for the background, which is not attenuated.</summary>
+    /// <summary>The steps of the attenuation; empty for the background, which is not attenuated.</summary>
     public IReadOnlyList<FormulaStep> AttenuationSteps { get; }
 
-    /// <summary>Each channel, and its level from 0 to 255 plus a half, of which the byte is the whole part.</summary>
+    /// <summary>The steps of each channel and its level; the byte is the whole part of the level.</summary>
     public IReadOnlyList<FormulaStep> ColorSteps { get; }
 
     /// <summary>The colour before it is clamped.</summary>
@@ -86,14 +86,14 @@ public sealed class PixelExplanation
     public IReadOnlyList<string> Notes { get; }
 
     /// <summary>The explanation as lines for people, most of them at most 100 characters long; numbers have six significant digits.</summary>
-    /// <param name="reference">What another picture has there; null for none.</param>
+    /// <param name="reference">The same pixel in another picture; null for none.</param>
     public string ToText(ReferenceExplanation? reference = null) => ExplanationText.Of(this, reference);
 
     /// <summary>The explanation as JSON; its numbers read back as the same doubles. docs/explain.md lists the fields.</summary>
-    /// <param name="reference">What another picture has there; null for none.</param>
+    /// <param name="reference">The same pixel in another picture; null for none.</param>
     public string ToJson(ReferenceExplanation? reference = null) => ExplanationJson.Of(this, reference);
 
-    /// <summary>All models' crossings in plain doubles.</summary>
+    /// <summary>The crossings of all models, in plain doubles.</summary>
     internal IReadOnlyList<Trial> Trials { get; }
 
     /// <summary>A model's name, or its path in the scene file.</summary>
@@ -136,14 +136,14 @@ public sealed class PixelExplanation
 
     private static OtherModels Count(IEnumerable<Trial> trials)
     {
-        var counts = new int[(int)Refusal.BeyondFar + 1];
-        foreach (var trial in trials) counts[(int)trial.Refusal]++;
-        return new(counts[(int)Refusal.None], counts[(int)Refusal.Behind], counts[(int)Refusal.UnderBias], counts[(int)Refusal.BeforeNear],
-            counts[(int)Refusal.BeyondFar], counts[(int)Refusal.NoNumber]);
+        var counts = new int[Outcomes.Count];
+        foreach (var trial in trials) counts[(int)trial.Outcome]++;
+        return new(counts[(int)Outcome.Shows], counts[(int)Outcome.Behind], counts[(int)Outcome.UnderBias], counts[(int)Outcome.BeforeNear],
+            counts[(int)Outcome.BeyondFar], counts[(int)Outcome.NoNumber]);
     }
 }
 
-/// <summary>What a pixel beside the explained one shows.</summary>
+/// <summary>What a neighbouring pixel shows.</summary>
 /// <param name="Where">left, right, above or below.</param>
 /// <param name="Column">c, from the left.</param>
 /// <param name="Line">The picture's line, from the top.</param>

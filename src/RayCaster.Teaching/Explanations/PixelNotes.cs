@@ -3,14 +3,14 @@ namespace RayCaster.Teaching;
 /// <summary>What is special about a pixel.</summary>
 internal static class PixelNotes
 {
-    /// <summary>Two t that agree this well may change places with the last bits of a formula.</summary>
+    /// <summary>If two t agree this well, last bits of a formula decide which is less.</summary>
     private const double AlmostEqual = 1e-12;
 
-    /// <summary>One sentence for each.</summary>
+    /// <summary>The notes, one sentence each.</summary>
     public static IReadOnlyList<string> Of(PixelExplanation pixel) =>
         [.. Definition(pixel), .. Background(pixel), .. Outline(pixel), .. Ties(pixel), .. Faces(pixel), .. Light(pixel)];
 
-    /// <summary>The explanation takes the steps of a picture by itself; a changed ScalarRenderer, Ray.Meet or Color may take others.</summary>
+    /// <summary>The explanation repeats the steps of ScalarRenderer, Ray.Meet and Color, so a change there may make them differ.</summary>
     private static IEnumerable<string> Definition(PixelExplanation pixel)
     {
         var drawn = new Picture(1, 1);

@@ -1,14 +1,13 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// The plane through a pixel's ray and the camera's up, V, as a drawing from the side: the sections of the shapes, the clip planes and the
-/// crossings. Coordinates
-/// count from P: u across V, in the direction in which the ray goes, and v along V.
+/// A drawing from the side, in the plane of a pixel's ray and the camera's V: sections of the shapes, the clip planes and the crossings.
+/// Coordinates start at P: v along V, and u at right angles to V, in the direction of the ray.
 /// </summary>
 /// <param name="Direction">d.</param>
-/// <param name="Near">The u of the near plane; null where zNear measures distances, whose section is a circle.</param>
-/// <param name="Far">The u of the far plane; null likewise.</param>
-/// <param name="View">What part of the plane is worth drawing.</param>
+/// <param name="Near">The u of the near plane; null if zNear is a distance, whose section is a circle.</param>
+/// <param name="Far">The u of the far plane; null if zFar is a distance.</param>
+/// <param name="View">The part of the plane to draw.</param>
 /// <param name="Models">The sections of the models that are explained.</param>
 /// <param name="Crossings">Where the ray crosses them.</param>
 public sealed record RaySection(double[] Direction, double? Near, double? Far, SectionView View, IReadOnlyList<ModelSection> Models,
@@ -16,7 +15,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
 {
     private const int Around = 720, Ahead = 400;
 
-    /// <summary>The section that belongs to an explanation.</summary>
+    /// <summary>The section for an explanation.</summary>
     public static RaySection Of(PixelExplanation pixel)
     {
         var (camera, d) = (pixel.Scene.Camera, pixel.Ray.Direction);
@@ -27,8 +26,8 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
         foreach (var model in pixel.Models)
             foreach (var crossing in model.Crossings)
                 if (double.IsFinite(crossing.T))
-                    crossings.Add(
-                        new(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)], crossing.Verdict, crossing.Reason));
+                    crossings.Add(new(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)],
+                        crossing.Outcome.Verdict(), crossing.Reason));
 
         var shown = double.IsFinite(pixel.Ray.HitParameter) ? pixel.Ray.HitParameter : camera.Reach / 2;
         var length = crossings.Where(crossing => crossing.T > 0 && crossing.T <= 2 * shown).Select(crossing => crossing.T).Append(shown).Max();
@@ -40,7 +39,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
             [.. pixel.Models.Select(model => fan.Cut(pixel.Scene.Models[model.Index], model))], crossings);
     }
 
-    /// <summary>Rays from P in all directions of the plane: where they cross a shape, by its own formula, is its section.</summary>
+    /// <summary>Casts rays from P in all directions of the plane. Their crossings with a shape, by its own formula, are its section.</summary>
     private sealed class Fan
     {
         private readonly Vector3 origin, u, v;
@@ -51,7 +50,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
         {
             (this.origin, this.u, this.v, this.farthest) = (origin, u, v, farthest);
             var around = Enumerable.Range(0, Around).Select(i => -Math.PI + 2 * Math.PI * i / Around);
-            var ahead = Enumerable.Range(0, Ahead).Select(i => angle + fovY * ((i + 0.5) / Ahead - 0.5)); // finer where the ray goes
+            var ahead = Enumerable.Range(0, Ahead).Select(i => angle + fovY * ((i + 0.5) / Ahead - 0.5)); // finer near the ray
             angles = [.. around.Concat(ahead).Order()];
         }
 
@@ -68,7 +67,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
             foreach (var angle in angles)
             {
                 var (sin, cos) = Math.SinCos(angle);
-                // plain doubles and ifs: only the crossing is known
+                // a model in plain doubles and ifs has no formula to cut
                 if (model.Intersect(new Ray<Scalar>(origin, cos * u + sin * v)) is not { } crossings) break;
                 double a = crossings.Near, b = crossings.Far;
                 if (!IsDrawn(a) && !IsDrawn(b)) End();
@@ -78,7 +77,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
             End();
             return lines;
 
-            // Seen from outside the far side goes back to where the near side began.
+            // Seen from outside, the far side leads back to the start of the near side.
             void End()
             {
                 if (near.Count > 0 && near.Count == far.Count) lines.Add([.. near, .. Enumerable.Reverse(far), near[0]]);
@@ -94,7 +93,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
 
         private bool IsDrawn(double t) => t > 0 && t < farthest;
 
-        /// <summary>A mesh may have a million triangles: each is cut by the plane itself.</summary>
+        /// <summary>A mesh may have a million triangles, so the plane cuts each triangle directly.</summary>
         private List<double[][]> Cut(Mesh mesh)
         {
             var (n, lines) = (u % v, new List<double[][]>());
@@ -117,14 +116,14 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
     }
 }
 
-/// <summary>What part of the plane is worth drawing.</summary>
+/// <summary>The part of the plane to draw.</summary>
 /// <param name="Left">The least u.</param>
 /// <param name="Right">The greatest u.</param>
 /// <param name="Bottom">The least v.</param>
 /// <param name="Top">The greatest v.</param>
 public sealed record SectionView(double Left, double Right, double Bottom, double Top)
 {
-    /// <summary>With room around a ray from P to a point.</summary>
+    /// <summary>The part around a ray from P to a point, with a margin.</summary>
     internal static SectionView Of(double u, double v, double length) =>
         new(Math.Min(0, u) - 0.1 * length, Math.Max(0, u) + 0.2 * length, Math.Min(0, v) - 0.2 * length, Math.Max(0, v) + 0.2 * length);
 }
@@ -136,7 +135,7 @@ public sealed record SectionView(double Left, double Right, double Bottom, doubl
 /// <param name="Lines">Lines of points (u, v).</param>
 public sealed record ModelSection(int Index, string Name, string Color, IReadOnlyList<double[][]> Lines)
 {
-    /// <summary>The most lines of a mesh that are drawn.</summary>
+    /// <summary>The most lines that are drawn of a mesh.</summary>
     public const int MostLines = 4000;
 }
 
@@ -145,6 +144,6 @@ public sealed record ModelSection(int Index, string Name, string Color, IReadOnl
 /// <param name="Name">Its name.</param>
 /// <param name="T">The ray parameter.</param>
 /// <param name="At">Where it lies, (u, v).</param>
-/// <param name="Verdict">What becomes of it.</param>
+/// <param name="Verdict">shows, hidden, notNeeded, refused or missed.</param>
 /// <param name="Reason">Why.</param>
-public sealed record SectionCrossing(int Model, string Name, double T, double[] At, Verdict Verdict, string Reason);
+public sealed record SectionCrossing(int Model, string Name, double T, double[] At, string Verdict, string Reason);

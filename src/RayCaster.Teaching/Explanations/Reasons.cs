@@ -1,23 +1,22 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The reasons of a verdict in words: what a student reads.</summary>
+/// <summary>The reasons for outcomes, in words for students.</summary>
 internal static class Reasons
 {
     /// <summary>Why a crossing does not count.</summary>
-    public static string Of(Refusal refusal, double t, double z, Camera camera) => refusal switch
+    public static string Of(Outcome outcome, double t, double z, Camera camera) => outcome switch
     {
-        Refusal.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",
-        Refusal.UnderBias => Compare("t", t, "≤", "bias", camera.Bias) + ": too near to where the ray starts",
-        Refusal.BeforeNear => Compare("z", z, "<", "zNear", camera.ZNear) + ": clipped away, nearer than the near plane",
-        Refusal.BeyondFar => Compare("z", z, ">", "zFar", camera.ZFar) + ": clipped away, beyond the far plane",
-        Refusal.NoNumber => double.IsInfinity(t) ? "t is infinite: the ray runs along the surface" : "no crossing",
+        Outcome.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",
+        Outcome.UnderBias => Compare("t", t, "≤", "bias", camera.Bias) + ": too near to where the ray starts",
+        Outcome.BeforeNear => Compare("z", z, "<", "zNear", camera.ZNear) + ": clipped away, nearer than the near plane",
+        Outcome.BeyondFar => Compare("z", z, ">", "zFar", camera.ZFar) + ": clipped away, beyond the far plane",
         _ => "counts",
     };
 
-    /// <summary>Why a ray does not cross a model at all, in the slides' words where the shape is one of theirs.</summary>
-    /// <param name="model">The model; of a mesh one of its triangles.</param>
+    /// <summary>Why a ray does not cross a model, in the slides' words for the slides' shapes.</summary>
+    /// <param name="model">The model, or a triangle of a mesh.</param>
     /// <param name="steps">The steps of its formula.</param>
-    /// <param name="near">The crossing, which is no number.</param>
+    /// <param name="near">The crossing, which is NaN.</param>
     public static string NoCrossing(Model model, IReadOnlyList<FormulaStep> steps, Term near) => model switch
     {
         Model<Plane> => "d·n = 0: the ray runs along the plane",
@@ -38,22 +37,22 @@ internal static class Reasons
         return sum != 0 && double.IsFinite(sum) ? [w.Value / sum, u.Value / sum, v.Value / sum] : null;
     }
 
-    /// <summary>"|X − C| = 2.3 > R = 2", with as many digits as it takes.</summary>
+    /// <summary>"|X − C| = 2.3 > R = 2", with enough digits to show the difference.</summary>
     public static string Compare(string left, double a, string sign, string right, double b)
     {
         var (first, second) = Digits.Apart(a, b);
         return a == b ? $"{left} = {Digits.Of(a)} {sign} {right} = {Digits.Of(b)}" : $"{left} = {first} {sign} {right} = {second}";
     }
 
-    /// <summary>A step by its name.</summary>
+    /// <summary>The step with a name; null if there is none.</summary>
     public static FormulaStep? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name);
 
-    /// <summary>The values of all steps of a name.</summary>
+    /// <summary>The values of all steps with a name.</summary>
     public static double[] Values(IReadOnlyList<FormulaStep> steps, string name) =>
         [.. steps.Where(step => step.Name == name).Select(step => step.Value)];
 
-    /// <summary>Where a ray enters and leaves the slabs of a box: the lesser and the greater of t0 and t1; in a slab whose face it runs in it is
-    /// for ever.</summary>
+    /// <summary>Where a ray enters and leaves the slabs of a box: the lesser and the greater of t0 and t1. NaN, for a ray within a face of a slab,
+    /// becomes −∞ and +∞: the ray is always in that slab.</summary>
     public static (double[] Enters, double[] Leaves) Slabs(double[] t0, double[] t1) => (
         [.. t0.Zip(t1, (a, b) => Math.Min(a, b) is var t && double.IsNaN(t) ? double.NegativeInfinity : t)],
         [.. t0.Zip(t1, (a, b) => Math.Max(a, b) is var t && double.IsNaN(t) ? double.PositiveInfinity : t)]);

@@ -1,10 +1,10 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What another picture has where a pixel was explained, and which model would have made it so.</summary>
+/// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour.</summary>
 /// <param name="Bytes">The other picture's bytes.</param>
-/// <param name="Difference">The other picture's bytes less the pixel's.</param>
-/// <param name="Agrees">Whether no channel differs by more than 1, which rounding may do.</param>
-/// <param name="Causes">If not: what would give the other picture's colour, each a sentence; empty if nothing in the scene does.</param>
+/// <param name="Difference">The other picture's bytes minus the pixel's.</param>
+/// <param name="Agrees">Whether each channel differs by at most 1, as by rounding.</param>
+/// <param name="Causes">If they do not agree: sentences that say what in the scene would give the other colour.</param>
 public sealed record ReferenceExplanation(
     (byte R, byte G, byte B) Bytes, (int R, int G, int B) Difference, bool Agrees, IReadOnlyList<string> Causes)
 {
@@ -36,7 +36,7 @@ public sealed record ReferenceExplanation(
             foreach (var crossing in model.Crossings)
             {
                 var t = crossing.Untested ?? crossing.T;
-                if (crossing.Verdict is Verdict.Shows || !double.IsFinite(t) || !AreNear(scene.Shade(t, trial.Model).ToBytes(), other)) continue;
+                if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !AreNear(scene.Shade(t, trial.Model).ToBytes(), other)) continue;
                 yield return $"the other picture's colour is what {model.Name} would give: its crossing at t = {Digits.Of(t)} {Fate(crossing)}";
             }
             if (AreNear(trial.Model.Color.ToBytes(), other)) yield return $"the other picture's colour is that of {model.Name}, not attenuated";
@@ -47,11 +47,11 @@ public sealed record ReferenceExplanation(
                 yield return $"the other picture's colour is that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
     }
 
-    private static string Fate(CrossingExplanation crossing) => crossing.Verdict switch
+    private static string Fate(CrossingExplanation crossing) => crossing.Outcome switch
     {
-        Verdict.NotNeeded => "is not needed, for the one before it counts",
-        Verdict.Hidden => $"is {crossing.Reason}",
-        Verdict.Missed => $"is none, for {crossing.Reason}",
+        Outcome.NotNeeded => "is not needed, for the one before it counts",
+        Outcome.Hidden => $"is {crossing.Reason}",
+        >= Outcome.Outside => $"is none, for {crossing.Reason}",
         _ => $"does not count, for {crossing.Reason}",
     };
 

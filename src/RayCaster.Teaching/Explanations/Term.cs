@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>How a number came about.</summary>
+/// <summary>How a number was computed.</summary>
 internal enum Operation
 {
     Constant, Name,
@@ -11,22 +11,22 @@ internal enum Operation
 }
 
 /// <summary>A number and what it was computed from: a formula with its numbers, as a tree.</summary>
-/// <param name="operation">What was done.</param>
-/// <param name="value">What came out; of a comparison 1 for true and 0 for false.</param>
-/// <param name="a">The first operand; of a choice the mask.</param>
+/// <param name="operation">The operation.</param>
+/// <param name="value">The result; for a comparison 1 for true and 0 for false.</param>
+/// <param name="a">The first operand; for a choice the mask.</param>
 /// <param name="b">The second operand.</param>
 /// <param name="c">The third operand.</param>
 internal sealed class Term(Operation operation, double value, Term? a = null, Term? b = null, Term? c = null)
 {
     private const int Huge = 1_000_000;
 
-    /// <summary>What was done.</summary>
+    /// <summary>The operation.</summary>
     public Operation Operation => operation;
 
-    /// <summary>What came out.</summary>
+    /// <summary>The result.</summary>
     public double Value => value;
 
-    /// <summary>The first operand; of a choice the mask.</summary>
+    /// <summary>The first operand; for a choice the mask.</summary>
     public Term A => a!;
 
     /// <summary>The second operand.</summary>
@@ -38,16 +38,16 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
     /// <summary>The third operand.</summary>
     public Term C => c!;
 
-    /// <summary>The name and the source text of a step; null for what has none.</summary>
+    /// <summary>The name and the source text of a step; null for other terms.</summary>
     public StepName? Step { get; init; }
 
-    /// <summary>What a step is called in a sentence: L, or L.x for a vector's coordinate; null for what has no name.</summary>
+    /// <summary>A step's name in a sentence: L, or L.x for a vector's coordinate; null for other terms.</summary>
     public string? Label => Step is null ? null : Step.Terms.Length == 1 ? Step.Name : $"{Step.Name}.{"xyz"[Array.IndexOf(Step.Terms, this)]}";
 
-    /// <summary>Whether it is the answer of a test, true or false, or a name for one.</summary>
+    /// <summary>Whether it is the result of a test, true or false, or a name for one.</summary>
     public bool IsTest => operation is >= Operation.Less and <= Operation.Or || (operation is Operation.Name && A.IsTest);
 
-    /// <summary>How long the term is written down; a step stands for itself, a choice for what it chose.</summary>
+    /// <summary>The length of the written term; a step counts as its name, a choice as the chosen operand.</summary>
     public int Size { get; } = operation switch
     {
         Operation.Name or Operation.Constant => 1,
@@ -57,7 +57,7 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
         _ => Math.Min(Huge, 1 + (a?.Size ?? 0) + (b?.Size ?? 0)),
     };
 
-    /// <summary>What a choice chose; any other term itself. Of "a crossing here, if …" the crossing, whether or not.</summary>
+    /// <summary>A choice's chosen operand; other terms themselves. For "a crossing here, if …" the crossing, even if the test failed.</summary>
     public Term Chosen => operation switch
     {
         Operation.Select => (A.Value != 0 ? B : C).Chosen,
@@ -66,7 +66,7 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
         _ => this,
     };
 
-    /// <summary>What it was computed from, in the order in which it was computed; what a choice left out was not.</summary>
+    /// <summary>The operands in the order of the computation, without those that a choice did not choose.</summary>
     public IEnumerable<Term> Parts
     {
         get
@@ -80,12 +80,12 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
 
 /// <summary>The name of a step, shared by the three coordinates of a vector.</summary>
 /// <param name="name">As on the slide.</param>
-/// <param name="formula">As in the code; empty for what is given, as the ray is.</param>
+/// <param name="formula">As in the code; empty for given numbers like the ray's.</param>
 internal sealed class StepName(string name, string formula)
 {
     private static long count;
 
-    /// <summary>Which of all steps it is: those of one formula are numbered in the order in which they are computed.</summary>
+    /// <summary>A number that grows in the order in which steps are computed.</summary>
     public long Number { get; } = Interlocked.Increment(ref count);
 
     /// <summary>As on the slide.</summary>

@@ -1,19 +1,19 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Writes a formula with its numbers put in, down to the steps that have a name. Three terms of one shape are a vector:
-/// (20, 0, 0) + 15 · (−1, 0, 0) rather than three sums; three products added up are a dot product.
+/// Writes a formula with its numbers; named steps stand as their values. Three terms of the same form are written as a vector,
+/// (20, 0, 0) + 15 · (−1, 0, 0), and a sum of three products as a dot product.
 /// </summary>
-/// <param name="known">What the reader has seen already: a part with such a value stands as the value.</param>
+/// <param name="known">Values that the reader has seen already; a part with such a value stands as the value.</param>
 internal sealed class TermText(IReadOnlySet<double>? known = null)
 {
-    // What binds closer has the higher rank.
+    // An operator with higher precedence has a higher rank.
     private const int Condition = 0, Sum = 1, Product = 2, Sign = 3, Whole = 4;
 
-    /// <summary>Larger parts stand as their value: a formula without named steps may repeat itself endlessly.</summary>
+    /// <summary>Longer parts stand as their values: a formula without named steps may become very long.</summary>
     private const int LargestPart = 60;
 
-    /// <summary>A number's or a vector's formula with its numbers; a step's is what it was computed from.</summary>
+    /// <summary>The formula of a number or a vector, with its numbers; for a step, the formula behind its name.</summary>
     public string Of(params IReadOnlyList<Term> terms)
     {
         var formula = terms is [var x, var y, var z] ? new Three(x, y, z) : new Three(terms[0]);
@@ -21,10 +21,10 @@ internal sealed class TermText(IReadOnlySet<double>? known = null)
         return Text(formula.Is(Operation.Name) ? formula.A.Chosen : formula, Condition, leads: true, isRoot: true);
     }
 
-    /// <param name="term">What is written.</param>
+    /// <param name="term">The term.</param>
     /// <param name="rank">The least rank that needs no brackets here.</param>
-    /// <param name="leads">Whether it begins the formula or a bracket; elsewhere a negative number stands in brackets.</param>
-    /// <param name="isRoot">Whether it is the whole.</param>
+    /// <param name="leads">Whether it begins the formula or a bracket; elsewhere a negative number needs brackets.</param>
+    /// <param name="isRoot">Whether it is the whole formula.</param>
     private string Text(Three term, int rank, bool leads, bool isRoot = false)
     {
         term = term.Chosen;

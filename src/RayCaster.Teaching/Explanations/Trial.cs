@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>How one model fares with a ray, in plain doubles: enough to sort thousands of models by how much they have to do with a pixel.</summary>
+/// <summary>The crossings of one model with a ray, in plain doubles. Quick enough to choose from thousands of models.</summary>
 internal readonly struct Trial
 {
     /// <param name="model">The model.</param>
@@ -18,9 +18,9 @@ internal readonly struct Trial
         }
         else if (model.Intersect(Plain(ray)) is { } crossings)
             (Near, Far) = (crossings.Near, crossings.Far);
-        else // plain doubles and ifs: without clipping it tells where it would be hit
+        else // a model in plain doubles and ifs: without clipping it tells where it would be hit
             (Near, Far) = (Hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
-        Refusal = Hit is null ? Reason(ray, Near, Far) : Refusal.None;
+        Outcome = Hit is null ? Reason(ray, Near, Far) : Outcome.Shows;
     }
 
     /// <summary>The model.</summary>
@@ -38,37 +38,36 @@ internal readonly struct Trial
     /// <inheritdoc cref="Near"/>
     public double Far { get; }
 
-    /// <summary>Why it is not hit; of two crossings the one that comes closer to counting.</summary>
-    public Refusal Refusal { get; }
+    /// <summary>Why it is not hit, for the crossing that comes closer to counting; <see cref="Outcome.Shows"/> for a hit.</summary>
+    public Outcome Outcome { get; }
 
-    /// <summary>How a mesh's triangles fare.</summary>
+    /// <summary>The outcomes of a mesh's triangles; null for other shapes.</summary>
     public MeshExplanation? Mesh { get; }
 
     /// <summary>A ray for a formula.</summary>
     public static Ray<Scalar> Plain(Ray ray) => new(ray.Origin, ray.Direction);
 
-    private static Refusal Reason(Ray ray, double near, double far)
+    private static Outcome Reason(Ray ray, double near, double far)
     {
-        var first = ray.Clip.Refuse(near, ray.ZPerT);
-        var second = ray.Clip.Refuse(far, ray.ZPerT);
-        return second is Refusal.NoNumber || first is Refusal.BeyondFar ? first : second;
+        var (first, second) = (Outcomes.Of(near, ray), Outcomes.Of(far, ray));
+        return second.IsMiss() || first is Outcome.BeyondFar ? first : second;
     }
 
     private static MeshExplanation TryTriangles(Mesh mesh, Ray ray, double? hit)
     {
-        var counts = new int[(int)Refusal.BeyondFar + 1];
+        var counts = new int[Outcomes.Count];
         var along = new AlongRay<Scalar>(Plain(ray));
         int? chosen = null;
-        var nearest = double.PositiveInfinity; // of the refused, the one with the least |t|
+        var nearest = double.PositiveInfinity; // the least |t| of crossings that do not count
         for (var i = 0; i < mesh.TriangleCount; i++)
         {
             double t = mesh[i].Intersect(along).Near;
-            var refusal = ray.Clip.Refuse(t, ray.ZPerT);
-            counts[(int)refusal]++;
-            if (refusal is Refusal.NoNumber) continue;
-            if (hit is null ? Math.Abs(t) < nearest : chosen is null && t == hit && refusal is Refusal.None) (chosen, nearest) = (i, Math.Abs(t));
+            var outcome = Outcomes.Of(t, ray);
+            counts[(int)outcome]++;
+            if (outcome.IsMiss()) continue;
+            if (hit is null ? Math.Abs(t) < nearest : chosen is null && t == hit && outcome.Counts()) (chosen, nearest) = (i, Math.Abs(t));
         }
-        return new(mesh.TriangleCount, chosen, counts[(int)Refusal.NoNumber], counts[(int)Refusal.Behind], counts[(int)Refusal.UnderBias],
-            counts[(int)Refusal.BeforeNear], counts[(int)Refusal.BeyondFar], counts[(int)Refusal.None]);
+        return new(mesh.TriangleCount, chosen, counts[(int)Outcome.NoNumber], counts[(int)Outcome.Behind], counts[(int)Outcome.UnderBias],
+            counts[(int)Outcome.BeforeNear], counts[(int)Outcome.BeyondFar], counts[(int)Outcome.Shows]);
     }
 }

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Teaching;
 
-/// <summary>Why a formula gave no number: the test that failed or the operation that has no result, with its numbers.</summary>
+/// <summary>Why a formula gives NaN: the test that failed, or the operation without a result, with its numbers.</summary>
 internal static class Why
 {
     /// <summary>The reasons, from the derivation of a crossing that is NaN.</summary>

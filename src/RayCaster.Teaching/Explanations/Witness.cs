@@ -1,11 +1,11 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A double that remembers why it became no number. With it a formula, also a student's own, says why a ray does not cross the
-/// shape.</summary>
+/// <summary>A double that records why it became NaN or infinite. A formula over this type, also a student's own, tells why a ray does not cross
+/// the shape.</summary>
 /// <param name="Value">The number; as a mask 1 for true and 0 for false.</param>
 /// <param name="Loss">
-/// Why <paramref name="Value"/> is NaN, or infinite; of a mask why it could not be true, and none if it was plainly false.
-/// <see cref="Outcome.Shows"/> stands for none.
+/// Why <paramref name="Value"/> is NaN or infinite; for a mask that is false because an operand is NaN, why that is. <see cref="Outcome.Shows"/>
+/// for other values.
 /// </param>
 internal readonly record struct Witness(double Value, Outcome Loss) : IReal<Witness>
 {
@@ -23,7 +23,7 @@ internal readonly record struct Witness(double Value, Outcome Loss) : IReal<Witn
 
     public static Witness operator *(Witness a, Witness b) => Result(a.Value * b.Value, a, b);
 
-    public static Witness operator /(Witness a, Witness b) => Result(a.Value / b.Value, a, b, b.Value == 0 ? Outcome.Along : Outcome.NoNumber);
+    public static Witness operator /(Witness a, Witness b) => Result(a.Value / b.Value, a, b, b.Value == 0 ? Outcome.Parallel : Outcome.NoNumber);
 
     public static Witness operator <(Witness a, Witness b) => Mask(a.Value < b.Value, a, b);
 
@@ -45,7 +45,7 @@ internal readonly record struct Witness(double Value, Outcome Loss) : IReal<Witn
 
     public static Witness Max(Witness a, Witness b) => Result(Math.Max(a.Value, b.Value), a, b);
 
-    /// <summary>A NaN that is chosen because a condition does not hold is what the formula calls "no crossing".</summary>
+    /// <summary>A constant NaN that is chosen because a condition is false is the formula's "no crossing".</summary>
     public static Witness Select(Witness mask, Witness a, Witness b)
     {
         var chosen = mask.Holds ? a : b;
@@ -53,7 +53,7 @@ internal readonly record struct Witness(double Value, Outcome Loss) : IReal<Witn
         return chosen with { Loss = mask.Loss == None ? Outcome.Outside : mask.Loss };
     }
 
-    /// <summary>A result, which keeps the loss of its operands, or has one of its own where they have none.</summary>
+    /// <summary>A result. If it is not finite, it keeps the loss of its operands; if they have none, it gets its own.</summary>
     private static Witness Result(double value, Witness a, Witness b, Outcome own = Outcome.NoNumber) =>
         new(value, double.IsFinite(value) ? None : Earlier(a, b) is not None and var loss ? loss : own);
 

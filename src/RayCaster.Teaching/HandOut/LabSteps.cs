@@ -1,17 +1,17 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The ten steps in which students write the lab, and what it draws after each: the references of the hand-out.</summary>
+/// <summary>The ten steps in which students write the lab, and the picture after each, which is the hand-out's reference.</summary>
 public static class LabSteps
 {
     /// <summary>How many steps there are.</summary>
     public const int Count = 10;
 
-    /// <summary>Before this step there is no ray, and a gradient is drawn.</summary>
+    /// <summary>The first step with rays; before it, the lab draws a gradient.</summary>
     public const int FirstPicture = 4;
 
     private const int Shading = 5, Clipping = 6;
 
-    /// <summary>The step in which the bodies of a slide are written, from 1; 0 for a title that no body has.</summary>
+    /// <summary>The step, from 1, in which students write the code of a slide; 0 for a slide without code.</summary>
     public static int StepOf(string slide) => slide switch
     {
         "IDE & Vectors" => 1,
@@ -28,8 +28,8 @@ public static class LabSteps
     };
 
     /// <summary>
-    /// The part of a scene that the lab can show after a step: the models whose formula is written, and before the step of zNear, zFar and
-    /// bias all that is in front of the camera.
+    /// The part of a scene that the lab can draw after a step: the models whose formulas are written. Before the step of zNear, zFar and bias,
+    /// every hit in front of the camera counts.
     /// </summary>
     public static Scene SceneAt(Scene scene, int step)
     {
@@ -37,7 +37,7 @@ public static class LabSteps
         return scene with
         {
             Models = [.. scene.Models.Where(model => StepOf(model) <= step)],
-            // The least bias there is: t > 0.
+            // The least bias that exists: t > 0.
             Camera = step >= Clipping
                 ? c
                 : new(c.Parameters with { ZNear = 0, ZFar = double.MaxValue, Bias = double.Epsilon }),
@@ -63,7 +63,7 @@ public static class LabSteps
         _ => 10, // triangles and meshes
     };
 
-    /// <summary>Each model in its full colour, however far it is.</summary>
+    /// <summary>Each model in its full colour, without attenuation.</summary>
     private static Picture Unshaded(Scene scene)
     {
         var hits = new Renderer(scene).CastHits();

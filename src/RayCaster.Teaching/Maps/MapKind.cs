@@ -1,36 +1,36 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What a map tells of each pixel.</summary>
+/// <summary>The kinds of numbers that a map can have.</summary>
 public enum MapKind
 {
     /// <summary>The ray parameter of the nearest hit: its distance from the camera; +∞ where nothing is hit.</summary>
     T,
 
-    /// <summary>z = t · (−d·W): how far that is along the view direction, whatever zNear and zFar measure; +∞ where nothing is hit.</summary>
+    /// <summary>z = t · (−d·W), the distance along the view direction, for either clip mode; +∞ where nothing is hit.</summary>
     Depth,
 
-    /// <summary>The model's place in the scene file, from 0; −1 where nothing is hit.</summary>
+    /// <summary>The model's index in the scene file, from 0; −1 where nothing is hit.</summary>
     Model,
 
     /// <summary>The surface's normal, of length 1, towards the camera; (0, 0, 0) where nothing is hit.</summary>
     Normal,
 
-    /// <summary>Where on the surface the hit lies, as (u, v, 0); (0, 0, 0) where nothing is hit.</summary>
+    /// <summary>The surface parameters of the hit, as (u, v, 0); (0, 0, 0) where nothing is hit.</summary>
     Uv,
 }
 
 /// <summary>Names of maps.</summary>
 public static class MapKinds
 {
-    /// <summary>The kinds as the command line and file names call them.</summary>
+    /// <summary>The names on the command line and in file names.</summary>
     public static readonly string[] Names = ["t", "depth", "model", "normal", "uv"];
 
-    /// <summary>The kind of a name; null if there is none.</summary>
+    /// <summary>The kind with a name; null if there is none.</summary>
     public static MapKind? Named(string name) => Array.IndexOf(Names, name) is >= 0 and var place ? (MapKind)place : null;
 
     /// <summary>The name of a kind.</summary>
     public static string Name(this MapKind kind) => Names[(int)kind];
 
-    /// <summary>How many numbers a pixel has.</summary>
+    /// <summary>How many numbers each pixel has.</summary>
     public static int Channels(this MapKind kind) => kind is MapKind.Normal or MapKind.Uv ? 3 : 1;
 }

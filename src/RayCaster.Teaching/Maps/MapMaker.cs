@@ -3,12 +3,12 @@ namespace RayCaster.Teaching;
 /// <summary>Makes the maps of a scene: numbers for each pixel instead of a colour.</summary>
 public static class MapMaker
 {
-    /// <summary>The most pixels of a map. All of it is in memory, with what it is made of up to some 35 bytes a pixel.</summary>
+    /// <summary>The most pixels of a map. Making it needs up to about 35 bytes of memory for each pixel.</summary>
     public const int MostPixels = 100_000_000;
 
-    /// <summary>Casts all rays of a scene and writes down what they find.</summary>
+    /// <summary>Casts all rays of a scene and makes a map of their hits.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="kind">What to write down.</param>
+    /// <param name="kind">Which numbers.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     /// <exception cref="PictureFileException">The map has more pixels than <see cref="MostPixels"/>, or does not fit into this machine's
     /// memory.</exception>
@@ -30,10 +30,10 @@ public static class MapMaker
         }
     }
 
-    /// <summary>The same from rays that have been cast.</summary>
+    /// <summary>Makes a map of hits that were found before.</summary>
     /// <param name="scene">The scene.</param>
-    /// <param name="kind">What to write down.</param>
-    /// <param name="hits">What the scene's pixels hit.</param>
+    /// <param name="kind">Which numbers.</param>
+    /// <param name="hits">The hits of the scene's pixels.</param>
     public static NumberMap Make(Scene scene, MapKind kind, HitMap hits)
     {
         var camera = scene.Camera;
@@ -71,7 +71,7 @@ public static class MapMaker
         return map;
     }
 
-    /// <summary>Rounds; a finite number stays finite, for infinite means that nothing is hit.</summary>
+    /// <summary>Rounds to float. A finite number stays finite, because infinity means that nothing is hit.</summary>
     private static float ToFloat(double number) =>
         double.IsFinite(number) ? (float)Math.Clamp(number, float.MinValue, float.MaxValue) : (float)number;
 }

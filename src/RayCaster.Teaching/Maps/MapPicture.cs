@@ -1,11 +1,11 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Shows a map to the eye. Where nothing is hit it is black.</summary>
+/// <summary>Draws a map as a picture. Pixels without a hit are black.</summary>
 public static class MapPicture
 {
     /// <summary>
-    /// From dark to bright: nine colours of matplotlib's viridis (public domain), whose lightness grows evenly, so that equal steps of
-    /// the number look equal, in print without colours and to the colour-blind, too.
+    /// Nine colours of matplotlib's viridis (public domain), from dark to bright. Its lightness grows evenly, so equal steps of the number look
+    /// equal, also in grey print and to colour-blind people.
     /// </summary>
     private static readonly uint[] Ramp = [0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725];
 
@@ -51,8 +51,8 @@ public static class MapPicture
         byte Mix(int shift) => (byte)(((Ramp[i] >> shift) & 255) * (1 - rest) + ((Ramp[i + 1] >> shift) & 255) * rest + 0.5);
     }
 
-    /// <summary>A colour for each model: the hue goes on by the golden angle, so that neighbours in the scene file, and many, are far
-    /// apart.</summary>
+    /// <summary>A colour for each model. The hue grows by the golden angle, so models that are neighbours in the scene file look
+    /// different.</summary>
     private static (byte, byte, byte) OfModel(int model)
     {
         var hue = 6 * Part(0.61803398874989 * model);
@@ -62,11 +62,11 @@ public static class MapPicture
 
         double Channel(int shift)
         {
-            var distance = Math.Abs(Part((hue - shift) / 6 + 0.5) * 6 - 3); // from the hue at which the channel is full
+            var distance = Math.Abs(Part((hue - shift) / 6 + 0.5) * 6 - 3); // from the hue at which the channel is at its maximum
             return value * (pale + (1 - pale) * Math.Clamp(2 - distance, 0, 1));
         }
     }
 
-    /// <summary>What is left of the whole numbers.</summary>
+    /// <summary>The fractional part.</summary>
     private static double Part(double x) => x - Math.Floor(x);
 }

@@ -1,9 +1,9 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Finds which triangle of a mesh each pixel shows; the renderer only tells which mesh, and at which t.</summary>
+/// <summary>Finds which triangle of a mesh each pixel shows. The renderer only tells which mesh, and at which t.</summary>
 internal static class MeshParts
 {
-    /// <summary>The places of the triangles, pixel by pixel as in the hit map; 0 where a pixel shows no mesh.</summary>
+    /// <summary>The index of the triangle at each pixel, in the order of the hit map; 0 where a pixel shows no mesh.</summary>
     public static int[] Find(Scene scene, HitMap hits)
     {
         var parts = new int[hits.Model.Length];
@@ -16,8 +16,8 @@ internal static class MeshParts
     }
 
     /// <summary>
-    /// Looks only where a triangle can show, so that a large mesh takes hardly longer than a small one. The triangle is the first whose own
-    /// formula gives the pixel's t to the bit.
+    /// Tests only pixels where a triangle can show, so a large mesh takes hardly longer than a small one. The triangle at a pixel is the first
+    /// whose formula gives the pixel's t to the bit.
     /// </summary>
     private static void Find(Mesh mesh, int index, Camera camera, HitMap hits, int[] parts)
     {

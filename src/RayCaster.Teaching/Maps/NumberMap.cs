@@ -1,10 +1,10 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Numbers instead of colours: one or three floats for each pixel, line 0 at the top.</summary>
+/// <summary>One or three floats for each pixel. Line 0 is at the top.</summary>
 /// <param name="width">Pixels in a line.</param>
 /// <param name="height">Lines.</param>
 /// <param name="channels">1, or 3 for vectors.</param>
-/// <exception cref="OverflowException">There would be 2³¹ numbers or more.</exception>
+/// <exception cref="OverflowException">The map would have 2³¹ numbers or more.</exception>
 public sealed class NumberMap(int width, int height, int channels)
 {
     /// <summary>Pixels in a line.</summary>
@@ -24,7 +24,7 @@ public sealed class NumberMap(int width, int height, int channels)
     /// <param name="y">The line, from the top.</param>
     public Span<float> this[int x, int y] => Values.AsSpan(((y * Width) + x) * Channels, Channels);
 
-    /// <summary>The least and the greatest number that is finite; null where none is.</summary>
+    /// <summary>The least and the greatest finite number; null if there is none.</summary>
     public (float Least, float Greatest)? Range
     {
         get

@@ -5,16 +5,16 @@ using System.Text;
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// PFM, the portable float map: a header of three lines ("Pf" for one number a pixel, "PF" for three; width and height; a scale whose sign
-/// tells the order of bytes), then 32-bit floats, the bottom line first.
+/// PFM, the portable float map. The header has three lines: "Pf" for one number per pixel or "PF" for three; width and height; and a scale,
+/// negative for little-endian. Then follow 32-bit floats, the bottom line first.
 /// </summary>
 public static class PfmFile
 {
-    /// <summary>The most of a header that is read; sensible ones have some twenty bytes.</summary>
+    /// <summary>The most bytes that are read of a header; usual ones have about twenty.</summary>
     private const int MostOfHeader = 200;
 
     /// <summary>Writes a map, little-endian (scale −1.0).</summary>
-    /// <param name="output">Takes the bytes in order and is left open.</param>
+    /// <param name="output">Where the bytes go; stays open.</param>
     /// <param name="map">The map.</param>
     public static void Write(Stream output, NumberMap map)
     {
@@ -28,8 +28,8 @@ public static class PfmFile
         }
     }
 
-    /// <summary>Reads a map of either kind and order of bytes. The scale's size is what a unit of light is worth; it is ignored.</summary>
-    /// <exception cref="PictureFileException">It is not there, no PFM, cut, or too large.</exception>
+    /// <summary>Reads a map with either number of channels and either byte order. The size of the scale is ignored.</summary>
+    /// <exception cref="PictureFileException">The file is missing, not a PFM, incomplete, or too large.</exception>
     public static NumberMap Read(string path)
     {
         try
@@ -47,7 +47,7 @@ public static class PfmFile
         }
     }
 
-    /// <summary>Reads a map from a stream that tells its length.</summary>
+    /// <summary>Reads a map from a stream whose length is known.</summary>
     /// <inheritdoc cref="Read(string)"/>
     public static NumberMap Read(Stream stream)
     {
@@ -85,7 +85,7 @@ public static class PfmFile
             ? side
             : throw new PictureFileException($"one side is '{PrintableText.Of(text)}'; it must be a whole number from 1 to {Camera.MaxSide}");
 
-    /// <summary>The next word of the header, and the one blank after it: behind the last one the numbers begin.</summary>
+    /// <summary>Reads the next word of the header and one blank after it; the numbers begin after the last blank.</summary>
     private static string Word(Stream stream)
     {
         var word = new StringBuilder();

@@ -1,19 +1,19 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Normals and places on surfaces at a picture's hits.</summary>
+/// <summary>Normals and surface parameters at a picture's hits.</summary>
 /// <param name="scene">The scene.</param>
-/// <param name="hits">What its pixels hit.</param>
+/// <param name="hits">The hits of its pixels.</param>
 internal sealed class SurfaceHits(Scene scene, HitMap hits)
 {
-    /// <summary>How far the rays beside a pixel's own are, for a shape that does not know its normal: this part of a pixel.</summary>
+    /// <summary>For a shape without a known normal, four rays beside the pixel's own are cast, at this distance in pixels.</summary>
     private const double Step = 1.0 / 64;
 
     private readonly Camera camera = scene.Camera;
     private readonly int[]? parts = scene.Models.Any(model => model is Mesh) ? MeshParts.Find(scene, hits) : null;
     private readonly ISurface?[] surfaces = [.. scene.Models.Select(model => model.Surface)];
 
-    /// <summary>The normal at a pixel's hit, of length 1 and towards the camera; zero where nothing is hit, or the shape's neighbouring hits do
-    /// not tell.</summary>
+    /// <summary>The normal at a pixel's hit, of length 1 and towards the camera. Zero where nothing is hit, or where the shape has no known normal
+    /// and a neighbouring ray misses it.</summary>
     /// <param name="column">c, from the left.</param>
     /// <param name="row">r, from the bottom.</param>
     public Vector3 Normal(int column, int row)
@@ -48,7 +48,7 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
         return new(d.X, d.Y, d.Z);
     }
 
-    /// <summary>The surface goes through the hits of two rays beside each other in the row and two in the column; zero where one of them
+    /// <summary>The cross product of two differences on the surface, between hits left and right and hits above and below. NaN where a ray
     /// misses.</summary>
     private Vector3 FromNeighbours(int column, int row, int model)
     {
@@ -57,7 +57,7 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
         return across % upwards;
     }
 
-    /// <summary>Where a ray hits a model, though another may hide it there; no numbers where it misses.</summary>
+    /// <summary>Where a ray hits a model, even if another model hides it there; NaN where it misses.</summary>
     private Vector3 Hit(double column, double row, int model)
     {
         var d = Direction(column, row);

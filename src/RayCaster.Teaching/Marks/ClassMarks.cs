@@ -4,12 +4,11 @@ using System.Text.Json;
 
 namespace RayCaster.Teaching;
 
-/// <summary>Marks the submissions of a class, and writes what comes of it: a table, a page for each student, and a page for the teacher.</summary>
+/// <summary>Marks the submissions of a class, and writes a table, a page for each student, and a page for the teacher.</summary>
 public sealed class ClassMarks
 {
     /// <summary>
-    /// The folder of the marks as they are kept, so that a run that was interrupted can go on. They name mistakes, so no student's folder holds
-    /// them.
+    /// The folder of finished marks, from which an interrupted run continues. They name mistakes, so they are not in the students' folders.
     /// </summary>
     private const string Kept = ".kept";
 
@@ -27,19 +26,19 @@ public sealed class ClassMarks
         others = new([.. rubric.Scenes.Select(scene => scene.Path)], submissions);
     }
 
-    /// <summary>What a class's run may be told, and tells.</summary>
-    /// <param name="Threads">How many submissions are in work at a time.</param>
-    /// <param name="Resume">Whether marks that are there already are kept where neither rubric nor submission has changed.</param>
-    /// <param name="JUnit">A file for the marks in the form that continuous integration reads; null for none.</param>
-    /// <param name="Progress">Hears how many submissions are done, and of how many.</param>
+    /// <summary>Options for marking a class.</summary>
+    /// <param name="Threads">How many submissions are marked at the same time.</param>
+    /// <param name="Resume">Whether to keep finished marks if neither rubric nor submission has changed.</param>
+    /// <param name="JUnit">A file for the marks as JUnit XML, which continuous integration reads; null for none.</param>
+    /// <param name="Progress">Called with the number of finished submissions and the number of all.</param>
     public sealed record Options(int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null);
 
     /// <summary>Marks all submissions in a folder.</summary>
-    /// <param name="rubric">What costs points.</param>
-    /// <param name="submissions">The folder with a folder for each student.</param>
-    /// <param name="output">The folder for the results; it is made if it is not there.</param>
-    /// <param name="options">How.</param>
-    /// <param name="cancellation">Ends it; what is marked by then is kept for <see cref="Options.Resume"/>.</param>
+    /// <param name="rubric">The rubric.</param>
+    /// <param name="submissions">A folder that contains a folder for each student.</param>
+    /// <param name="output">The folder for the results; made if it does not exist.</param>
+    /// <param name="options">The options.</param>
+    /// <param name="cancellation">Ends the work; finished marks are kept for <see cref="Options.Resume"/>.</param>
     /// <returns>The marks in the order of the students' names.</returns>
     /// <exception cref="PictureFileException">A folder cannot be read, or a file not be written.</exception>
     public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
@@ -98,7 +97,7 @@ public sealed class ClassMarks
         }
         catch (Exception e) when (e is JsonException or IOException or UnauthorizedAccessException or NotSupportedException)
         {
-            return null; // as if it were not there
+            return null; // a damaged file counts as missing
         }
     }
 

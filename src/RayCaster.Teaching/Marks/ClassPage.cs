@@ -1,21 +1,21 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The page for the teacher: all students, the mistakes by how many make them, and pictures that are wrong in the same way.</summary>
+/// <summary>The teacher's page: all students, the mistakes by frequency, and pictures that are wrong in the same way.</summary>
 internal static class ClassPage
 {
     private const int MostGroups = 40, MostNames = 12, MostToDiscuss = 3;
 
-    /// <summary>Pictures whose tiny copies differ by fewer levels, in the mean of all channels, look alike.</summary>
+    /// <summary>Pictures look alike if the channels of their tiny copies differ by fewer levels than this on average.</summary>
     private const double AlikeLevels = 4;
 
-    /// <summary>The page's text. It names mistakes and links to the students' pages: it is not for students.</summary>
+    /// <summary>The page as HTML. It names the mistakes, so it is not for students.</summary>
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         var page = new Page($"{rubric.Title}: {marks.Count} submissions");
         if (marks.Count == 0) return page.Element("p", "No submissions.").ToString();
         page.Element("p",
             $"{MarksTable.Number(Math.Round(marks.Average(student => student.Points), 2))} of {MarksTable.Number(rubric.Points)} points " +
-            "in the mean; "
+            "on average; "
             + $"{marks.Count(student => student.LookYourself.Count > 0)} to look at yourself.");
         AddMistakes(page, marks);
         AddLookYourself(page, marks);
@@ -32,8 +32,8 @@ internal static class ClassPage
                 .Select(count => (count.Key, count.Value)).OrderByDescending(count => count.Value),
         ];
         var mistakes = counts.Select(count => MistakeCatalog.Named(count.Id)).OfType<Mistake>().ToArray();
-        page.Element("h2", "Mistakes, by how many make them");
-        if (counts.Length == 0) page.Element("p", "None was found.");
+        page.Element("h2", "Mistakes by frequency");
+        if (counts.Length == 0) page.Element("p", "No mistakes were found.");
         if (mistakes.Length > 0)
             page.Element("p",
                 "To discuss next: " +

@@ -1,41 +1,41 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// What keeps a student's program within bounds, as far as the system offers it without any rights: on Linux <c>unshare</c> gives it a tree of
-/// processes of its own, which ends as a whole, and no network, <c>prlimit</c> bounds the files that it writes and the number of its processes, and
-/// <c>nice</c> sees to it that whoever watches it gets a turn. None of them hides other files.
+/// The limits that the system enforces on a student's program without special rights. On Linux, <c>unshare</c> gives the program its own tree of
+/// processes, which ends as a whole, and no network; <c>prlimit</c> limits the size of its files and the number of its processes; and <c>nice</c>
+/// lets the marking program run first. None of them hides other files.
 /// </summary>
-/// <param name="HasOwnTree">Whether all its processes end with it, however they have hidden.</param>
-/// <param name="HasLimits">Whether the size of its files is bounded, and the number of its processes by the system, too.</param>
+/// <param name="HasOwnTree">Whether all its processes end with it, even those that left their parent.</param>
+/// <param name="HasLimits">Whether the system limits the size of its files and the number of its processes.</param>
 internal sealed record Containment(bool HasOwnTree, bool HasLimits)
 {
-    /// <summary>The system counts threads, not processes, and all of the user's; a program of many threads is not yet too many processes.</summary>
+    /// <summary>The system counts all threads of the user, not the processes of one program, so its limit is higher by this factor.</summary>
     private const int ThreadsPerProcess = 20;
 
-    /// <summary>The .NET runtime keeps its code in a file in memory and does not start with less.</summary>
+    /// <summary>The .NET runtime keeps its code in a file in memory, and does not start below this limit.</summary>
     private const long LeastFileBytes = 64_000_000;
 
     /// <summary>
-    /// The tree's first process, which is a shell since signals mean something else to that one than to any other. It ends after the time in any
-    /// case, and all the tree with it, should nobody be left to end it.
+    /// The first process of the tree. It is a shell, because signals have another effect on the first process of a tree. It ends after the time
+    /// limit, and the whole tree with it, even if the marking program was killed before.
     /// </summary>
     private const string First = "timeout --foreground -s KILL \"$0\" \"$@\"; exit $?";
 
     private static readonly Lazy<Containment> here = new(Find);
 
-    /// <summary>Nothing but what every system has.</summary>
+    /// <summary>No limits by the system.</summary>
     public static Containment None { get; } = new(false, false);
 
-    /// <summary>What there is on this machine.</summary>
+    /// <summary>The limits that this machine offers.</summary>
     public static Containment Here => here.Value;
 
-    /// <summary>In words, for the teacher.</summary>
+    /// <summary>The limits in words, for the teacher.</summary>
     public string InWords =>
         !HasOwnTree && !HasLimits ? "limits of time, output, memory and processes only"
         : $"limits of time, output, memory and processes{(HasLimits ? ", of a file's size" : "")}" +
             $"{(HasOwnTree ? "; processes of their own, no network" : "")}";
 
-    /// <summary>A command with what contains it before it.</summary>
+    /// <summary>The command, with the commands in front of it that set the limits.</summary>
     /// <param name="command">The command.</param>
     /// <param name="limits">What it may use.</param>
     /// <param name="time">How long it may take.</param>

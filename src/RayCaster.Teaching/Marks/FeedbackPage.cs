@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The page for a student: points, pictures beside the right ones, and hints. It holds no answers.</summary>
+/// <summary>A student's page: points, hints, and each picture beside the right one. It has no answers.</summary>
 internal static class FeedbackPage
 {
     /// <summary>The page's text.</summary>
@@ -8,7 +8,7 @@ internal static class FeedbackPage
     {
         var page = new Page($"{rubric.Title}: {marks.Student}");
         page.Element("p", $"{MarksTable.Number(marks.Points)} of {MarksTable.Number(rubric.Points)} points"
-            + (marks.Open > 0 ? $"; {MarksTable.Number(marks.Open)} more are open: somebody will look." : "."));
+            + (marks.Open > 0 ? $"; {MarksTable.Number(marks.Open)} more are not decided: your teacher will look." : "."));
         page.Html("<table><tr><th>Part</th><th class=\"n\">Points</th><th>Why</th></tr>");
         foreach (var item in marks.Items) AddItem(page, rubric, item);
         page.Html("</table>");
@@ -20,18 +20,18 @@ internal static class FeedbackPage
     private static void AddItem(Page page, Rubric rubric, ItemMarks item)
     {
         var style = item.Open > 0 ? "open" : item.Points < item.Of ? "lost" : "";
-        var why = item.Open > 0 ? "Not decided: somebody will look."
+        var why = item.Open > 0 ? "Not decided: your teacher will look."
             : string.Join("<br>", item.Because.Select(because => Hint(rubric, because)));
         page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">{MarksTable.Item(item)} of " +
             $"{MarksTable.Number(item.Of)}</td><td>{why}</td></tr>");
     }
 
-    /// <summary>What is wrong but costs nothing.</summary>
+    /// <summary>Mistakes that cost no points.</summary>
     private static void AddOthers(Page page, Rubric rubric, StudentMarks marks)
     {
         string[] free = [.. marks.Mistakes.Concat(marks.NotDrawn).Except(marks.Items.SelectMany(item => item.Because))];
         if (free.Length == 0) return;
-        page.Element("h2", "Besides, without cost");
+        page.Element("h2", "Other mistakes, which cost no points");
         foreach (var because in free) page.Html($"<p>{Hint(rubric, because)}</p>");
     }
 
@@ -49,7 +49,7 @@ internal static class FeedbackPage
         var right = submitted.Scene.Right;
         if (submitted.Picture is not { } picture)
         {
-            page.Html($"<p class=\"small\">What should be there:</p><p>{Page.Image(right.ToPng(), "the right picture")}</p>");
+            page.Html($"<p class=\"small\">The right picture:</p><p>{Page.Image(right.ToPng(), "the right picture")}</p>");
         }
         else if (scene.Verdict == SceneVerdict.Right || !submitted.CanBeJudged)
         {
@@ -59,9 +59,10 @@ internal static class FeedbackPage
         {
             page.Element("p",
                 FormattableString.Invariant($"{100 * scene.WrongShare:0.##} % of the pixels differ. ") +
-                "Left of the line is yours, right of it what it should be; move the line:", "small");
+                "Your picture is left of the line, the right picture right of it. Move the line:", "small");
             page.Html($"""
-                <div class="slid"><div class="pair">{Page.Image(picture.ToPng(), "your picture")}{Page.Image(right.ToPng(), "the right picture")}</div>
+                <div class="slid"><div class="pair">
+                {Page.Image(picture.ToPng(), "your picture")}{Page.Image(right.ToPng(), "the right picture")}</div>
                 <input type="range" min="0" max="100" value="50" aria-label="how much is yours"
                     oninput="this.previousElementSibling.style.setProperty('--at', this.value + '%')"></div>
                 """);

@@ -4,8 +4,7 @@ using System.Xml;
 
 namespace RayCaster.Teaching;
 
-/// <summary>The marks in the form that continuous integration reads: a suite for each student, a case for each item. Answers are not in
-/// it.</summary>
+/// <summary>The marks as JUnit XML: a suite for each student, a case for each item. It has no answers.</summary>
 internal static class JUnitReport
 {
     /// <summary>The text of the file.</summary>
@@ -34,7 +33,7 @@ internal static class JUnitReport
             xml.WriteStartElement("testcase");
             xml.WriteAttributeString("classname", Clean(student.Student));
             xml.WriteAttributeString("name", Clean(item.Name));
-            if (item.Open > 0) WriteMessage(xml, "skipped", "Somebody must look: " + string.Join("; ", student.LookYourself));
+            if (item.Open > 0) WriteMessage(xml, "skipped", "The teacher must look: " + string.Join("; ", student.LookYourself));
             else if (IsLost(item))
                 WriteMessage(xml, "failure", $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)} points. {MarkWords.Symptoms(item)}");
             xml.WriteEndElement();
@@ -53,6 +52,6 @@ internal static class JUnitReport
         xml.WriteEndElement();
     }
 
-    /// <summary>Without what XML cannot hold: a program may print anything.</summary>
+    /// <summary>The text without characters that XML does not allow: a program may print any.</summary>
     private static string Clean(string text) => string.Concat(text.Select(letter => XmlConvert.IsXmlChar(letter) ? letter : '\uFFFD'));
 }

@@ -93,7 +93,8 @@ internal sealed class JointDiagnosis
     /// <summary>A program with one mistake more, in each wording that can still be seen.</summary>
     private IEnumerable<WrongProgram> Extended(WrongProgram program)
     {
-        string[] drawn = [.. pictures.SelectMany(picture => picture.Of.Scene.Models).Select(model => model.Kind).Distinct().Except(program.Base.NotYet)];
+        var models = pictures.SelectMany(picture => picture.Of.Scene.Models);
+        string[] drawn = [.. models.Select(model => model.Kind).Distinct().Except(program.Base.NotYet)];
         return from mistake in known
                where mistake.Touches(drawn) && !program.Wordings.Any(wording => wording.Id == mistake.Id)
                from wording in mistake.Wordings
@@ -104,8 +105,8 @@ internal sealed class JointDiagnosis
     private void Take(List<Scored> ranked)
     {
         var (best, loss) = ranked[0];
-        if (loss >= Gain * verdictLoss || best.Wordings.Any(wording => !Matters(best, best with { Wordings = [.. best.Wordings.Except([wording])] })))
-            return;
+        if (loss >= Gain * verdictLoss) return;
+        if (best.Wordings.Any(wording => !Matters(best, best with { Wordings = [.. best.Wordings.Except([wording])] }))) return;
         (Verdict, verdictLoss) = (WithoutNeedless(best), loss);
         Alternatives = [.. ranked.Where(other => other.Loss <= loss + Alike && other.Program.Id != best.Id)
             .Select(other => WithoutNeedless(other.Program)).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id)];

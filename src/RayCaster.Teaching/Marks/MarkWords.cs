@@ -1,33 +1,33 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What students are told of their marks.</summary>
+/// <summary>The words on the students' pages.</summary>
 internal static class MarkWords
 {
-    /// <summary>What is to be seen of what cost an item, without saying what is wrong.</summary>
+    /// <summary>What one sees of the mistakes that cost an item, without what is wrong.</summary>
     public static string Symptoms(ItemMarks item) => string.Join(" ", item.Because.Select(Symptom));
 
-    /// <summary>What is to be seen of a mistake, or what is not drawn yet.</summary>
+    /// <summary>What one sees of a mistake, or what is not drawn yet.</summary>
     public static string Symptom(string because) => MistakeCatalog.Named(because)?.Hint.Symptom ?? NotDrawn(because);
 
-    /// <summary>What to ask oneself; empty for what is not drawn yet.</summary>
+    /// <summary>The question that leads to a mistake; empty for a missing part.</summary>
     public static string Question(string because) => MistakeCatalog.Named(because)?.Hint.Question ?? "";
 
-    /// <summary>A part that is missing, in words.</summary>
+    /// <summary>A missing part in words.</summary>
     public static string NotDrawn(string part) => part switch
     {
-        "attenuation" => "Not written yet: colours do not fade with the distance.",
-        "clipping" => "Not written yet: zNear and zFar cut nothing.",
+        "attenuation" => "Not written yet: attenuation. Colours do not get darker with the distance.",
+        "clipping" => "Not written yet: zNear and zFar.",
         "aabb" => "Not drawn yet: boxes.",
         "mesh" => "Not drawn yet: meshes.",
         _ => $"Not drawn yet: {part}s.",
     };
 
-    /// <summary>What a verdict means for a student.</summary>
+    /// <summary>A verdict in words for the student.</summary>
     public static string InWords(this SceneVerdict verdict) => verdict switch
     {
         SceneVerdict.Right => "right",
         SceneVerdict.Explained => "wrong",
-        SceneVerdict.Unexplained => "wrong, and somebody will look at it",
-        _ => "not there",
+        SceneVerdict.Unexplained => "wrong; your teacher will look at it",
+        _ => "no picture",
     };
 }

@@ -1,14 +1,14 @@
 namespace RayCaster.Teaching;
 
 /// <summary>Gives points for pictures.</summary>
-/// <param name="rubric">What costs points.</param>
+/// <param name="rubric">The rubric.</param>
 internal sealed class Marker(Rubric rubric)
 {
     /// <summary>Judges the pictures of a submission together.</summary>
     /// <param name="student">The student.</param>
-    /// <param name="digest">Of what is judged.</param>
+    /// <param name="digest">A hash of the rubric and the submission.</param>
     /// <param name="submitted">The pictures, one for each scene.</param>
-    /// <param name="notes">What else somebody must look at.</param>
+    /// <param name="notes">What else the teacher must look at.</param>
     public StudentMarks Mark(string student, string digest, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
         List<ScenePicture> pictures = [
@@ -16,11 +16,11 @@ internal sealed class Marker(Rubric rubric)
         var diagnosis = JointDiagnosis.Of(pictures, rubric.Known);
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
         var verdict = diagnosis.Verdict;
-        return new(student, digest, Items(diagnosis, Told(pictures, diagnosis), pictures.Count), scenes, [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)],
-            [.. verdict.Wordings.Select(wording => wording.Id)], [.. notes, .. LookYourself(submitted, diagnosis)]);
+        return new(student, digest, Items(diagnosis, Told(pictures, diagnosis), pictures.Count), scenes,
+            [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.Wordings.Select(wording => wording.Id)], [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
 
-    /// <summary>The scenes whose pictures are explained: what shows in them and was not named is not wrong.</summary>
+    /// <summary>The scenes whose pictures are explained. A mistake that shows in one of them and was not found was not made.</summary>
     private static List<MarkedScene> Told(List<ScenePicture> pictures, JointDiagnosis diagnosis) =>
         [.. pictures.Except(diagnosis.Unexplained).Select(picture => picture.Of)];
 
@@ -45,7 +45,7 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <summary>
-    /// Whether some scenes tell as much of an item as all together: each of its mistakes that shows in any of the scenes shows in one of these.
+    /// Whether some scenes decide an item as well as all scenes do: each of its mistakes that shows in any scene shows in one of these.
     /// </summary>
     private bool Tells(List<MarkedScene> told, RubricItem item) =>
         told.Count > 0
@@ -77,7 +77,7 @@ internal sealed class Marker(Rubric rubric)
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
             yield return $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
         foreach (var scenes in Repeated(submitted)) yield return $"{scenes}: the same picture of different scenes";
-        if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many things make them so";
+        if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
         foreach (var picture in diagnosis.TellsNothing ? [] : diagnosis.Unexplained)
             yield return $"{picture.Of.Name}: nothing explains this picture" +
                 (diagnosis.Nearest is { } near && Names(near) != "" ? $" (nearest: {Names(near)})" : "");
@@ -86,7 +86,7 @@ internal sealed class Marker(Rubric rubric)
                 yield return $"these scenes cannot tell {Names(diagnosis.Verdict)} from {Names(other)}";
     }
 
-    /// <summary>Scenes of which the pictures are equal to the byte: a program that does not draw the scene yet.</summary>
+    /// <summary>Scenes whose pictures are equal to the byte: the program does not draw the scene yet.</summary>
     private static IEnumerable<string> Repeated(IReadOnlyList<SubmittedPicture> submitted) =>
         from picture in submitted
         where picture.CanBeJudged && !picture.Picture!.IsOneColor

@@ -3,10 +3,10 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
-/// <summary>The marks as a table for a spreadsheet: CSV as RFC 4180 has it, with a decimal point.</summary>
+/// <summary>The marks as a table for a spreadsheet: CSV (RFC 4180) with decimal points.</summary>
 internal static class MarksTable
 {
-    /// <summary>A head and a line for each student. An item in doubt has a question mark.</summary>
+    /// <summary>A header line, and a line for each student. Items that are not decided have a question mark.</summary>
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         var text = new StringBuilder();
@@ -23,17 +23,17 @@ internal static class MarksTable
         return text.ToString();
     }
 
-    /// <summary>A number of points as people write it.</summary>
+    /// <summary>Points, with at most two decimals.</summary>
     public static string Number(double points) => points.ToString("0.##", CultureInfo.InvariantCulture);
 
-    /// <summary>An item's points; with a question mark and what it may come to where it is in doubt.</summary>
+    /// <summary>An item's certain points, with a question mark if more are not decided.</summary>
     public static string Item(ItemMarks item) => item.Open > 0 ? $"{Number(item.Points)}?" : Number(item.Points);
 
     private static void Append(StringBuilder text, IEnumerable<string> cells) => text.AppendJoin(',', cells.Select(Cell)).Append("\r\n");
 
     /// <summary>
-    /// A cell in quotes where it needs them. A spreadsheet would take what begins with = + - @ for a formula: a student's folder may be named
-    /// so.
+    /// A cell, in quotes if necessary. A text that begins with = + - @ gets an apostrophe, because a spreadsheet would run it as a formula, and
+    /// a student may name a folder so.
     /// </summary>
     private static string Cell(string text)
     {

@@ -4,8 +4,8 @@ using System.Text.Unicode;
 
 namespace RayCaster.Teaching;
 
-/// <summary>A page in one file, which needs no network: its pictures and its style are in it.</summary>
-/// <param name="title">What it is called.</param>
+/// <summary>An HTML page in one file: it contains its pictures and its style, and needs no network.</summary>
+/// <param name="title">The title.</param>
 internal sealed class Page(string title)
 {
     private const string Style = """
@@ -27,23 +27,23 @@ internal sealed class Page(string title)
 
     private readonly StringBuilder body = new();
 
-    /// <summary>Adds what is HTML already.</summary>
+    /// <summary>Adds HTML.</summary>
     public Page Html(string html)
     {
         body.Append(html).Append('\n');
         return this;
     }
 
-    /// <summary>Adds an element that holds text.</summary>
+    /// <summary>Adds an element with text, which is escaped.</summary>
     public Page Element(string name, string text, string? style = null) =>
         Html($"<{name}{(style is null ? "" : $" class=\"{style}\"")}>{Escaped(text)}</{name}>");
 
-    /// <summary>Text that means itself, in an element and in an attribute.</summary>
+    /// <summary>Text, escaped for an element or an attribute.</summary>
     public static string Escaped(string text) => encoder.Encode(text);
 
-    /// <summary>A picture that is in the page itself.</summary>
+    /// <summary>A picture inside the page.</summary>
     /// <param name="png">Its bytes.</param>
-    /// <param name="words">What it shows, for those who do not see it.</param>
+    /// <param name="words">A description for people who cannot see it.</param>
     public static string Image(byte[] png, string words) =>
         $"<img alt=\"{Escaped(words)}\" src=\"data:image/png;base64,{Convert.ToBase64String(png)}\">";
 

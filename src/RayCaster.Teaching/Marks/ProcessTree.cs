@@ -5,7 +5,7 @@ namespace RayCaster.Teaching;
 /// <summary>Process trees as Linux reports them; other systems report none.</summary>
 internal static class ProcessTree
 {
-    private const int Parent = 1, ResidentPages = 21; // places in /proc/N/stat after the name
+    private const int Parent = 1, ResidentPages = 21; // fields of /proc/N/stat after the name
 
     /// <summary>A process and all that descend from it, parents before their children, each with the bytes of memory that it holds.</summary>
     public static List<(int Id, long Memory)> Of(int root)
@@ -26,7 +26,7 @@ internal static class ProcessTree
         }
     }
 
-    /// <summary>How many processes and threads the whole system has: one short read, fit to be done often. 0 where it is not told.</summary>
+    /// <summary>The number of processes and threads of the system; 0 if unknown. One short read, so it can be called often.</summary>
     public static int TaskCount()
     {
         if (!OperatingSystem.IsLinux()) return 0;
@@ -34,7 +34,7 @@ internal static class ProcessTree
         return words.Length > 4 && int.TryParse(words[4], NumberStyles.None, CultureInfo.InvariantCulture, out var count) ? count : 0;
     }
 
-    /// <summary>The processes that have a variable with this value in the environment that they were started with.</summary>
+    /// <summary>The processes that were started with this environment variable.</summary>
     public static IEnumerable<int> WithVariable(string name, string value)
     {
         if (!OperatingSystem.IsLinux()) yield break;
@@ -49,8 +49,9 @@ internal static class ProcessTree
         foreach (var id in Ids())
         {
             var stat = System.Text.Encoding.ASCII.GetString(Read($"/proc/{id}/stat"));
-            var fields = stat[(stat.LastIndexOf(')') + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries); // the name may hold anything
-            if (fields.Length <= ResidentPages) continue; // it has ended meanwhile
+            // The name before the fields may contain blanks and parentheses.
+            var fields = stat[(stat.LastIndexOf(')') + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries);
+            if (fields.Length <= ResidentPages) continue; // the process has ended meanwhile
             var parent = int.Parse(fields[Parent], CultureInfo.InvariantCulture);
             var pages = long.Parse(fields[ResidentPages], CultureInfo.InvariantCulture);
             yield return (id, parent, pages * Environment.SystemPageSize);
@@ -72,7 +73,7 @@ internal static class ProcessTree
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return []; // it has ended, or belongs to somebody else
+            return []; // the process has ended, or belongs to another user
         }
     }
 }

@@ -18,17 +18,17 @@ internal enum ProgramEnd
     /// <summary>It held too much memory and was ended.</summary>
     TooMuchMemory,
 
-    /// <summary>It was too many processes, all of which were ended.</summary>
+    /// <summary>It started too many processes; all were ended.</summary>
     TooManyProcesses,
 }
 
-/// <summary>What came of a run of a student's program.</summary>
+/// <summary>The result of a run of a student's program.</summary>
 /// <param name="End">How it ended.</param>
 /// <param name="ExitCode">Its exit code, if it exited by itself.</param>
-/// <param name="Printed">The end of what it printed, of both kinds together.</param>
+/// <param name="Printed">The end of its output, standard output and standard error together.</param>
 internal sealed record ProgramRun(ProgramEnd End, int ExitCode, string Printed)
 {
-    /// <summary>Whether it says that it has done its work.</summary>
+    /// <summary>Whether it reports success.</summary>
     public bool IsDone => End == ProgramEnd.Exited && ExitCode == 0;
 
     /// <summary>How it ended, in words.</summary>
@@ -38,9 +38,9 @@ internal sealed record ProgramRun(ProgramEnd End, int ExitCode, string Printed)
         ProgramEnd.OutOfTime => FormattableString.Invariant($"out of time after {time.TotalSeconds:0.#} s"),
         ProgramEnd.TooMuchOutput => FormattableString.Invariant($"printed more than {limits.OutputBytes / 1e6:0.#} MB"),
         ProgramEnd.TooMuchMemory => FormattableString.Invariant($"held more than {limits.MemoryBytes / 1e6:0} MB of memory"),
-        ProgramEnd.TooManyProcesses => FormattableString.Invariant($"was more than {limits.Processes} processes"),
+        ProgramEnd.TooManyProcesses => FormattableString.Invariant($"started more than {limits.Processes} processes"),
         _ when ExitCode > 128 => FormattableString.Invariant($"crashed (exit code {ExitCode}, signal {ExitCode - 128})"),
         _ when ExitCode != 0 => FormattableString.Invariant($"ended with exit code {ExitCode}"),
-        _ => "ended well",
+        _ => "succeeded",
     };
 }

@@ -4,22 +4,22 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
-/// <summary>Runs a program that nobody vouches for, and ends it with all its processes when it goes too far.</summary>
-/// <param name="containment">What keeps it within bounds.</param>
+/// <summary>Runs an untrusted program, and ends it with all its processes when it exceeds a limit.</summary>
+/// <param name="containment">The limits that the system enforces.</param>
 internal sealed class ProgramRunner(Containment containment)
 {
     private const int Glance = 10; // milliseconds
-    private const int Rest = 100; // between two looks at the whole tree, unless processes become many
+    private const int Rest = 100; // milliseconds between two looks at the whole tree, if the number of processes does not grow
     private const string Mark = "RAYCASTER_SUBMISSION"; // in the environment of all its processes
-    private const int TryAgain = 11; // EAGAIN: too many processes at the moment, perhaps another submission's
+    private const int TryAgain = 11; // EAGAIN: there are too many processes now, perhaps of another submission
     private static readonly TimeSpan patience = TimeSpan.FromSeconds(10);
 
-    /// <summary>Runs a command to its end, which comes soon after the time limit at the latest.</summary>
+    /// <summary>Runs a command to its end, or until soon after the time limit.</summary>
     /// <param name="command">The program and its arguments.</param>
-    /// <param name="folder">Where it runs, and keeps its temporary files.</param>
+    /// <param name="folder">Its current folder, and its folder for temporary files.</param>
     /// <param name="limits">What it may use.</param>
     /// <param name="time">How long it may take.</param>
-    /// <param name="cancellation">Ends it, too.</param>
+    /// <param name="cancellation">Ends the program, too.</param>
     public ProgramRun Run(IReadOnlyList<string> command, string folder, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
     {
         var wrapped = containment.Wrap(command, limits, time);
@@ -50,7 +50,7 @@ internal sealed class ProgramRunner(Containment containment)
         }
     }
 
-    /// <summary>Starts a process, which waits while another submission's program is too many: that one ends soon.</summary>
+    /// <summary>Starts a process. Tries again while another submission has too many processes; that one is ended soon.</summary>
     private static Process Start(ProcessStartInfo start)
     {
         var since = Stopwatch.GetTimestamp();
@@ -68,7 +68,8 @@ internal sealed class ProgramRunner(Containment containment)
     }
 
     /// <remarks>
-    /// A program that multiplies doubles in milliseconds, so the number of all tasks is read often and the tree, which takes longer, seldom.
+    /// A program that starts more and more processes doubles them within milliseconds. So the number of all tasks is read often; reading the whole
+    /// tree takes longer and is done seldom.
     /// </remarks>
     private static ProgramEnd Watch(Process process, PrintedText printed, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
     {
@@ -91,7 +92,7 @@ internal sealed class ProgramRunner(Containment containment)
     /// <summary>
     /// Ends the process and its descendants, then each process that still has the mark in its environment: one that left its parent has it, too.
     /// </summary>
-    /// <remarks>Linux is searched here: Process.Kill of a whole tree reads all processes once for each of the tree, seconds for a fork bomb.</remarks>
+    /// <remarks>Process.Kill would read all processes once for each process of the tree, which takes seconds for a fork bomb on Linux.</remarks>
     private void End(Process process, string mark)
     {
         if (!process.HasExited)
@@ -116,11 +117,11 @@ internal sealed class ProgramRunner(Containment containment)
         }
         catch (Exception e) when (e is ArgumentException or InvalidOperationException or Win32Exception)
         {
-            return false; // it has ended by itself
+            return false; // it has ended already
         }
     }
 
-    /// <summary>What a program prints: all of it is counted, its end is kept.</summary>
+    /// <summary>What a program prints: all bytes are counted, the last characters are kept.</summary>
     private sealed class PrintedText
     {
         private const int Kept = 2000; // characters
@@ -146,7 +147,7 @@ internal sealed class ProgramRunner(Containment containment)
             }
         }
 
-        /// <summary>Waits until nothing more comes; a process that has hidden may hold the pipe for ever.</summary>
+        /// <summary>Waits for the end of the output, at most some time: a process that escaped may keep the pipe open for ever.</summary>
         public void WaitForEnd(TimeSpan time) => reading.Wait(time);
 
         private async Task Read(Stream stream)
@@ -158,7 +159,7 @@ internal sealed class ProgramRunner(Containment containment)
             }
             catch (Exception e) when (e is IOException or ObjectDisposedException)
             {
-                // The other end is gone.
+                // The other end has closed the pipe.
             }
         }
 

@@ -2,13 +2,13 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What a rubric is good for, in words for a teacher.</summary>
+/// <summary>A rubric in words for the teacher.</summary>
 public static class RubricReport
 {
-    /// <summary>What holds students' programs on this machine.</summary>
+    /// <summary>The limits for students' programs on this machine.</summary>
     public static string HeldBy => Containment.Here.InWords;
 
-    /// <summary>Lines of text: items and points, and which of their mistakes none of the scenes can show.</summary>
+    /// <summary>Lines of text: the items with their points, and the mistakes that no scene can show.</summary>
     public static string Text(Rubric rubric)
     {
         var text = new StringBuilder();

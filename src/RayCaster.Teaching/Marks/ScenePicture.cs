@@ -1,9 +1,9 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A program's picture of one scene, and how well a <see cref="WrongProgram"/> explains it.</summary>
+/// <summary>A student's picture of one scene. Measures how well a <see cref="WrongProgram"/> explains it.</summary>
 internal sealed class ScenePicture
 {
-    /// <summary>How many pixels a closer look takes, at most.</summary>
+    /// <summary>How many pixels are looked at, at most.</summary>
     private const int Pixels = 3000;
 
     /// <summary>The pixels that are looked at for a second mistake are chosen from so many.</summary>
@@ -13,18 +13,18 @@ internal sealed class ScenePicture
     private const int MostUnexplained = 24, MostExplained = 12;
 
     /// <summary>
-    /// Unexplained shares of a picture are told apart by their logarithms: whether a hundredth or a tenth of it is left says as much as whether a
-    /// thousandth or a hundredth is. Below this share they are all alike.
+    /// Unexplained shares of a picture are compared by their logarithms: a tenth is to a hundredth as a hundredth is to a thousandth. Shares
+    /// below this one are taken as equal.
     /// </summary>
     private const double LeastShare = 0.002;
 
-    /// <summary>How far from white to black a pixel must be off to weigh like one that is unexplained: 50 times. Decides between equals.</summary>
+    /// <summary>A wrong pixel's error, 1 for black against white, is added with this weight. It decides only between equal counts.</summary>
     private const double ErrorWeight = 0.02;
 
     private readonly Evidence evidence;
 
     /// <param name="of">The scene.</param>
-    /// <param name="picture">The picture, as large as the scene's, or that turned by a quarter.</param>
+    /// <param name="picture">The picture. Its size is the scene's, or the scene's with width and height swapped.</param>
     public ScenePicture(MarkedScene of, Picture picture)
     {
         (Of, Picture) = (of, picture);
@@ -39,32 +39,30 @@ internal sealed class ScenePicture
     /// <summary>The picture.</summary>
     public Picture Picture { get; }
 
-    /// <summary>Whether it is the scene's, but for rounding and single pixels on outlines.</summary>
+    /// <summary>Whether it is the scene's picture, but for rounding and single pixels on outlines.</summary>
     public bool IsRight => evidence.WrongCount == 0 || evidence.IsOnlyOutlines;
 
     /// <summary>The share of its pixels that are wrong.</summary>
     public double WrongShare => (double)evidence.WrongCount / evidence.PixelCount;
 
-    /// <summary>
-    /// The least share of the picture that tells something: as many pixels as a mistake must change to be seen, or one of those that are looked
-    /// at.
-    /// </summary>
+    /// <summary>The least share of the picture that counts: the pixels that a visible mistake changes at least, or about one that is looked
+    /// at.</summary>
     public double Visible { get; }
 
     /// <summary>The share of the picture that a program leaves unexplained.</summary>
     /// <param name="program">The program.</param>
-    /// <param name="share">What share of the chosen pixels is looked at.</param>
+    /// <param name="share">The share of the chosen pixels that is looked at.</param>
     public double Unexplained(WrongProgram program, double share = 1)
     {
         var misfit = evidence.Misfit(program.Draw(Of.Scene), share);
         return (misfit.Unexplained + ErrorWeight * misfit.Error) / evidence.PixelCount;
     }
 
-    /// <summary>Whether a program explains the picture, but for what other mistakes' last bits may do.</summary>
+    /// <summary>Whether a program explains the picture, but for pixels that last bits may change.</summary>
     public bool IsExplainedBy(WrongProgram program) =>
         Unexplained(program) <= Math.Max(Visible, Math.Clamp(0.12 * WrongShare, LeastShare, 3 * LeastShare));
 
-    /// <summary>What a program costs that leaves so much unexplained: 0 for nothing, 1 for as much as is wrong, or more.</summary>
+    /// <summary>The loss of a program that leaves a share unexplained: 0 for nothing, 1 for all that is wrong, or more.</summary>
     public double Loss(double unexplained) =>
         Math.Min(1, Math.Log(1 + unexplained / LeastShare) / Math.Log(1 + Math.Max(WrongShare, LeastShare) / LeastShare));
 

@@ -6,18 +6,18 @@ using System.Text.Json;
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// A scene with other numbers and the same look: space is warped a little, axis by axis, and radii grow or shrink a little. Order is kept along each
-/// axis, and what was equal stays equal: a box still stands on its floor, and a camera that was level with a face still is.
+/// Makes a similar scene with other numbers: each axis is stretched a little here and there, and radii change a little. Along an axis the order
+/// stays, and equal coordinates stay equal. So a box still stands on its floor.
 /// </summary>
-/// <remarks>Only the numbers of the text are replaced, so that comments and layout stay as they are.</remarks>
+/// <remarks>Only numbers in the text are replaced; comments and layout stay.</remarks>
 public sealed class SceneVariation
 {
     private const int MostTries = 16;
 
-    /// <summary>How far things move, as a share of the distance from camera to target; half as far after some tries.</summary>
+    /// <summary>How far points move at most, as a share of the distance from camera to target. After some tries it is halved.</summary>
     private const double Amplitude = 0.035;
 
-    /// <summary>By how much a radius changes, at most.</summary>
+    /// <summary>How much a radius changes at most, as a share of it.</summary>
     private const double Growth = 0.08;
 
     private const int TriesOfOneAmplitude = 4;
@@ -41,11 +41,11 @@ public sealed class SceneVariation
         decimals = Math.Clamp(4 - (int)Math.Floor(Math.Log10(distance / 10)), 0, 15);
     }
 
-    /// <summary>Varies a scene; tries until the variation shows every mistake that the scene shows.</summary>
-    /// <param name="utf8">The scene's text, without errors.</param>
-    /// <param name="folder">Where the paths of mesh files start.</param>
-    /// <param name="seed">Whose scene it is to be: the same seed gives the same scene.</param>
-    /// <returns>The text; null if no try does.</returns>
+    /// <summary>Varies a scene. Tries until the new scene shows every mistake that the old one shows.</summary>
+    /// <param name="utf8">The text of a scene without errors.</param>
+    /// <param name="folder">The folder where the paths of mesh files start.</param>
+    /// <param name="seed">For example a student's name: the same seed gives the same scene.</param>
+    /// <returns>The new text; null if no try succeeds.</returns>
     public static byte[]? Of(byte[] utf8, string folder, string seed)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
@@ -98,7 +98,7 @@ public sealed class SceneVariation
     private void Replace(JsonValue number, double by) =>
         edits.Add((number.Start, number.End, Math.Round(by, decimals).ToString("0.###############", CultureInfo.InvariantCulture)));
 
-    /// <summary>How an axis is warped: x + A sin(k x + φ) with A k less than 1, so that it grows everywhere.</summary>
+    /// <summary>The new coordinate is x + A sin(k x + φ). A k is less than 1, so it grows with x and the order stays.</summary>
     private readonly record struct Axis(double A, double K, double Phase)
     {
         public static Axis Of(double distance, double amplitude, byte[] seed, int at) => new(

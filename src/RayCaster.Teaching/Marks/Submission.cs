@@ -4,21 +4,21 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What a student has handed in: a folder that is named after the student.</summary>
+/// <summary>A student's work: a folder that is named after the student.</summary>
 /// <param name="Folder">The folder, as a full path.</param>
 internal sealed record Submission(string Folder)
 {
-    /// <summary>What building leaves behind, and what is not the student's work.</summary>
+    /// <summary>Folders that building makes, and others that are not the student's work.</summary>
     private static readonly string[] leftOut = ["bin", "obj", "node_modules"];
 
     private static readonly EnumerationOptions files =
         new() { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.ReparsePoint, MaxRecursionDepth = 32 };
 
-    /// <summary>The student's name: that of the folder.</summary>
+    /// <summary>The student's name, which is the folder's.</summary>
     public string Student => Path.GetFileName(Folder);
 
-    /// <summary>The submissions in a folder, one in each folder in it, in the order of their names.</summary>
-    /// <exception cref="PictureFileException">The folder cannot be listed, or a name in it could deceive a reader of the table.</exception>
+    /// <summary>The submissions in a folder: each folder in it is one. Sorted by name.</summary>
+    /// <exception cref="PictureFileException">The folder cannot be listed, or holds a name with an invisible character.</exception>
     public static IReadOnlyList<Submission> In(string folder)
     {
         try
@@ -40,9 +40,7 @@ internal sealed record Submission(string Folder)
         }
     }
 
-    /// <summary>
-    /// A number that changes when a file of the submission does, by its name, its length or its time; what building leaves is not counted.
-    /// </summary>
+    /// <summary>A hash of the names, lengths and times of the submission's files; files that building makes are left out.</summary>
     public string Digest()
     {
         var text = new StringBuilder();

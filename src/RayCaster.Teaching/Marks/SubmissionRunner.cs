@@ -1,16 +1,16 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Comes by the pictures of a submission: finds them in its folder, or has its program draw them.</summary>
-/// <param name="rubric">What says how.</param>
+/// <summary>Gets the pictures of a submission: finds them in its folder, or runs its program.</summary>
+/// <param name="rubric">The scenes and the commands.</param>
 /// <param name="runner">Runs programs.</param>
 internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
 {
     private const int Quoted = 200; // characters of what a program printed
 
-    /// <summary>A program that had to be ended for so many scenes one after another is not run for the others, or it would take hours.</summary>
+    /// <summary>A program that was ended for so many scenes in a row is not run for the rest: that could take hours.</summary>
     private const int Patience = 2;
 
-    /// <summary>The pictures, one for each scene of the rubric. Whatever the program does, it comes to a picture or to words.</summary>
+    /// <summary>The pictures, one for each scene of the rubric. Whatever the program does, each result is a picture or a message.</summary>
     public IReadOnlyList<SubmittedPicture> Pictures(Submission submission, CancellationToken cancellation)
     {
         var source = rubric.Source;
@@ -18,12 +18,12 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
         if (source.Build.Count > 0 && Build(submission, cancellation) is { } problem)
             return [.. rubric.Scenes.Select(scene => new SubmittedPicture(scene, null, problem))];
         var pictures = new List<SubmittedPicture>();
-        var ended = 0; // runs that had to be ended one after another
+        var ended = 0; // runs in a row that were ended
         foreach (var scene in rubric.Scenes)
         {
             if (ended == Patience)
             {
-                pictures.Add(new(scene, null, "not run: the program had to be ended for the scenes before"));
+                pictures.Add(new(scene, null, "not run: the program was ended for the scenes before"));
                 continue;
             }
             pictures.Add(Draw(submission, scene, cancellation, out var isEnded));
@@ -48,14 +48,14 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
 
     private SubmittedPicture Draw(Submission submission, MarkedScene scene, CancellationToken cancellation, out bool isEnded)
     {
-        using var folder = new WorkFolder(); // a fresh one, so that no picture is that of another scene
+        using var folder = new WorkFolder(); // a new one for each run, so no picture of another scene is in it
         var limits = rubric.Source.Limits;
         var output = Path.Combine(folder.Path, scene.Name + ".png");
         var run = runner.Run(Words(rubric.Source.Run, submission, scene, output), folder.Path, limits, limits.Time, cancellation);
         isEnded = run.End is not (ProgramEnd.Exited or ProgramEnd.NotStarted);
         if (!File.Exists(output) && Path.ChangeExtension(output, ".ppm") is var other && File.Exists(other)) output = other;
         var note = run.IsDone ? null : run.InWords(limits, limits.Time) + Quote(run);
-        if (run.End != ProgramEnd.Exited) return new(scene, null, note); // what it has written may be half a picture
+        if (run.End != ProgramEnd.Exited) return new(scene, null, note); // the picture may be incomplete
         return SubmittedPicture.Read(scene, output, note ?? (File.Exists(output) ? null : "it wrote no picture" + Quote(run)));
     }
 

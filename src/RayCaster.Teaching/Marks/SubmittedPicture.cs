@@ -14,13 +14,13 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     /// <summary>A PNG may promise so many times the scene's pixels before it is read at all.</summary>
     private const long SizeFactor = 16;
 
-    /// <summary>Whether it is as large as the scene's, or that turned by a quarter, as some mistakes do.</summary>
+    /// <summary>Whether its size is the scene's, or the scene's with width and height swapped, as some mistakes do.</summary>
     public bool CanBeJudged => Picture is not null && HasSizeOf(Scene, Picture.Width, Picture.Height);
 
-    /// <summary>Reads a picture that a stranger has made.</summary>
-    /// <param name="scene">The scene that it is meant to show.</param>
+    /// <summary>Reads an untrusted picture file.</summary>
+    /// <param name="scene">The scene that it should show.</param>
     /// <param name="path">The file.</param>
-    /// <param name="note">What is odd already; it is told beside what is wrong with the file.</param>
+    /// <param name="note">A problem with the run of the program; null for none.</param>
     public static SubmittedPicture Read(MarkedScene scene, string path, string? note = null)
     {
         try
@@ -55,7 +55,7 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     private static string WrongSize(MarkedScene scene, int width, int height) =>
         $"the picture is {width} x {height}, not {scene.Right.Width} x {scene.Right.Height} pixels";
 
-    /// <summary>The size that a PNG's header promises; null where it is no PNG.</summary>
+    /// <summary>The size in a PNG's header; null for another format.</summary>
     private static (int Width, int Height)? PngSize(Stream stream)
     {
         Span<byte> head = stackalloc byte[24]; // signature, the first chunk's length and name, width, height

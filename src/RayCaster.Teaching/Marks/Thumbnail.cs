@@ -1,12 +1,12 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Makes pictures small for pages: each pixel is the mean of those that it stands for.</summary>
+/// <summary>Makes small copies of pictures: each pixel is the mean of the pixels that it replaces.</summary>
 internal static class Thumbnail
 {
-    /// <summary>The longer side of a picture that is looked at, and of one that is only compared.</summary>
+    /// <summary>The longer side of a copy for people, and of a copy for comparing.</summary>
     public const int Seen = 120, Tiny = 16;
 
-    /// <summary>A picture with a longer side of so many pixels; itself where it is smaller.</summary>
+    /// <summary>A copy whose longer side has so many pixels; a smaller picture itself.</summary>
     public static Picture Of(Picture picture, int side)
     {
         var longer = Math.Max(picture.Width, picture.Height);

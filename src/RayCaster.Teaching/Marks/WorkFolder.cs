@@ -1,12 +1,12 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A fresh folder for a run of a student's program, which goes with all that is in it.</summary>
+/// <summary>A new folder for one run of a student's program; deleted afterwards with all its content.</summary>
 internal sealed class WorkFolder : IDisposable
 {
-    /// <summary>Where it is.</summary>
+    /// <summary>The folder's full path.</summary>
     public string Path { get; } = Directory.CreateTempSubdirectory("raycaster-").FullName;
 
-    /// <summary>Deletes it; what cannot be deleted stays in the system's folder for temporary files.</summary>
+    /// <summary>Deletes the folder. Files that cannot be deleted stay in the system's folder for temporary files.</summary>
     public void Dispose()
     {
         try
@@ -18,7 +18,7 @@ internal sealed class WorkFolder : IDisposable
         }
     }
 
-    /// <summary>Makes a folder for results, and those above it.</summary>
+    /// <summary>Makes a folder for results, and the folders that contain it.</summary>
     /// <exception cref="PictureFileException">It cannot be made.</exception>
     public static void Make(string path)
     {

@@ -30,20 +30,6 @@ public readonly struct ClipRange
         return (t >= least) & (z >= zNear) & (z <= zFar);
     }
 
-    /// <summary>Why a crossing does not count; <see cref="Refusal.None"/> if and only if <see cref="Counts"/> is true.</summary>
-    /// <param name="t">The ray parameter of the crossing.</param>
-    /// <param name="zPerT">The z of one unit of t.</param>
-    public Refusal Refuse(double t, double zPerT)
-    {
-        var z = t * zPerT;
-        return !double.IsFinite(t) ? Refusal.NoNumber
-            : t < 0 ? Refusal.Behind
-            : t < least ? Refusal.UnderBias
-            : z < zNear ? Refusal.BeforeNear
-            : z <= zFar ? Refusal.None
-            : Refusal.BeyondFar;
-    }
-
     /// <summary>The first condition of <see cref="Counts"/> alone: beyond the bias.</summary>
     public bool IsAhead(double t) => t >= least;
 

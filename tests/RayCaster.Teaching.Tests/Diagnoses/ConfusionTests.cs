@@ -34,7 +34,8 @@ public class ConfusionTests(ITestOutputHelper output)
         for (var i = 0; i < Planted.All.Count; i++)
             table.Plant(SceneFolder.Small(scenes[i % scenes.Length], 3), manners[i % manners.Length], Planted.All[i]);
         for (var i = 0; i < 6; i++)
-            table.Plant(SceneFolder.Small("mistakes/generic", 3), manners[i % manners.Length], Planted.Named(partners[i]), Planted.Named(partners[^(i + 1)]));
+            table.Plant(SceneFolder.Small("mistakes/generic", 3), manners[i % manners.Length],
+                Planted.Named(partners[i]), Planted.Named(partners[^(i + 1)]));
         foreach (var name in others) table.Plant(SceneFolder.Small(name, 3), new(Truncates: true, Float: true));
         Print(table);
         Assert.Equal(0, table.FalseNames);
@@ -58,7 +59,7 @@ public class ConfusionTests(ITestOutputHelper output)
         for (var i = 0; i < partners.Length; i++)
             for (var k = 0; k < i; k++)
                 foreach (var name in (string[])["mistakes/generic", "room"])
-                    table.Plant(SceneFolder.Small(name, 2), manners[turn++ % manners.Length], Planted.Named(partners[i]), Planted.Named(partners[k]));
+                    table.Plant(SceneFolder.Small(name), manners[turn++ % manners.Length], Planted.Named(partners[i]), Planted.Named(partners[k]));
         foreach (var name in SceneFolder.Files("scenes").Concat(SceneFolder.Files("scenes/mistakes")).Select(SceneFolder.NameOf)
             .Except(["mesh", "mesh-formats"]))
             foreach (var manner in manners.Where(manner => !manner.OtherSample)) table.Plant(SceneFolder.Small(name, 2), manner);

@@ -55,7 +55,7 @@ public class DiagnosisTests
     [Fact]
     public void AMissingModelIsNamed()
     {
-        for (var i = 0; i < scene.Models.Count; i += 3)
+        for (var i = 0; i < scene.Models.Count; i += 4)
         {
             var without = scene with { Models = [.. scene.Models.Where((_, place) => place != i)] };
             var diagnosis = Diagnosis.Of(scene, ScalarRenderer.Render(without));

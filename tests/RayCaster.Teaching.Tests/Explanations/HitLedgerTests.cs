@@ -119,7 +119,7 @@ public class HitLedgerTests
         {
             var scene = new Scene(
                 Camera.WithSize(1, 2), [Model.Of(new Plane(new(0, 0, z), new(0, 0, 1))), Model.Of(new Circle(new(0, 0, z), new(0, 0, 1), 3))]);
-            Assert.All(HitLedger.Take(scene).Models, entry => Assert.Equal(1, entry[Outcome.Along])); // row 1 of 2 looks along −x
+            Assert.All(HitLedger.Take(scene).Models, entry => Assert.Equal(1, entry[Outcome.Parallel])); // row 1 of 2 looks along −x
         }
     }
 

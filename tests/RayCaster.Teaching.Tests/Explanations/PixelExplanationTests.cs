@@ -26,15 +26,15 @@ public class PixelExplanationTests
     }
 
     [Theory]
-    [InlineData(-10, 0, Refusal.Behind, "t = −10 < 0: behind the camera")]
-    [InlineData(1e-7, 0, Refusal.UnderBias, "t = 1e-7 ≤ bias = 1e-6: too near to where the ray starts")]
-    [InlineData(2.1, 3, Refusal.BeforeNear, "z = 2.1 < zNear = 3: clipped away, nearer than the near plane")]
-    [InlineData(120, 0, Refusal.BeyondFar, "z = 120 > zFar = 100: clipped away, beyond the far plane")]
-    public void ARefusedCrossingSaysWhy(double distance, double zNear, Refusal refusal, string reason)
+    [InlineData(-10, 0, Outcome.Behind, "t = −10 < 0: behind the camera")]
+    [InlineData(1e-7, 0, Outcome.UnderBias, "t = 1e-7 ≤ bias = 1e-6: too near to where the ray starts")]
+    [InlineData(2.1, 3, Outcome.BeforeNear, "z = 2.1 < zNear = 3: clipped away, nearer than the near plane")]
+    [InlineData(120, 0, Outcome.BeyondFar, "z = 120 > zFar = 100: clipped away, beyond the far plane")]
+    public void ARefusedCrossingSaysWhy(double distance, double zNear, Outcome outcome, string reason)
     {
         var model = Explain(Model.Of(new Plane(new(-distance, 0, 0), new(1, 0, 0))), zNear);
-        Assert.Equal((Verdict.Refused, reason), (model.Verdict, model.Reason));
-        Assert.Equal(refusal, Assert.Single(model.Crossings).Refusal);
+        Assert.Equal((outcome, reason), (model.Outcome, model.Reason));
+        Assert.Equal(outcome, Assert.Single(model.Crossings).Outcome);
     }
 
     [Fact]
@@ -71,7 +71,7 @@ public class PixelExplanationTests
     public void AShapeOfOnesOwnIsExplainedByItsOwnFormula()
     {
         var model = Explain(Model.Of(new Ring(new(-5, 0.5, 0), new(1, 0, 0), 1, 2)));
-        Assert.Equal(("ring", Verdict.Missed), (model.Type, model.Verdict));
+        Assert.Equal(("ring", "missed"), (model.Type, model.Outcome.Verdict()));
         Assert.EndsWith("= 0.25 ≥ 1 is false", model.Reason);
         Assert.Equal("t", Assert.Single(model.Steps).Name);
         Assert.Equal(5, model.Crossings[0].Untested);
@@ -81,9 +81,9 @@ public class PixelExplanationTests
     public void AModelInPlainDoublesTellsItsTAndWhereItWouldBeHitUnclipped()
     {
         var seen = Explain(new Cylinder(new(-5, 0, 0), 1, 4));
-        Assert.Equal((Verdict.Shows, 4.0), (seen.Verdict, Assert.Single(seen.Crossings).T));
+        Assert.Equal((Outcome.Shows, 4.0), (seen.Outcome, Assert.Single(seen.Crossings).T));
         var clipped = Explain(new Cylinder(new(-5, 0, 0), 1, 4), zNear: 20);
-        Assert.Equal((Verdict.Refused, 4.0), (clipped.Verdict, Assert.Single(clipped.Crossings).T));
+        Assert.Equal(("refused", 4.0), (clipped.Outcome.Verdict(), Assert.Single(clipped.Crossings).T));
         Assert.StartsWith("z = 4 < zNear = 20", clipped.Reason);
     }
 

@@ -49,27 +49,4 @@ public class ClipRangeTests
     [InlineData(double.NaN, double.NaN, double.NaN)]
     public void TheFirstCrossingThatCountsIsTheHit(double near, double far, double hit) =>
         Assert.Equal(hit, (double)new ClipRange(0, 2, 5).First(new Crossings<Scalar>(near, far), (Scalar)1));
-
-    [Theory]
-    [InlineData(3, Refusal.None)]
-    [InlineData(double.NaN, Refusal.NoNumber)]
-    [InlineData(double.PositiveInfinity, Refusal.NoNumber)]
-    [InlineData(-0.1, Refusal.Behind)]
-    [InlineData(0, Refusal.UnderBias)]
-    [InlineData(1e-6, Refusal.UnderBias)]
-    [InlineData(1.9, Refusal.BeforeNear)]
-    [InlineData(5.1, Refusal.BeyondFar)]
-    public void ARefusedCrossingHasAReason(double t, Refusal reason) => Assert.Equal(reason, new ClipRange(1e-6, 2, 5).Refuse(t, 1));
-
-    [Fact]
-    public void ACrossingIsRefusedExactlyWhereItDoesNotCount()
-    {
-        double[] numbers = [
-            double.NaN, double.NegativeInfinity, -5, -1e-300, -0.0, 0, 1e-300, 0.5, 1, 2, 5, 1e300, double.MaxValue, double.PositiveInfinity];
-        ClipRange[] ranges = [ClipRange.Everything, new(0, 0, 5), new(0.5, 0, 5), new(1, 1, 2), new(0, 2, double.MaxValue)];
-        foreach (var range in ranges)
-            foreach (var t in numbers)
-                foreach (var zPerT in (double[])[0, 0.5, 1, -1])
-                    Assert.Equal(Counts(range, t, zPerT), range.Refuse(t, zPerT) == Refusal.None);
-    }
 }
