@@ -20,16 +20,10 @@ internal static class PictureOutput
     /// <param name="output">The file, or "-".</param>
     /// <param name="cancellation">If cancelled, the old file stays.</param>
     /// <param name="write">Writes the picture.</param>
-<<<<<<< HEAD
-    /// <param name="found">What killed runs have left in the file's folder; null: it is listed.</param>
-    /// <exception cref="ProblemException">Nobody takes the picture, or it would replace a file that was read.</exception>
-    /// <exception cref="PictureFileException">The file does not do.</exception>
-    public static void Write(string output, CancellationToken cancellation, Action<Stream> write, TemporaryFileList? found = null)
-=======
+    /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
     /// <exception cref="PictureFileException">The file cannot be written.</exception>
-    public static void Write(string output, CancellationToken cancellation, Action<Stream> write)
->>>>>>> 3551bc04121148c4b248d8a629ca3d00a8a082d8
+    public static void Write(string output, CancellationToken cancellation, Action<Stream> write, TemporaryFileList? found = null)
     {
         if (output == SceneInput.Standard)
         {
@@ -43,13 +37,8 @@ internal static class PictureOutput
         file.Commit();
     }
 
-<<<<<<< HEAD
-    /// <summary>Writes a picture that is there already.</summary>
-    /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream}, TemporaryFileList?)"/>
-=======
     /// <summary>Writes a picture.</summary>
-    /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream})"/>
->>>>>>> 3551bc04121148c4b248d8a629ca3d00a8a082d8
+    /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream}, TemporaryFileList?)"/>
     public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
         Write(output, cancellation, stream =>
     {
@@ -66,12 +55,8 @@ internal static class PictureOutput
     /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
     /// <param name="showProgress">Whether to show a progress line.</param>
     /// <param name="cancellation">Stops the work.</param>
-<<<<<<< HEAD
-    /// <param name="watch">Sees the lines too, from the first to the last, and again from the first if the picture is drawn anew.</param>
-    /// <param name="found">What killed runs have left in the file's folder; null: it is listed.</param>
-=======
     /// <param name="watch">Also gets the lines in order; again from the first line if the picture is drawn again.</param>
->>>>>>> 3551bc04121148c4b248d8a629ca3d00a8a082d8
+    /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
         bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null, TemporaryFileList? found = null)
     {
@@ -82,11 +67,7 @@ internal static class PictureOutput
         }
         catch (FastWayDisagreesException)
         {
-<<<<<<< HEAD
-            Write(output, cancellation, WriteOnce, found); // the file was not put in place yet
-=======
-            Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
->>>>>>> 3551bc04121148c4b248d8a629ca3d00a8a082d8
+            Write(output, cancellation, WriteOnce, found); // the file has not replaced the old one yet
         }
 
         void WriteOnce(Stream stream)
