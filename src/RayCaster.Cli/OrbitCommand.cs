@@ -67,6 +67,7 @@ internal sealed class OrbitCommand : Command
         var digits = $"D{Math.Max(4, (frames - 1).ToString(CultureInfo.InvariantCulture).Length)}";
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
         var (start, drawn) = (Stopwatch.GetTimestamp(), 0);
+        var leftByKilledRuns = new TemporaryFileList(folder == "" ? "." : folder);
         for (var frame = only.First; frame <= only.Last; frame++)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -78,7 +79,8 @@ internal sealed class OrbitCommand : Command
             var part = PictureOutput.Facts(view, whole); // the file contains what it shows, so --resume can skip it
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue; // the reason is printed for the first frame only
             PictureOutput.Draw(
-                output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, showProgress, cancellation);
+                output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, showProgress, cancellation,
+                found: leftByKilledRuns);
             drawn++;
         }
         if (!quiet)

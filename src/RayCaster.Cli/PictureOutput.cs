@@ -20,9 +20,10 @@ internal static class PictureOutput
     /// <param name="output">The file, or "-".</param>
     /// <param name="cancellation">If cancelled, the old file stays.</param>
     /// <param name="write">Writes the picture.</param>
+    /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
     /// <exception cref="PictureFileException">The file cannot be written.</exception>
-    public static void Write(string output, CancellationToken cancellation, Action<Stream> write)
+    public static void Write(string output, CancellationToken cancellation, Action<Stream> write, TemporaryFileList? found = null)
     {
         if (output == SceneInput.Standard)
         {
@@ -30,14 +31,14 @@ internal static class PictureOutput
             return;
         }
         InputFiles.Keep(output);
-        using var file = new ReplacedFile(output);
+        using var file = new ReplacedFile(output, found);
         write(file);
         cancellation.ThrowIfCancellationRequested();
         file.Commit();
     }
 
     /// <summary>Writes a picture.</summary>
-    /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream})"/>
+    /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream}, TemporaryFileList?)"/>
     public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
         Write(output, cancellation, stream =>
     {
@@ -55,17 +56,18 @@ internal static class PictureOutput
     /// <param name="showProgress">Whether to show a progress line.</param>
     /// <param name="cancellation">Stops the work.</param>
     /// <param name="watch">Also gets the lines in order; again from the first line if the picture is drawn again.</param>
+    /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
-        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null)
+        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null, TemporaryFileList? found = null)
     {
         if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // lines on standard output cannot be replaced later
         try
         {
-            Write(output, cancellation, WriteOnce);
+            Write(output, cancellation, WriteOnce, found);
         }
         catch (FastWayDisagreesException)
         {
-            Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
+            Write(output, cancellation, WriteOnce, found); // the file has not replaced the old one yet
         }
 
         void WriteOnce(Stream stream)

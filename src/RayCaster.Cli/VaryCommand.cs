@@ -51,10 +51,9 @@ internal sealed class VaryCommand : Command
             StandardFile.WriteError($"{path}: no variation of it shows all the mistakes that it shows; try another seed{Environment.NewLine}");
             return ExitCode.No;
         }
-        using var file = new ReplacedFile(output);
-        file.Write(varied);
-        file.Commit();
-        if (!line.Has(Option.Quiet)) StandardFile.WriteError($"{output}: {path}, varied; it shows the same mistakes{Environment.NewLine}");
+        PictureOutput.Write(output, cancellation, stream => stream.Write(varied));
+        if (!line.Has(Option.Quiet))
+            StandardFile.WriteError($"{PictureOutput.NameOf(output)}: {path}, varied; it shows the same mistakes{Environment.NewLine}");
         return ExitCode.Done;
     }
 }

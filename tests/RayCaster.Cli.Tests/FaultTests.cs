@@ -103,6 +103,15 @@ public sealed class FaultTests : IDisposable
     }
 
     [Fact]
+    public void ADiagnosisWithTooLittleMemoryIsTold()
+    {
+        if (OperatingSystem.IsWindows()) return; // no sh there
+        raycaster.Run(Room, "-q");
+        raycaster.RunInShell($"export DOTNET_GCHeapHardLimit={4 << 20:x}; raycaster diagnose '{Room}' room.png");
+        Assert.Equal((2, "raycaster: there is not enough memory\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
     public void AKilledRunLeavesTheOldPictureAndTheNextOneTidiesUp()
     {
         raycaster.Write("room.png", Old);
@@ -118,6 +127,20 @@ public sealed class FaultTests : IDisposable
         Assert.Equal(0, raycaster.ExitCode);
         Assert.Equal(["room.png"], raycaster.Files);
         Assert.Equal(9, PictureFile.Read(raycaster.PathOf("room.png")).Width);
+    }
+
+    [Fact]
+    public void AKilledFilmIsTidiedByTheNextRun()
+    {
+        using (var process = raycaster.Start("orbit", Room, "--frames", "2", "--size", "20000x20000"))
+        {
+            WaitForTemporaryFile(process);
+            process.Kill();
+            process.WaitForExit();
+        }
+        Assert.Matches(@"^room-0000\.png\.[0-9a-f]{8}\.tmp$", Assert.Single(raycaster.Files));
+        raycaster.Run("orbit", Room, "--frames", "2", "-s", "9x9");
+        Assert.Equal(["room-0000.png", "room-0001.png"], raycaster.Files);
     }
 
     [Fact]

@@ -81,6 +81,42 @@ public sealed class MarkTests : IDisposable
     }
 
     [Fact]
+    public void AProgramThatDeletesTheClassAndItsMarksIsARow()
+    {
+        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
+        raycaster.Write(Folder("vandal") + "draw.sh", $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}'");
+        raycaster.Write(Folder("victim") + "draw.sh", "echo never run");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "-t", "1");
+        Assert.Equal(("", 0), (raycaster.Error, raycaster.ExitCode));
+        Assert.Contains("files outside its folder changed while it ran: victim/draw.sh", Table()[1]);
+        Assert.StartsWith("victim,0,5,5", Table()[2]);
+    }
+
+    [Fact]
+    public void MarksThatCannotBeWrittenAreToldInWords()
+    {
+        WriteRubric("");
+        Folder("anna");
+        Directory.CreateDirectory(raycaster.PathOf("marks/anna/feedback.html"));
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
+        var page = Path.Combine("marks", "anna", "feedback.html");
+        Assert.Equal((2, $"raycaster: cannot write {page}: it is a folder; name a file in it\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
+    public void ASubmissionsNameForgesNoRow()
+    {
+        if (OperatingSystem.IsWindows()) return; // has no such names
+        WriteRubric("");
+        Folder("anna\nboris,5");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
+        Assert.Equal((2, "raycaster: the submission 'anna\uFFFDboris,5' has an invisible character in its name: rename the folder\n"),
+            (raycaster.ExitCode, raycaster.Error));
+        Assert.False(Directory.Exists(raycaster.PathOf("marks")));
+    }
+
+    [Fact]
     public void WithResumeOnlyWhatHasChangedIsMarkedAnew()
     {
         WriteRubric("");
@@ -113,6 +149,15 @@ public sealed class MarkTests : IDisposable
         Assert.NotEqual(File.ReadAllText(scene), File.ReadAllText(raycaster.PathOf("mine.json")));
         raycaster.Run("vary", ProjectFolder.PathOf("scenes/mesh.json"), "--seed", "12345", "-o", "mine.json");
         Assert.Contains("names mesh files, whose paths start at its folder", raycaster.Error);
+    }
+
+    [Fact]
+    public void AVariedSceneGoesToStandardOutputWhenAsked()
+    {
+        var scene = ProjectFolder.PathOf("scenes/weeks/1-planes.json");
+        raycaster.Run("vary", scene, "--seed", "12345", "-o", "mine.json").Run("vary", scene, "--seed", "12345", "-q", "-o", "-");
+        Assert.Equal(File.ReadAllText(raycaster.PathOf("mine.json")), raycaster.OutputText);
+        Assert.Equal(["mine.json"], raycaster.Files);
     }
 
     [Fact]

@@ -17,22 +17,21 @@ internal static class HandOutFolder
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
             throw new ProblemException($"raycaster: {folder} is there already, and not empty\n  Name a new folder: a hand-out overwrites nothing.");
         var files = HandOutFiles.With(isOpen);
-        var temporary = $"{target}.{Random.Shared.Next():x8}.tmp"; // beside the target, so that it can be renamed
         try
         {
-            foreach (var (path, content) in files) Write(Path.Combine(temporary, path), content);
-            foreach (var library in libraries) CopyLibrary(library, Path.Combine(temporary, "lib"));
-            WritePictures(Path.Combine(temporary, "scenes"), cancellation);
-            if (Directory.Exists(target)) Directory.Delete(target); // empty
-            Directory.Move(temporary, target);
+            using var made = new NewFolder(target);
+            foreach (var (path, content) in files)
+            {
+                cancellation.ThrowIfCancellationRequested();
+                Write(Path.Combine(made.Path, path), content);
+            }
+            foreach (var library in libraries) CopyLibrary(library, Path.Combine(made.Path, "lib"));
+            WritePictures(Path.Combine(made.Path, "scenes"), cancellation);
+            made.Commit();
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
             throw new ProblemException($"raycaster: the hand-out cannot be written: {e.Message}");
-        }
-        finally
-        {
-            if (Directory.Exists(temporary)) Directory.Delete(temporary, recursive: true);
         }
     }
 
@@ -66,8 +65,17 @@ internal static class HandOutFolder
                 cancellation.ThrowIfCancellationRequested();
                 var picture = Path.Combine(scenes, $"step{step:00}", Path.ChangeExtension(Path.GetRelativePath(scenes, file), ".png"));
                 Directory.CreateDirectory(Path.GetDirectoryName(picture)!);
-                PictureFile.Write(picture, Teaching.LabSteps.Draw(scene, step));
+                WritePicture(picture, Teaching.LabSteps.Draw(scene, step));
             }
         }
+    }
+
+    /// <summary>Writes a picture in place: the folder as a whole is there or not.</summary>
+    private static void WritePicture(string path, Picture picture)
+    {
+        using var file = File.Create(path);
+        using var writer = PictureWriter.Create(PictureFormat.Png, file, picture.Width, picture.Height);
+        writer.WriteRows(picture.Rgb);
+        writer.Finish();
     }
 }

@@ -11,10 +11,12 @@ public sealed class ReplacedFile : Stream
     private bool closed;
 
     /// <summary>Creates the temporary file; the old file stays as it is.</summary>
+    /// <param name="path">The file to write.</param>
+    /// <param name="found">Where to look for what killed writers of this file have left; null: in its folder.</param>
     /// <exception cref="PictureFileException">
     /// The path is a folder or a device, its folder is /dev, does not exist or may not be written to, or the old file is read-only.
     /// </exception>
-    public ReplacedFile(string path)
+    public ReplacedFile(string path, TemporaryFileList? found = null)
     {
         this.path = path;
         try
@@ -32,7 +34,7 @@ public sealed class ReplacedFile : Stream
                 throw Failure("the old file is read-only");
             file = WrittenFiles.Begin(() => TemporaryFile.Create(target));
             temporary = file.Name;
-            TemporaryFile.DeleteOrphans(target, temporary);
+            TemporaryFile.DeleteOrphans(target, temporary, found);
         }
         catch (Exception e) when (e is UnauthorizedAccessException or FileNotFoundException) // the latter in a folder like /proc
         {

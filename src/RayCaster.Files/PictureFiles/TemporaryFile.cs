@@ -18,6 +18,15 @@ internal static class TemporaryFile
     /// <summary>Unix can rename a file that is not shared. Windows needs FileShare.Delete; other writers still cannot open the file.</summary>
     private static FileShare Sharing => OperatingSystem.IsWindows() ? FileShare.Delete : FileShare.None;
 
+    /// <summary>The folder that belongs to a temporary file where a whole folder is written; it goes with the file.</summary>
+    public static string FolderOf(string temporary) => Path.ChangeExtension(temporary, ".dir");
+
+    /// <summary>Deletes that folder; of a link only the link.</summary>
+    public static void DeleteFolderOf(string temporary)
+    {
+        if (FolderOf(temporary) is var folder && Directory.Exists(folder)) Directory.Delete(folder, recursive: true);
+    }
+
     /// <summary>Creates a temporary file beside its target.</summary>
     /// <exception cref="IOException">It cannot be created there.</exception>
     /// <exception cref="UnauthorizedAccessException">It may not be created there.</exception>
@@ -63,13 +72,14 @@ internal static class TemporaryFile
     /// <summary>Deletes the temporary files of writers of the same target that were killed. Never fails.</summary>
     /// <param name="target">The full path of the target.</param>
     /// <param name="own">This writer's temporary file.</param>
-    public static void DeleteOrphans(string target, string own)
+    /// <param name="found">Files of the target's folder; null: all that it has now.</param>
+    public static void DeleteOrphans(string target, string own, TemporaryFileList? found)
     {
         try
         {
             var name = Path.GetFileName(Beginning(target));
             bool? locksHold = null;
-            foreach (var path in Directory.EnumerateFiles(Path.GetDirectoryName(target)!))
+            foreach (var path in found?.Paths ?? Directory.EnumerateFiles(Path.GetDirectoryName(target)!))
                 if (path != own && IsOneOf(name, Path.GetFileName(path)) && (locksHold ??= IsLocked(own)))
                     DeleteUnlessLocked(path);
         }
@@ -106,7 +116,8 @@ internal static class TemporaryFile
     {
         try
         {
-            new FileStream(path, FileMode.Open, FileAccess.ReadWrite, FileShare.None, bufferSize: 0, FileOptions.DeleteOnClose).Dispose();
+            using var file = new FileStream(path, FileMode.Open, FileAccess.ReadWrite, FileShare.None, bufferSize: 0, FileOptions.DeleteOnClose);
+            DeleteFolderOf(path);
         }
         catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {

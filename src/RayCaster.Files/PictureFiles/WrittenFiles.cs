@@ -52,16 +52,21 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>Deletes an unfinished file. Never fails.</summary>
+    /// <summary>Deletes an unfinished file, and before it the unfinished folder that belongs to it. Never fails.</summary>
     internal static void Delete(string temporary)
     {
-        lock (access) unfinished.Remove(temporary);
-        try
+        lock (access) // of two threads that deleted the same folder, both would fail
         {
-            File.Delete(temporary);
-        }
-        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
-        {
+            unfinished.Remove(temporary);
+            try
+            {
+                TemporaryFile.DeleteFolderOf(temporary);
+                File.Delete(temporary);
+            }
+            catch (Exception e) when (PictureFileException.IsCausedByFile(e))
+            {
+                // The next run that writes the same deletes what is left.
+            }
         }
     }
 }

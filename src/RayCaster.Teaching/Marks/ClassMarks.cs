@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Runtime.ExceptionServices;
 using System.Text.Json;
 
 namespace RayCaster.Teaching;
@@ -43,15 +44,21 @@ public sealed class ClassMarks
     public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
     {
         var all = Submission.In(submissions);
-        WorkFolder.Make(Path.Combine(output, Kept));
         var marks = new ClassMarks(rubric, submissions, output);
         var done = new ConcurrentDictionary<string, StudentMarks>();
-        Parallel.ForEach(Partitioner.Create(all, EnumerablePartitionerOptions.NoBuffering),
-            new() { MaxDegreeOfParallelism = options.Threads, CancellationToken = cancellation }, submission =>
-            {
-                done[submission.Student] = marks.MarkOne(submission, options.Resume, cancellation);
-                options.Progress?.Invoke(done.Count, all.Count);
-            });
+        try
+        {
+            Parallel.ForEach(Partitioner.Create(all, EnumerablePartitionerOptions.NoBuffering),
+                new() { MaxDegreeOfParallelism = options.Threads, CancellationToken = cancellation }, submission =>
+                {
+                    done[submission.Student] = marks.MarkOne(submission, options.Resume, cancellation);
+                    options.Progress?.Invoke(done.Count, all.Count);
+                });
+        }
+        catch (AggregateException several)
+        {
+            ExceptionDispatchInfo.Throw(several.InnerExceptions[0]);
+        }
         StudentMarks[] inOrder = [.. all.Select(submission => done[submission.Student])];
         Write(Path.Combine(output, "marks.csv"), MarksTable.Of(rubric, inOrder));
         Write(Path.Combine(output, "class.html"), ClassPage.Of(rubric, inOrder));
@@ -77,7 +84,6 @@ public sealed class ClassMarks
         }
         cancellation.ThrowIfCancellationRequested();
         var marks = marker.Mark(submission.Student, digest, pictures, changed);
-        WorkFolder.Make(folder);
         Write(Path.Combine(folder, "feedback.html"), FeedbackPage.Of(rubric, marks, pictures));
         Write(keptPath, JsonSerializer.Serialize(marks, JsonSerializerOptions.Web));
         return marks;
@@ -95,8 +101,10 @@ public sealed class ClassMarks
         }
     }
 
+    /// <summary>Writes a file, and makes its folder: a student's program may have deleted it.</summary>
     private static void Write(string path, string text)
     {
+        WorkFolder.Make(Path.GetDirectoryName(Path.GetFullPath(path))!);
         using var file = new ReplacedFile(path);
         file.Write(System.Text.Encoding.UTF8.GetBytes(text));
         file.Commit();

@@ -68,7 +68,7 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
                     .Order(StringComparer.Ordinal),
             ];
             if (changed.Length == 0) yield break;
-            var named = string.Join(", ", changed.Take(MostNamed).Select(path => Path.GetRelativePath(all.folder, path)));
+            var named = string.Join(", ", changed.Take(MostNamed).Select(path => PrintableText.Of(Path.GetRelativePath(all.folder, path))));
             var ran = beside.Length == 0 ? "it ran" : $"it and {string.Join(", ", beside.Select(other => other.Student))} ran";
             yield return $"files outside its folder changed while {ran}: {named}" +
                 $"{(changed.Length > MostNamed ? $" and {changed.Length - MostNamed} more" : "")}";

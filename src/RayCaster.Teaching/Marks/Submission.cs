@@ -18,16 +18,21 @@ internal sealed record Submission(string Folder)
     public string Student => Path.GetFileName(Folder);
 
     /// <summary>The submissions in a folder: each folder in it is one. Sorted by name.</summary>
-    /// <exception cref="PictureFileException">The folder cannot be listed.</exception>
+    /// <exception cref="PictureFileException">The folder cannot be listed, or holds a name with an invisible character.</exception>
     public static IReadOnlyList<Submission> In(string folder)
     {
         try
         {
-            return
+            Submission[] all =
             [
                 .. Directory.EnumerateDirectories(Path.GetFullPath(folder)).Where(path => !Path.GetFileName(path).StartsWith('.'))
                     .Order(StringComparer.Ordinal).Select(path => new Submission(path)),
             ];
+            foreach (var submission in all)
+                if (!submission.Student.All(PrintableText.IsPrintable))
+                    throw new PictureFileException(
+                        $"the submission '{PrintableText.Of(submission.Student)}' has an invisible character in its name: rename the folder");
+            return all;
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
@@ -47,16 +52,18 @@ internal sealed record Submission(string Folder)
     /// <summary>The files below a folder, each with its length and the time of its last change.</summary>
     public static IEnumerable<(string Path, (long Length, DateTime Time) State)> State(string folder)
     {
-        using var found = new FileSystemEnumerable<(string, (long, DateTime))>(
-            folder, (ref entry) => (entry.ToFullPath(), (entry.Length, entry.LastWriteTimeUtc.UtcDateTime)), files)
-        { ShouldIncludePredicate = (ref entry) => !entry.IsDirectory }.GetEnumerator();
-        while (HasNext(found)) yield return found.Current;
+        IEnumerator<(string, (long, DateTime))>? found = null;
+        while (HasNext(folder, ref found)) yield return found!.Current;
+        found?.Dispose();
     }
 
-    private static bool HasNext(IEnumerator<(string, (long, DateTime))> found)
+    private static bool HasNext(string folder, ref IEnumerator<(string, (long, DateTime))>? found)
     {
         try
         {
+            found ??= new FileSystemEnumerable<(string, (long, DateTime))>(
+                folder, (ref entry) => (entry.ToFullPath(), (entry.Length, entry.LastWriteTimeUtc.UtcDateTime)), files)
+            { ShouldIncludePredicate = (ref entry) => !entry.IsDirectory }.GetEnumerator();
             return found.MoveNext();
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)

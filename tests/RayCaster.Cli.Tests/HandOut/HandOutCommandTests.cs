@@ -35,6 +35,32 @@ public sealed class HandOutCommandTests : IDisposable
         Assert.Equal(ExitCode.CouldNot, app.ExitCode);
     }
 
+    [Fact]
+    public void AKilledRunLeavesNoHandOutAndTheNextOneTidiesUp()
+    {
+        using (var process = app.Start("handout", "lab1"))
+        {
+            while (!app.Files.Any(name => name.EndsWith(".dir")) && !process.HasExited) Thread.Sleep(10);
+            process.Kill(); // SIGKILL: it has no time to tidy
+            process.WaitForExit();
+        }
+        Assert.Matches(@"^lab1\.([0-9a-f]{8})\.dir lab1\.\1\.tmp$", string.Join(' ', app.Files));
+        app.Run("handout", "lab1", "-q");
+        Assert.Equal((ExitCode.Done, ""), (app.ExitCode, app.Error));
+        Assert.Equal(["lab1"], app.Files);
+    }
+
+    [Fact]
+    public void AnInterruptedRunLeavesNothing()
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        using var process = app.Start("handout", "lab1");
+        while (app.Files.Length == 0 && !process.HasExited) Thread.Sleep(10);
+        Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
+        Assert.Equal("raycaster: interrupted; nothing was written\n", process.StandardError.ReadToEnd());
+        Assert.Empty(app.Files);
+    }
+
     [Theory]
     [InlineData("0..3")]
     [InlineData("4..2")]

@@ -15,6 +15,17 @@ public sealed class TemporaryFileTests : IDisposable
         Assert.Empty(folder.Names);
     }
 
+    /// <summary>However many files are written: what the list does not have is not looked for.</summary>
+    [Fact]
+    public void AListOfAFolderIsMadeOnce()
+    {
+        folder.Write("a.png.0123abcd.tmp", "what a killed writer left");
+        var found = new TemporaryFileList(folder.Path);
+        folder.Write("b.png.0123abcd.tmp", "what another leaves later");
+        foreach (var name in (string[])["a.png", "b.png"]) new ReplacedFile(folder[name], found).Dispose();
+        Assert.Equal(["b.png.0123abcd.tmp"], folder.Names);
+    }
+
     [Fact]
     public void WhatSomebodyWritesStays()
     {
