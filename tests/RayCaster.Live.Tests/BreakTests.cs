@@ -42,6 +42,7 @@ public class BreakTests(Chromium chromium) : IClassFixture<Chromium>
 
     /// <summary>A program that stands still for longer than the server waits for a browser's answer, as while a laptop sleeps.</summary>
     [BrowserFact]
+    [Trait("kind", "campaign")] // half a minute of waiting
     public async Task APageContinuesAfterASleep()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there
