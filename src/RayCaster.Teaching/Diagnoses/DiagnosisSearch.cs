@@ -12,7 +12,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// <summary>The share of the evidence that each round looks at, and how many trials are left for it at least.</summary>
     private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 24)];
 
-    /// <summary>The share of the evidence that is looked at first where there are thousands of trials: some thirty pixels.</summary>
+    /// <summary>The share of the evidence that is looked at first where there are hundreds of trials or more: some thirty pixels.</summary>
     private const double Glance = 0.005;
 
     /// <summary>How many trials are taken for thousands.</summary>
@@ -43,8 +43,8 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     public List<WrongProgram> Run(IEnumerable<Unfinished> unfinished, Func<IEnumerable<Unfinished>> likely)
     {
         var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
-        var everySingle = Measured(Singles(Unfinished.Nothing, MayBeOtherSample ? [false, true] : [false]), rounds[0].Share);
-        var singles = Best(everySingle, 1);
+        var everySingle = Measured(Singles(Unfinished.Nothing, MayBeOtherSample ? [false, true] : [false]), Glance);
+        var singles = Best(everySingle[..(everySingle.Count / 3)]);
         if (!MayBeOtherSample)
         {
             var other = singles.Where(single => single.Id != center.Id).Select(single => single with { OtherSample = true });
@@ -139,12 +139,10 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     ];
 
     /// <summary>Looks at all, looks closer at the best, and sorts these.</summary>
-    /// <param name="trials">All, the nearest first if a round is behind them.</param>
-    /// <param name="done">How many rounds are behind them.</param>
-    private List<WrongProgram> Best(List<WrongProgram> trials, int done = 0)
+    private List<WrongProgram> Best(List<WrongProgram> trials)
     {
         if (trials.Count > Many) trials = Measured(trials, Glance)[..(trials.Count / 4)];
-        foreach (var (share, most) in rounds.Skip(done))
+        foreach (var (share, most) in rounds)
         {
             var kept = Math.Min(trials.Count, most == int.MaxValue ? most : Math.Max(most, share < 1 ? trials.Count / 8 : most));
             trials = Measured(trials[..kept], share);

@@ -17,7 +17,9 @@ public sealed class SceneDiagnosis
         (Scene, Threads) = (scene, threads);
         Right = Renderer.Render(scene, threads);
         var possible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding).ToArray();
-        Known = [.. possible.Where(mistake => mistake.Wordings.All(wording => new Lab(scene, wording).TrianglesTried <= Lab.MostTriangles))];
+        var triangles = scene.Models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount);
+        Known = [.. possible.Where(mistake => triangles <= Lab.MostTriangles
+            || mistake.Wordings.All(wording => new Lab(scene, wording).TrianglesTried <= Lab.MostTriangles))];
         NotTried = [.. possible.Except(Known)];
         hidden = new(() => TooManyModels ? [] : SceneFitness.HiddenIn(scene, threads));
     }
