@@ -86,11 +86,11 @@ public sealed class MarkTests : IDisposable
         if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
         raycaster.Write(Folder("vandal") + "draw.sh", $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}'");
-        raycaster.Write(Folder("victim") + "draw.sh", "echo never run");
+        raycaster.Write(Folder("anna") + "draw.sh", "echo marked before").Write(Folder("victim") + "draw.sh", "echo never run");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "-t", "1");
         Assert.Equal(("", 0), (raycaster.Error, raycaster.ExitCode));
-        Assert.Contains("files outside its folder changed while it ran: victim/draw.sh", Table()[1]);
-        Assert.StartsWith("victim,0,5,5", Table()[2]);
+        Assert.Contains("files outside its folder changed while it ran: anna/draw.sh, victim/draw.sh", Table()[2]);
+        Assert.StartsWith("victim,0,5,5", Table()[3]);
     }
 
     [Fact]

@@ -50,15 +50,16 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
 
         internal Watch(OtherFiles all, Submission own, Look before) => (this.all, this.own, this.before) = (all, own, before);
 
-        /// <summary>What has changed outside its folder, in words; empty if nothing has.</summary>
+        /// <summary>Ends the watch, and says what has changed outside its folder, in words; empty if nothing has.</summary>
         public IEnumerable<string> Changed()
         {
+            Dispose(); // before this look, so that the next submission is not excused by this one
             var now = all.Now();
             Submission[] beside;
             lock (all.watches)
             {
                 if (now.Time > all.last!.Time) all.last = now;
-                beside = [.. all.watches.Where(watch => watch != this && watch.ended >= before.Time).Select(watch => watch.own)];
+                beside = [.. all.watches.Where(watch => watch != this && watch.ended > before.Time).Select(watch => watch.own)];
             }
             string[] changed =
             [
@@ -77,7 +78,7 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
         /// <summary>Ends the watch.</summary>
         public void Dispose()
         {
-            lock (all.watches) ended = Stopwatch.GetTimestamp();
+            lock (all.watches) ended = Math.Min(ended, Stopwatch.GetTimestamp());
         }
     }
 }
