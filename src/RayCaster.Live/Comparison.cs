@@ -1,18 +1,17 @@
 namespace RayCaster.Live;
 
-/// <summary>The user's own picture beside the scene's, in words and in pictures.</summary>
-/// <param name="Version">Counts the comparisons, so that a page knows a new one.</param>
-/// <param name="Name">What the picture is called; null where there is none.</param>
-/// <param name="Problem">Why it cannot be compared; null where it can.</param>
-/// <param name="Result">What came of it; null without a picture.</param>
+/// <summary>The comparison of the user's own picture with the scene's, in words and in pictures.</summary>
+/// <param name="Name">The picture's name; null if there is no picture.</param>
+/// <param name="Problem">Why it cannot be compared; null if it can.</param>
+/// <param name="Result">The comparison; null if there is none.</param>
 /// <param name="Scene">The scene that it should show.</param>
-/// <param name="SceneName">What that is called.</param>
-internal sealed record Comparison(int Version, string? Name, string? Problem, PictureComparison? Result, Scene? Scene, string SceneName)
+/// <param name="SceneName">The scene's name.</param>
+internal sealed record Comparison(string? Name, string? Problem, PictureComparison? Result, Scene? Scene, string SceneName)
 {
-    private static readonly SemaphoreSlim one = new(1, 1); // a diagnosis takes all cores for seconds
+    private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds
     private Task<Diagnosis>? diagnosis;
 
-    /// <summary>What the page is told at once.</summary>
+    /// <summary>The words for the page, without the diagnosis.</summary>
     public byte[] Message() => Messages.Of(new
     {
         Kind = "comparison",
@@ -25,7 +24,7 @@ internal sealed record Comparison(int Version, string? Name, string? Problem, Pi
         Middle = Result?.Difference is { } difference && WrongArea.MiddleOfLargest(difference) is var (x, y) ? (int[])[x, y] : null,
     });
 
-    /// <summary>The picture, where it differs, and the same object by object.</summary>
+    /// <summary>The user's picture, the difference, and the difference by object.</summary>
     public IEnumerable<(Layer, Frame)> Frames()
     {
         if (Result?.Difference is not { } difference) yield break;
@@ -34,15 +33,15 @@ internal sealed record Comparison(int Version, string? Name, string? Problem, Pi
         yield return (Layer.ByObject, Frame.Of(WrongArea.ByObject(Result)));
     }
 
-    /// <summary>Which mistake may have made the picture, in words.</summary>
-    /// <param name="level">How much is told.</param>
+    /// <summary>Names the mistake that may have made the picture.</summary>
+    /// <param name="level">How much of it the text reveals.</param>
     public async Task<string> DiagnoseAsync(HintLevel level)
     {
         if (Result is null || Scene is null) return "";
         var (width, height) = (Scene.Camera.Width, Scene.Camera.Height);
         var size = (Result.Mine.Width, Result.Mine.Height);
-        if (size != (width, height) && size != (height, width)) return "Only a picture of the scene's size can be diagnosed.";
-        await one.WaitAsync();
+        if (size != (width, height) && size != (height, width)) return "The picture must have the scene's size to be diagnosed.";
+        await turn.WaitAsync();
         try
         {
             diagnosis ??= Task.Run(() => Diagnosis.Of(Scene, Result.Mine));
@@ -50,7 +49,7 @@ internal sealed record Comparison(int Version, string? Name, string? Problem, Pi
         }
         finally
         {
-            one.Release();
+            turn.Release();
         }
     }
 }

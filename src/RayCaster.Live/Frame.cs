@@ -1,28 +1,27 @@
-using System.Buffers.Binary;
 using System.Runtime.InteropServices;
 
 namespace RayCaster.Live;
 
-/// <summary>What a frame's pixels are, as the page numbers it.</summary>
+/// <summary>What a frame shows; the page uses the same numbers.</summary>
 internal enum Layer
 {
     /// <summary>The scene's picture.</summary>
     Picture,
 
-    /// <summary>A map over it.</summary>
+    /// <summary>A map that lies over the picture.</summary>
     Map,
 
     /// <summary>The user's own picture.</summary>
     Mine,
 
-    /// <summary>Where the two differ.</summary>
+    /// <summary>How much the two pictures differ.</summary>
     Difference,
 
-    /// <summary>The same, each object in one colour.</summary>
+    /// <summary>How much they differ, in one colour for each object.</summary>
     ByObject,
 }
 
-/// <summary>A picture as a canvas takes it without a further step: four bytes for each pixel.</summary>
+/// <summary>A picture in the format of a canvas, four bytes for each pixel, so that the page copies nothing.</summary>
 /// <param name="width">Pixels in a line.</param>
 /// <param name="height">Lines.</param>
 internal sealed class Frame(int width, int height)
@@ -32,22 +31,17 @@ internal sealed class Frame(int width, int height)
     /// <summary>The pixels, line 0 at the top.</summary>
     public ReadOnlyMemory<byte> Pixels => pixels;
 
-    /// <summary>What is sent before the pixels: six numbers of four bytes.</summary>
-    /// <param name="layer">What it shows.</param>
-    /// <param name="version">Of which state of the scene.</param>
-    /// <param name="number">Which frame of its page it is.</param>
-    /// <param name="isFinal">Whether it is sharp, and no other follows by itself.</param>
-    public byte[] Header(Layer layer, int version, int number, bool isFinal)
-    {
-        ReadOnlySpan<int> numbers = [(int)layer, version, number, isFinal ? 1 : 0, width, height];
-        var header = new byte[4 * numbers.Length];
-        for (var i = 0; i < numbers.Length; i++) BinaryPrimitives.WriteInt32LittleEndian(header.AsSpan(4 * i), numbers[i]);
-        return header;
-    }
+    /// <summary>Six numbers of four bytes, which the server sends before the pixels.</summary>
+    /// <param name="layer">What the frame shows.</param>
+    /// <param name="version">The version of the scene.</param>
+    /// <param name="number">The count of the page's frames so far.</param>
+    /// <param name="isFinal">Whether the camera rests, so that the frame has its full size and no other follows.</param>
+    public byte[] Header(Layer layer, int version, int number, bool isFinal) =>
+        MemoryMarshal.AsBytes<int>([(int)layer, version, number, isFinal ? 1 : 0, width, height]).ToArray();
 
-    /// <summary>Puts in some lines of red, green and blue.</summary>
-    /// <param name="rgb">The bytes.</param>
-    /// <param name="firstPixel">The place of their first pixel.</param>
+    /// <summary>Sets the pixels of some lines.</summary>
+    /// <param name="rgb">Three bytes for each pixel.</param>
+    /// <param name="firstPixel">The index of the first pixel that they set.</param>
     public Frame Fill(ReadOnlySpan<byte> rgb, int firstPixel = 0)
     {
         var to = MemoryMarshal.Cast<byte, uint>(pixels.AsSpan(4 * firstPixel, rgb.Length / 3 * 4));

@@ -5,11 +5,11 @@ using Microsoft.AspNetCore.Http;
 namespace RayCaster.Live;
 
 /// <summary>
-/// Lets in only the page that was opened with the token in its address: other users of this machine do not know it, and other pages in the same
-/// browser are told by the request's Host, Origin and Sec-Fetch-Site.
+/// Accepts requests of the page only. Other users of this machine do not know the token in the page's address; other pages in the same browser
+/// send another Host, Origin or Sec-Fetch-Site.
 /// </summary>
 /// <param name="port">The server's port.</param>
-/// <param name="token">The secret.</param>
+/// <param name="token">The token.</param>
 internal sealed class Gate(int port, string token)
 {
     private const string Policy = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; " +
@@ -18,14 +18,14 @@ internal sealed class Gate(int port, string token)
     private readonly string[] hosts = [$"127.0.0.1:{port}", $"localhost:{port}", $"[::1]:{port}"];
     private readonly string cookie = $"raycaster-live-{port}";
 
-    /// <summary>A secret of 128 bits that nobody can guess.</summary>
+    /// <summary>A random token of 128 bits.</summary>
     public static string NewToken() => RandomNumberGenerator.GetHexString(32, lowercase: true);
 
-    /// <summary>Where the page is, with the secret.</summary>
+    /// <summary>The page's address, with the token.</summary>
     public string Address => $"http://127.0.0.1:{port}/?token={token}";
 
-    /// <summary>Puts the headers of every answer, and looks whether the request is one of ours.</summary>
-    /// <returns>Null if it is; otherwise why not, in words.</returns>
+    /// <summary>Sets the headers of the answer and checks the request.</summary>
+    /// <returns>Null if the page may have sent it; otherwise the reason against it.</returns>
     public string? Refuse(HttpContext context)
     {
         var (request, headers) = (context.Request, context.Response.Headers);
@@ -53,7 +53,7 @@ internal sealed class Gate(int port, string token)
             context.Response.Cookies.Append(cookie, token, new() { HttpOnly = true, SameSite = SameSiteMode.Strict, Path = "/" });
             return null;
         }
-        return "Open the page by the address that the program printed: it holds a token that this request has not.";
+        return "Open the page by the address that the program printed: this request lacks the token of that address.";
     }
 
     private bool IsToken(string text) => CryptographicOperations.FixedTimeEquals(Encoding.UTF8.GetBytes(text), Encoding.UTF8.GetBytes(token));

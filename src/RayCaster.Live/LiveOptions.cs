@@ -2,28 +2,28 @@ using System.Globalization;
 
 namespace RayCaster.Live;
 
-/// <summary>The command line, understood.</summary>
+/// <summary>The options of the command line.</summary>
 /// <param name="Scene">The scene file.</param>
-/// <param name="Mine">A picture of the user's own program to compare with; null for none.</param>
-/// <param name="Port">Where the page is; 0 for any port that is free.</param>
-/// <param name="OpensBrowser">Whether a browser is opened.</param>
-/// <param name="WantsHelp">Whether only the help is wanted.</param>
+/// <param name="Mine">The file of a picture by the user's own program to compare with; null for none.</param>
+/// <param name="Port">The page's port; 0 for any that is free.</param>
+/// <param name="OpensBrowser">Whether the program opens a browser.</param>
+/// <param name="WantsHelp">Whether the user asked for the help only.</param>
 internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser, bool WantsHelp = false)
 {
     public const string Help = """
         Description:
-          Opens a page on this machine that shows a scene's picture and stays in step with the
-          scene file: save, and see it. Drag to turn the camera, click a pixel and read why.
+          Opens a page on this machine that shows a scene's picture and draws it again when you
+          save the scene file. Drag to turn the camera; click a pixel to read how it got its colour.
 
         Usage:
           dotnet run --project src/RayCaster.Live -- <scene> [options]
 
         Options:
-              --mine <file>  A picture (PNG or PPM) of your own program to compare with; when it
-                             is written again, the page follows.
-              --port <n>     Where the page is, 1 to 65535. [default: any that is free]
-              --no-browser   Only prints the address, and opens no browser.
-          -?, --help         Shows this help. Under "dotnet run" write it after "--".
+              --mine <file>  Compares with a picture (PNG or PPM) of your own program, each time
+                             that your program writes it.
+              --port <n>     The page's port, 1 to 65535. [default: any that is free]
+              --no-browser   Prints the address and opens no browser.
+          -?, --help         Shows this help. Under "dotnet run", write it after "--".
 
         Exit codes:
           2 could not do it, 130 interrupted (Ctrl-C), 143 terminated.
@@ -67,13 +67,13 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
     private static int PortOf(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port is > 0 and <= 65535
             ? port
-            : throw ProblemException.Usage($"'{text}' is not a port: it is a whole number from 1 to 65535");
+            : throw ProblemException.Usage($"'{text}' is not a port; a port is a whole number from 1 to 65535");
 }
 
-/// <summary>Something that the user can mend; the message is all that is printed.</summary>
+/// <summary>A problem that the user can solve. The program prints the message and nothing else.</summary>
 internal sealed class ProblemException(string message) : Exception(message)
 {
-    /// <summary>A mistake on the command line, with where to look it up.</summary>
+    /// <summary>A mistake on the command line.</summary>
     public static ProblemException Usage(string problem) =>
         new($"raycaster-live: {problem}\nTry dotnet run --project src/RayCaster.Live -- --help.");
 }

@@ -2,55 +2,55 @@ using System.Collections.Concurrent;
 using System.Net;
 using System.Net.Sockets;
 using Microsoft.AspNetCore.Builder;
+using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
 
 namespace RayCaster.Live;
 
-/// <summary>Serves the page on this machine, and on no other.</summary>
+/// <summary>Serves the page on this machine's own addresses only.</summary>
 internal sealed class LiveServer : IAsyncDisposable
 {
-    /// <summary>More pages than anybody opens; each costs two pictures.</summary>
+    /// <summary>How many pages may be open at once; each takes the memory of two pictures.</summary>
     private const int MostTabs = 64;
+
+    /// <summary>How many free ports are tried: a port that is free for IPv4 may be taken for IPv6.</summary>
+    private const int MostAttempts = 10;
 
     private readonly ConcurrentDictionary<Tab, byte> tabs = new();
     private readonly PageFiles files = new();
     private readonly CancellationTokenSource end = new();
     private readonly Gate gate;
     private readonly WebApplication app;
-    private byte[]? errors; // what the pages were told last of the code
-    private int warmed;
+    private byte[]? errors; // the last message about the code; pages that are opened later receive it, too
 
-    private LiveServer(LiveScene scene, MinePicture mine, int port, bool hasVersion6)
+    private LiveServer(LiveOptions options, int port)
     {
-        (Scene, Mine, Port) = (scene, mine, port);
-        gate = new(port, WatchLine.Secret is { } secret ? Convert.ToHexStringLower(secret) : Gate.NewToken());
+        (Scene, Mine, Port) = (new(options.Scene), new(options.Mine), port);
+        gate = new(port, DotnetWatch.Secret is { } secret ? Convert.ToHexStringLower(secret) : Gate.NewToken());
         var builder = WebApplication.CreateEmptyBuilder(new());
         builder.WebHost.UseKestrelCore().ConfigureKestrel(kestrel =>
         {
             kestrel.AddServerHeader = false;
             kestrel.Limits.MaxRequestBodySize = 0;
-            kestrel.Listen(IPAddress.Loopback, port);
-            if (hasVersion6) kestrel.Listen(IPAddress.IPv6Loopback, port);
+            kestrel.ListenLocalhost(port);
         });
         app = builder.Build();
         app.UseWebSockets(new() { KeepAliveInterval = TimeSpan.FromSeconds(10), KeepAliveTimeout = TimeSpan.FromSeconds(20) });
         app.Run(AnswerAsync);
-        Scene.Changed += WakeAll;
-        Mine.Changed += LookAtMine;
+        Scene.Changed += () => ForEachTab(tab => tab.Wake());
+        Mine.Changed += () => ForEachTab(tab => tab.CompareAgain());
     }
 
-    /// <summary>The scene that is shown.</summary>
+    /// <summary>The scene that the pages show.</summary>
     public LiveScene Scene { get; }
 
-    /// <summary>The picture that it is compared with.</summary>
+    /// <summary>The picture that the scene's picture is compared with.</summary>
     public MinePicture Mine { get; }
 
-    /// <summary>Draws.</summary>
     public Studio Studio { get; } = new();
 
-    /// <summary>Where the page is.</summary>
     public int Port { get; }
 
     /// <summary>The page's address, with its secret.</summary>
@@ -58,31 +58,38 @@ internal sealed class LiveServer : IAsyncDisposable
 
     /// <summary>Starts to serve.</summary>
     /// <param name="options">What the command line says.</param>
-    /// <exception cref="ProblemException">The port is taken.</exception>
+    /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>
     public static async Task<LiveServer> StartAsync(LiveOptions options)
     {
-        var (port, hasVersion6) = WatchLine.Secret is [var high, var low, ..] && options.Port == 0
-            ? TryPort(49152 + (high << 8 | low) % 16384) ?? FreePort(0) // the same after a restart, so that open pages find it
-            : FreePort(options.Port);
-        var server = new LiveServer(new(options.Scene), new(options.Mine), port, hasVersion6);
-        try
+        for (var attempt = 1; ; attempt++)
         {
-            await server.app.StartAsync();
+            var port = options.Port > 0 ? options.Port : attempt == 1 && DotnetWatch.Port is { } same ? same : FreePort();
+            var server = new LiveServer(options, port);
+            try
+            {
+                await server.app.StartAsync();
+                _ = server.Scene.FollowAsync();
+                _ = server.Mine.FollowAsync();
+                _ = DotnetWatch.FollowAsync(server.ShowErrors, server.end.Token);
+                return server;
+            }
+            catch (IOException e)
+            {
+                await server.DisposeAsync();
+                if (options.Port == 0 && attempt < MostAttempts) continue;
+                var reason = e.InnerException is AddressInUseException ? "is taken" : "cannot be used";
+                throw new ProblemException($"raycaster-live: port {port} {reason}; choose another one above 1023, or leave --port out");
+            }
         }
-        catch (IOException)
-        {
-            throw new ProblemException($"raycaster-live: port {port} is taken; choose another, or leave --port out");
-        }
-        _ = server.Scene.FollowAsync();
-        _ = server.Mine.FollowAsync();
-        _ = WatchLine.FollowAsync(server.TellErrors, server.end.Token);
-        return server;
     }
 
-    /// <summary>Prepares for a camera that moves, once there is something to look at.</summary>
-    public void FirstPictureSent(Scene scene)
+    /// <summary>Shows on all pages what keeps the code from being built.</summary>
+    /// <param name="found">The compiler's errors; none when the code compiles again.</param>
+    public void ShowErrors(IReadOnlyList<Problem> found)
     {
-        if (Interlocked.Exchange(ref warmed, 1) == 0) Studio.WarmUp(scene);
+        var message = Messages.OfCode(found);
+        errors = message;
+        ForEachTab(tab => tab.Post(message));
     }
 
     public async ValueTask DisposeAsync()
@@ -93,64 +100,29 @@ internal sealed class LiveServer : IAsyncDisposable
         await app.DisposeAsync();
     }
 
-    private static (int Port, bool HasVersion6)? TryPort(int wanted)
+    private static int FreePort()
     {
-        try
-        {
-            return FreePort(wanted);
-        }
-        catch (ProblemException)
-        {
-            return null;
-        }
+        using var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        return ((IPEndPoint)listener.LocalEndpoint).Port;
     }
 
-    /// <summary>A port that is free on both of the machine's own addresses; without version 6 of the protocol on one.</summary>
-    private static (int Port, bool HasVersion6) FreePort(int wanted)
+    private void ForEachTab(Action<Tab> action)
     {
-        for (var attempt = 0; ; attempt++)
-        {
-            try
-            {
-                using var first = new TcpListener(IPAddress.Loopback, wanted);
-                first.Start();
-                var port = ((IPEndPoint)first.LocalEndpoint).Port;
-                if (!Socket.OSSupportsIPv6) return (port, false);
-                try
-                {
-                    using var second = new TcpListener(IPAddress.IPv6Loopback, port);
-                    second.Start();
-                    return (port, true);
-                }
-                catch (SocketException e) when (e.SocketErrorCode == SocketError.AddressNotAvailable)
-                {
-                    return (port, false); // switched off on this machine
-                }
-            }
-            catch (SocketException) when (wanted == 0 && attempt < 10)
-            {
-                // Free on one address and taken on the other: another one.
-            }
-            catch (SocketException e)
-            {
-                throw new ProblemException(e.SocketErrorCode == SocketError.AccessDenied
-                    ? $"raycaster-live: port {wanted} is the system's; choose one above 1023"
-                    : $"raycaster-live: port {wanted} is taken; choose another, or leave --port out");
-            }
-        }
+        foreach (var tab in tabs.Keys) action(tab);
     }
 
     private async Task AnswerAsync(HttpContext context)
     {
-        if (gate.Refuse(context) is { } reason) await SayAsync(context, StatusCodes.Status403Forbidden, reason);
-        else if (context.Request.Path == "/live" && context.WebSockets.IsWebSocketRequest) await ServeTabAsync(context);
-        else if (context.Request.Path == "/mine" && HttpMethods.IsPost(context.Request.Method)) await TakeMineAsync(context);
-        else if (!HttpMethods.IsGet(context.Request.Method))
-            await SayAsync(context, StatusCodes.Status405MethodNotAllowed, "This is not to be done here.");
-        else if (!await files.TryAnswerAsync(context)) await SayAsync(context, StatusCodes.Status404NotFound, "There is nothing of this name.");
+        var (path, method) = (context.Request.Path, context.Request.Method);
+        if (gate.Refuse(context) is { } reason) await RefuseAsync(context, StatusCodes.Status403Forbidden, reason);
+        else if (path == "/live" && context.WebSockets.IsWebSocketRequest) await ServeTabAsync(context);
+        else if (path == "/mine" && HttpMethods.IsPost(method)) await TakeMineAsync(context);
+        else if (!HttpMethods.IsGet(method)) await RefuseAsync(context, StatusCodes.Status405MethodNotAllowed, $"{method} is not allowed here.");
+        else if (!await files.TryAnswerAsync(context)) await RefuseAsync(context, StatusCodes.Status404NotFound, "There is no such file.");
     }
 
-    private static Task SayAsync(HttpContext context, int status, string reason)
+    private static Task RefuseAsync(HttpContext context, int status, string reason)
     {
         context.Response.StatusCode = status;
         context.Response.ContentType = "text/plain; charset=utf-8";
@@ -161,7 +133,7 @@ internal sealed class LiveServer : IAsyncDisposable
     {
         if (tabs.Count >= MostTabs)
         {
-            await SayAsync(context, StatusCodes.Status503ServiceUnavailable, $"There are {MostTabs} pages open already; close some.");
+            await RefuseAsync(context, StatusCodes.Status503ServiceUnavailable, $"{MostTabs} pages are open already; close some.");
             return;
         }
         using var socket = await context.WebSockets.AcceptWebSocketAsync();
@@ -178,12 +150,12 @@ internal sealed class LiveServer : IAsyncDisposable
         }
     }
 
-    /// <summary>Takes a picture of the user's own program, of the scene's size at most.</summary>
+    /// <summary>Receives a picture of the user's own program, of the scene's size at most.</summary>
     private async Task TakeMineAsync(HttpContext context)
     {
         var camera = Scene.State.Scene?.Camera;
         var pixels = Math.Min(View.MostPixels, (long)(camera?.Width ?? 0) * (camera?.Height ?? 0));
-        // Four digits for each of three numbers is the longest form there is, a PPM in readable numbers; a little more for comments.
+        // The longest format is a PPM in text: three numbers of four characters for each pixel. The rest is for its comments.
         context.Features.Get<IHttpMaxRequestBodySizeFeature>()!.MaxRequestBodySize = 12 * pixels + 65_536;
         try
         {
@@ -195,35 +167,18 @@ internal sealed class LiveServer : IAsyncDisposable
         }
         catch (BadHttpRequestException e)
         {
-            await SayAsync(context, e.StatusCode, "The file is larger than any picture of this scene's size.");
+            await RefuseAsync(context, e.StatusCode, "The file is larger than any picture of this scene's size.");
         }
         catch (PictureFileException e)
         {
-            await SayAsync(context, StatusCodes.Status422UnprocessableEntity, e.Message);
+            await RefuseAsync(context, StatusCodes.Status422UnprocessableEntity, e.Message);
         }
     }
 
-    /// <summary>What a dropped file is called, without what could be more than a name.</summary>
+    /// <summary>The name of a dropped file, without folders and control characters.</summary>
     private static string NameOf(string text)
     {
         var name = string.Concat(Path.GetFileName(text.Replace('\\', '/')).Where(c => !char.IsControl(c)));
         return name.Length == 0 ? "your picture" : name[..Math.Min(100, name.Length)];
-    }
-
-    /// <summary>Tells all pages what keeps the code from being built.</summary>
-    internal void TellErrors(IReadOnlyList<CodeError> found)
-    {
-        errors = Messages.OfCode(found);
-        foreach (var tab in tabs.Keys) tab.Post(errors);
-    }
-
-    private void WakeAll()
-    {
-        foreach (var tab in tabs.Keys) tab.Wake();
-    }
-
-    private void LookAtMine()
-    {
-        foreach (var tab in tabs.Keys) tab.LookAtMine();
     }
 }

@@ -1,13 +1,13 @@
 namespace RayCaster.Live;
 
-/// <summary>A map as a picture, and what its colours mean.</summary>
-/// <param name="Kind">What it tells of each pixel.</param>
+/// <summary>A map as a picture, with its legend.</summary>
+/// <param name="Kind">What the map shows of each pixel.</param>
 /// <param name="Frame">The picture.</param>
-/// <param name="Range">The least and the greatest number; null for vectors, or where nothing is hit.</param>
-/// <param name="Models">How many models there are.</param>
+/// <param name="Range">The least and the greatest number; null for vectors, and if no ray hits anything.</param>
+/// <param name="Models">The number of models.</param>
 internal sealed record MapDrawing(MapKind Kind, Frame Frame, (float Least, float Greatest)? Range, int Models)
 {
-    private const int Steps = 33; // of the legend
+    private const int Steps = 33; // colours of the legend
 
     /// <summary>Makes the map of a scene.</summary>
     public static MapDrawing Of(Scene scene, MapKind kind)
@@ -16,7 +16,7 @@ internal sealed record MapDrawing(MapKind Kind, Frame Frame, (float Least, float
         return new(kind, Frame.Of(MapPicture.Draw(map, kind)), map.Range, scene.Models.Count);
     }
 
-    /// <summary>The colours by the map's own hand: those of a map in which each number stands once.</summary>
+    /// <summary>The legend's colours: those that <see cref="MapPicture"/> gives to a map of equidistant numbers, or of all models.</summary>
     public byte[] Legend()
     {
         var isRamp = Kind is MapKind.T or MapKind.Depth && Range is not null;

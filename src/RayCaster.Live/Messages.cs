@@ -5,10 +5,10 @@ using System.Text.Json.Serialization;
 
 namespace RayCaster.Live;
 
-/// <summary>What the server tells a page, as JSON. Each message has a "kind".</summary>
+/// <summary>The server's messages to a page, as JSON. Each has a "kind".</summary>
 internal static class Messages
 {
-    /// <summary>Of more models the page lists only the first: no person reads a list of a thousand.</summary>
+    /// <summary>How many models the page lists at most: nobody reads a list of a thousand.</summary>
     public const int MostModels = 500;
 
     private static readonly JsonSerializerOptions options = new(JsonSerializerDefaults.Web)
@@ -21,7 +21,7 @@ internal static class Messages
     /// <summary>Any message.</summary>
     public static byte[] Of(object message) => JsonSerializer.SerializeToUtf8Bytes(message, options);
 
-    /// <summary>What the scene file says.</summary>
+    /// <summary>The state of the scene file: the picture's size, the models, the mistakes.</summary>
     public static byte[] OfScene(LiveScene live, SceneState state)
     {
         var camera = state.Scene?.Camera;
@@ -32,7 +32,7 @@ internal static class Messages
             state.Version,
             live.Path,
             Good = state.IsGood,
-            Problems = state.Problems.Take(SceneReading.Printed).Select(problem => OfProblem(live, problem)),
+            Problems = state.Problems.Take(SceneReading.Printed).Select(problem => Shown(problem, live.FullPath)),
             More = Math.Max(0, state.Problems.Count - SceneReading.Printed),
             Width = camera?.Width ?? 0,
             Height = camera?.Height ?? 0,
@@ -40,28 +40,23 @@ internal static class Messages
             ShownHeight = height,
             Models = state.Scene?.Models.Take(MostModels).Select((model, i) => new
             {
-                Name = string.IsNullOrEmpty(model.Name) ? $"models[{i}]" : model.Name,
-                Type = TypeOf(model),
+                Name = NameOf(model, i),
+                Type = model.Kind,
                 Color = Hex(model.Color.ToBytes()),
             }),
             ModelCount = state.Scene?.Models.Count ?? 0,
         });
     }
 
-    /// <summary>What keeps the code from being built.</summary>
-    public static byte[] OfCode(IReadOnlyList<CodeError> errors) => Of(new
+    /// <summary>The compiler's errors.</summary>
+    public static byte[] OfCode(IReadOnlyList<Problem> errors) => Of(new
     {
         Kind = "code",
-        Errors = errors.Take(SceneReading.Printed).Select(error => new
-        {
-            error.Message,
-            Place = $"{error.File}:{error.Line}:{error.Column}",
-            Link = LinkTo(error.File, error.Line, error.Column),
-        }),
+        Errors = errors.Take(SceneReading.Printed).Select(error => Shown(error, error.File)),
         More = Math.Max(0, errors.Count - SceneReading.Printed),
     });
 
-    /// <summary>A camera as it stands in a scene file.</summary>
+    /// <summary>A camera, in the keys of a scene file.</summary>
     public static byte[] OfCamera(Camera camera, bool isMoved) => Of(new
     {
         Kind = "camera",
@@ -71,28 +66,25 @@ internal static class Messages
         camera.FovY,
     });
 
-    /// <summary>What is under the pointer.</summary>
+    /// <summary>What a pixel shows.</summary>
     public static byte[] OfHover(Scene scene, int column, int line)
     {
         var ray = ScalarRenderer.Cast(scene, column, scene.Camera.Height - 1 - line);
         var (r, g, b) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
-        var model = -1;
-        for (var i = 0; ray.HitModel is not null && model < 0; i++)
-            if (ReferenceEquals(scene.Models[i], ray.HitModel)) model = i;
         return Of(new
         {
             Kind = "hover",
             Column = column,
             Line = line,
             Row = scene.Camera.Height - 1 - line,
-            Model = model < 0 ? "the background" : scene.Models[model].Name is { Length: > 0 } name ? name : $"models[{model}]",
+            Model = ray.HitModel is { } hit ? NameOf(hit, scene.Models.TakeWhile(model => model != hit).Count()) : "the background",
             T = ray.HitParameter,
             Depth = ray.HitParameter * -(ray.Direction * scene.Camera.W),
             Bytes = (int[])[r, g, b],
         });
     }
 
-    /// <summary>How a pixel came about, with the drawing of its ray.</summary>
+    /// <summary>The explanation of a pixel, with the drawing of its ray.</summary>
     public static byte[] OfExplanation(Scene scene, int column, int line, Picture? mine, int version)
     {
         var pixel = PixelExplanation.Of(scene, column, line);
@@ -101,7 +93,7 @@ internal static class Messages
         return Encoding.UTF8.GetBytes($$"""{"kind":"explanation","version":{{version}},"pixel":{{text}},"section":{{section}}}""");
     }
 
-    /// <summary>What became of the rays, model by model.</summary>
+    /// <summary>The ledger: in how many pixels each model shows, or why it does not.</summary>
     public static byte[] OfLedger(HitLedger ledger, int version) => Of(new
     {
         Kind = "ledger",
@@ -116,25 +108,26 @@ internal static class Messages
         Report = ledger.Report(),
     });
 
-    /// <summary>As a style sheet writes a colour.</summary>
+    /// <summary>A model's name, or without one its place in the scene file.</summary>
+    public static string NameOf(Model model, int index) => model.Name is { Length: > 0 } name ? name : $"models[{index}]";
+
+    /// <summary>A colour for a style sheet: "#rrggbb".</summary>
     public static string Hex((byte R, byte G, byte B) color) => $"#{color.R:x2}{color.G:x2}{color.B:x2}";
 
-    private static object OfProblem(LiveScene live, Problem problem) => new
+    /// <param name="problem">A mistake in a file.</param>
+    /// <param name="path">The file, from the root of the file system.</param>
+    private static object Shown(Problem problem, string path) => new
     {
         problem.IsError,
         problem.Message,
         problem.Excerpt,
         Place = problem.Line > 0 ? $"{problem.File}:{problem.Line}:{problem.Column}" : problem.File,
-        Link = LinkTo(live.FullPath, problem.Line, problem.Column),
+        Link = LinkTo(path, problem.Line, problem.Column),
     };
 
-    /// <summary>Opens VS Code at a place.</summary>
+    /// <summary>A link that opens VS Code at a place.</summary>
     private static string LinkTo(string file, int line, int column) =>
         $"vscode://file/{Uri.EscapeDataString(file.Replace('\\', '/').TrimStart('/')).Replace("%2F", "/")}{(line > 0 ? $":{line}:{column}" : "")}";
-
-    private static string TypeOf(Model model) => model.GetType() is { IsGenericType: true } type
-        ? type.GetGenericArguments()[0].Name.ToLowerInvariant()
-        : model.GetType().Name.ToLowerInvariant();
 
     private static string InWords(Outcome outcome) => outcome switch
     {
@@ -145,7 +138,7 @@ internal static class Messages
         Outcome.BeyondFar => "beyond zFar",
         Outcome.Outside or Outcome.PassesBy => "the rays pass it by",
         Outcome.Parallel => "the rays run along it",
-        _ => "its formula gives no number",
+        _ => "its formula gives no number (NaN)",
     };
 
     private static double[] Numbers(Vector3 v) => [v.X, v.Y, v.Z];

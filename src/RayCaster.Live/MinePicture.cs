@@ -1,9 +1,9 @@
 namespace RayCaster.Live;
 
-/// <summary>The picture of the user's own program: a file that is watched, or one that was dropped on the page.</summary>
+/// <summary>The picture of the user's own program: a watched file, or one that was dropped on the page.</summary>
 internal sealed class MinePicture : IDisposable
 {
-    /// <summary>How long a file must be broken before that is said: the user's program may be in the middle of writing it.</summary>
+    /// <summary>How long a file must be broken before it is reported: the user's program may still be writing it.</summary>
     private const int PatienceMilliseconds = 300;
 
     private readonly Lock gate = new();
@@ -11,9 +11,9 @@ internal sealed class MinePicture : IDisposable
     private readonly CancellationTokenSource end = new();
     private readonly string? path;
     private (int Version, string? Name, Picture? Picture, string? Problem) now;
-    private (SceneState? State, Comparison? Comparison) last;
+    private (SceneState? State, int Version, Task<Comparison>? Comparison) last;
 
-    /// <param name="path">The file; null for none.</param>
+    /// <param name="path">The file to watch; null for none.</param>
     public MinePicture(string? path)
     {
         this.path = path;
@@ -22,7 +22,7 @@ internal sealed class MinePicture : IDisposable
         Put(path, Read(path));
     }
 
-    /// <summary>Called when there is another picture, or none.</summary>
+    /// <summary>Called when the picture changes, or is taken away.</summary>
     public event Action? Changed;
 
     /// <summary>Follows the file until the end.</summary>
@@ -38,45 +38,48 @@ internal sealed class MinePicture : IDisposable
         }
     }
 
-    /// <summary>Takes a picture that the page was given.</summary>
-    /// <param name="name">What its file is called.</param>
+    /// <summary>Takes a picture that was dropped on the page.</summary>
+    /// <param name="name">The file's name.</param>
     /// <param name="bytes">The file.</param>
-    /// <param name="mostPixels">How large it may be, whatever its header promises.</param>
-    /// <exception cref="PictureFileException">It is none, or too large.</exception>
+    /// <param name="mostPixels">The most pixels that its header may promise.</param>
+    /// <exception cref="PictureFileException">The file is no picture, or too large.</exception>
     public void Take(string name, Stream bytes, long mostPixels) => Put(name, (PictureFile.Read(bytes, 3 * mostPixels), null));
 
-    /// <summary>Compares no longer.</summary>
+    /// <summary>Ends the comparison.</summary>
     public void Forget() => Put(null, default);
 
-    /// <summary>The picture, if it is of a camera's size.</summary>
+    /// <summary>The picture, if it has a camera's size; otherwise null.</summary>
     public Picture? PictureFor(Camera camera)
     {
         var picture = now.Picture;
         return (picture?.Width, picture?.Height) == (camera.Width, camera.Height) ? picture : null;
     }
 
-    /// <summary>Compares with a scene's picture; once, however many pages ask.</summary>
-    public async Task<Comparison> CompareAsync(LiveScene live, SceneState state, Studio studio, CancellationToken cancellation)
+    /// <summary>Compares with a scene's picture, once for all pages.</summary>
+    public Task<Comparison> CompareAsync(LiveScene live, SceneState state, Studio studio)
     {
-        var (version, name, picture, problem) = now;
         lock (gate)
-            if (ReferenceEquals(last.State, state) && last.Comparison?.Version == version) return last.Comparison;
-        var comparison = new Comparison(version, name, problem, null, state.Scene, live.Path);
-        if (picture is not null && View.SizeOf(state.Scene!.Camera) != (state.Scene.Camera.Width, state.Scene.Camera.Height))
-            comparison = comparison with { Problem = $"pictures of more than {View.MostPixels:N0} pixels are compared by \"raycaster compare\"" };
-        else if (picture is not null)
-            comparison = comparison with
-            {
-                Result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(state.Scene!), state.Scene), cancellation),
-            };
-        lock (gate) last = (state, comparison);
-        return comparison;
+        {
+            var (version, name, picture, problem) = now;
+            if (!ReferenceEquals(last.State, state) || last.Version != version)
+                last = (state, version, Task.Run(() => CompareAsync(new(name, problem, null, state.Scene, live.Path), picture, studio)));
+            return last.Comparison!;
+        }
     }
 
     public void Dispose()
     {
         end.Cancel();
         watch.Dispose();
+    }
+
+    private async Task<Comparison> CompareAsync(Comparison comparison, Picture? picture, Studio studio)
+    {
+        if (picture is null || comparison.Scene is not { } scene) return comparison;
+        if (View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height))
+            return comparison with { Problem = $"the page compares at most {View.MostPixels:N0} pixels; use \"raycaster compare\"" };
+        var result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(scene), scene), end.Token);
+        return comparison with { Result = result };
     }
 
     private static (Picture? Picture, string? Problem) Read(string path)

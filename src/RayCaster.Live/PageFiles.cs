@@ -2,7 +2,7 @@ using Microsoft.AspNetCore.Http;
 
 namespace RayCaster.Live;
 
-/// <summary>The page's own files, which are part of the program: nothing is read from the disk by a name that a request holds.</summary>
+/// <summary>The page's own files, which are part of the program: no request can name a file of the disk.</summary>
 internal sealed class PageFiles
 {
     private readonly Dictionary<string, (byte[] Bytes, string Type)> files = [];
@@ -20,7 +20,7 @@ internal sealed class PageFiles
     }
 
     /// <summary>Answers with a file of the page.</summary>
-    /// <returns>False where there is none of this name.</returns>
+    /// <returns>False if there is no such file.</returns>
     public async Task<bool> TryAnswerAsync(HttpContext context)
     {
         if (!files.TryGetValue(context.Request.Path.Value ?? "", out var file)) return false;

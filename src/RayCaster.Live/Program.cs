@@ -9,7 +9,7 @@ internal static class Program
 
     private static async Task<int> Main(string[] arguments)
     {
-        // The process ends as soon as this method does: pages that are open keep nothing that could be lost.
+        // The process ends with this method, even with open pages: they hold nothing that could be lost.
         var end = new TaskCompletionSource<int>(TaskCreationOptions.RunContinuationsAsynchronously);
         using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => End(context, Interrupted));
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => End(context, Terminated));
@@ -21,11 +21,12 @@ internal static class Program
                 Console.Out.Write(LiveOptions.Help);
                 return 0;
             }
-            if (!File.Exists(options.Scene)) // a scene with mistakes is shown with them, but what is not there is a mistake of the command line
+            // The page shows a scene's mistakes; a file that does not exist is a mistake on the command line.
+            if (!File.Exists(options.Scene))
                 throw new ProblemException(SceneReader.Read(options.Scene).Report().TrimEnd());
             var server = await LiveServer.StartAsync(options);
             Console.Out.WriteLine(Greeting(options, server));
-            if (options.OpensBrowser && !WatchLine.IsRestart) Open(server.Address);
+            if (options.OpensBrowser && !DotnetWatch.IsRestart) Open(server.Address);
             return await end.Task;
         }
         catch (ProblemException problem)
@@ -47,13 +48,13 @@ internal static class Program
     }
 
     private static string Greeting(LiveOptions options, LiveServer server) => $"""
-        {options.Scene} is shown at
+        The page for {options.Scene} is at
           {server.Address}
-        Save the file, and the picture follows. Ctrl-C ends it.
+        It draws the scene again when you save the file. Press Ctrl-C to end it.
         From another machine: ssh -L {server.Port}:127.0.0.1:{server.Port} USER@THIS-MACHINE, then open the address there.
         """;
 
-    /// <summary>Opens a browser where there is a screen; where none comes up the address is on the terminal.</summary>
+    /// <summary>Opens a browser if there is a screen. The address is on the terminal in any case.</summary>
     private static void Open(string address)
     {
         var hasScreen = OperatingSystem.IsWindows() || OperatingSystem.IsMacOS()
@@ -68,7 +69,7 @@ internal static class Program
         }
         catch (Exception e) when (e is System.ComponentModel.Win32Exception or InvalidOperationException)
         {
-            // No program opens addresses here.
+            // This machine has no program that opens addresses.
         }
     }
 }

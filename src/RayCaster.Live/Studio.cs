@@ -2,72 +2,32 @@ using System.Diagnostics;
 
 namespace RayCaster.Live;
 
-/// <summary>Draws for all pages, one picture after another: each takes every core. What several pages look at is drawn once.</summary>
+/// <summary>Draws for all pages, one picture after another: each takes every core. Pages with the same view share one picture.</summary>
 internal sealed class Studio
 {
-    private const int MostRehearsals = 60;
-
-    private static readonly TimeSpan LongestWarmUp = TimeSpan.FromSeconds(2);
+    private const int MostRehearsals = 60, LongestWarmUpMilliseconds = 2000;
 
     private readonly SemaphoreSlim turn = new(1, 1);
     private (SceneState? State, View? View, Frame? Frame) last;
+    private int isWarm;
 
     /// <summary>The picture of a view at rest.</summary>
-    /// <param name="state">Of which scene.</param>
-    /// <param name="view">How it is looked at.</param>
-    /// <param name="cancellation">Ends the work: the scene says something else by now.</param>
-    public async Task<Frame> DrawAsync(SceneState state, View view, CancellationToken cancellation)
-    {
-        await turn.WaitAsync(cancellation);
-        try
+    /// <param name="state">The scene.</param>
+    /// <param name="view">The camera and the models that show.</param>
+    /// <param name="cancellation">Abandons the picture, as when the scene changes.</param>
+    public Task<Frame> DrawAsync(SceneState state, View view, CancellationToken cancellation) => DoAsync(
+        () =>
         {
             if (ReferenceEquals(last.State, state) && last.View == view && last.Frame is { } known) return known;
             var frame = Draw(view.Of(state.Scene!), view, cancellation);
             last = (state, view, frame);
             return frame;
-        }
-        finally
-        {
-            turn.Release();
-        }
-    }
+        },
+        cancellation);
 
-    /// <summary>The picture of a view that moves: into memory that is there already, and small, so that it need not be cut short.</summary>
-    /// <param name="scene">The scene as it is looked at.</param>
-    /// <param name="buffer">Memory of the frames before.</param>
-    /// <param name="cancellation">Ends the wait for the others.</param>
-    public async Task<Frame> DrawAsync(Scene scene, MovingBuffer buffer, CancellationToken cancellation)
-    {
-        await turn.WaitAsync(cancellation);
-        try
-        {
-            return buffer.Draw(scene);
-        }
-        finally
-        {
-            turn.Release();
-        }
-    }
-
-    /// <summary>Draws what nobody sees, so that the runtime has optimised what draws before somebody turns the camera. Others go first.</summary>
-    public void WarmUp(Scene scene)
-    {
-        new Thread(() =>
-        {
-            var buffer = new MovingBuffer();
-            var view = new View(Divisor: 4).Of(scene);
-            for (var (i, start) = (0, Stopwatch.GetTimestamp()); i < MostRehearsals && Stopwatch.GetElapsedTime(start) < LongestWarmUp; i++)
-            {
-                Thread.Sleep(2);
-                turn.Wait();
-                buffer.Draw(view);
-                turn.Release();
-            }
-        })
-        { IsBackground = true, Priority = ThreadPriority.Lowest, Name = "warm-up" }.Start();
-    }
-
-    /// <summary>Does other work that takes all cores.</summary>
+    /// <summary>Does work that takes all cores, after the work before it.</summary>
+    /// <param name="work">The work.</param>
+    /// <param name="cancellation">Ends the wait.</param>
     public async Task<T> DoAsync<T>(Func<T> work, CancellationToken cancellation)
     {
         await turn.WaitAsync(cancellation);
@@ -79,6 +39,28 @@ internal sealed class Studio
         {
             turn.Release();
         }
+    }
+
+    /// <summary>
+    /// Draws small frames that no page shows, so that the runtime has optimised the code before a camera moves. Only the first call has an effect.
+    /// </summary>
+    public void WarmUp(Scene scene)
+    {
+        if (Interlocked.Exchange(ref isWarm, 1) != 0) return;
+        new Thread(() =>
+        {
+            var buffer = new MovingBuffer();
+            var view = new View(Divisor: 4).Of(scene);
+            var watch = Stopwatch.StartNew();
+            for (var i = 0; i < MostRehearsals && watch.ElapsedMilliseconds < LongestWarmUpMilliseconds; i++)
+            {
+                Thread.Sleep(2); // pages that wait draw first
+                turn.Wait();
+                buffer.Draw(view);
+                turn.Release();
+            }
+        })
+        { IsBackground = true, Priority = ThreadPriority.Lowest, Name = "warm-up" }.Start();
     }
 
     private static Frame Draw(Scene scene, View view, CancellationToken cancellation)
@@ -93,18 +75,18 @@ internal sealed class Studio
             frame.Fill(lines, pixel);
             pixel += lines.Length / 3;
         }, cancellation: cancellation);
-        // What is read is what draws: where the fast way no longer agrees with a change, the definition draws.
+        // If a changed formula makes the fast renderer differ from the definition, the definition draws the picture.
         return check?.FirstDifference() is null ? frame : Frame.Of(ScalarRenderer.Render(scene));
     }
 }
 
-/// <summary>What one page's frames are drawn into while its camera moves: thirty times a second new memory would be too much to clear.</summary>
+/// <summary>The memory for one page's frames while its camera moves: new memory for each frame would take longer to clear than to fill.</summary>
 internal sealed class MovingBuffer
 {
     private Picture? picture;
     private Frame? shown, next; // one is sent while the next is drawn
 
-    /// <summary>Draws a scene. The frame is overwritten by the one after the next.</summary>
+    /// <summary>Draws a scene. The second call after this one overwrites the frame.</summary>
     public Frame Draw(Scene scene)
     {
         var (width, height) = (scene.Camera.Width, scene.Camera.Height);

@@ -1,17 +1,17 @@
 namespace RayCaster.Live;
 
-/// <summary>What a page is told of the user's own picture, and which maps it is shown.</summary>
+/// <summary>Sends maps, and the comparison with the user's own picture.</summary>
 internal sealed partial class Tab
 {
     private HintLevel hint = HintLevel.Question;
     private bool wantsDiagnosis;
-    private Comparison? compared; // what the page knows
+    private Comparison? compared; // the comparison that the page knows
 
     private async Task TellMapAsync(SceneState state)
     {
         MapKind kind;
         View seen;
-        lock (gate)
+        lock (sync)
         {
             if (!wantsMap || isMoving || map is not { } wanted) return;
             (wantsMap, kind, seen) = (false, wanted, view with { Look = Teaching.Look.Plain, Model = -1 });
@@ -26,31 +26,32 @@ internal sealed partial class Tab
     {
         HintLevel level;
         bool diagnoses;
-        lock (gate)
+        lock (sync)
         {
             if (!wantsComparison) return;
-            (wantsComparison, level, diagnoses) = (false, hint, wantsDiagnosis);
+            (wantsComparison, wantsDiagnosis, level, diagnoses) = (false, false, hint, wantsDiagnosis);
         }
-        var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio, end.Token);
+        var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio).WaitAsync(end.Token);
         if (!ReferenceEquals(comparison, compared))
         {
             compared = comparison;
             await SendAsync(comparison.Message());
             foreach (var (layer, frame) in comparison.Frames()) await SendFrameAsync(frame, layer, state.Version, isFinal: true);
         }
-        if (diagnoses) TellDiagnosis(comparison, level);
+        if (diagnoses) _ = TellDiagnosisAsync(comparison, level);
     }
 
-    /// <summary>Comes later: it takes seconds, in which the page goes on.</summary>
-    private void TellDiagnosis(Comparison comparison, HintLevel level) => _ = Task.Run(async () =>
+    /// <summary>Sends the diagnosis later: it takes seconds, in which the page can be used.</summary>
+    private async Task TellDiagnosisAsync(Comparison comparison, HintLevel level)
     {
-        Post(Messages.Of(new { Kind = "diagnosis", Text = await comparison.DiagnoseAsync(level) }));
-    });
+        var text = await comparison.DiagnoseAsync(level);
+        if (ReferenceEquals(comparison, compared)) Post(Messages.Of(new { Kind = "diagnosis", Text = text }));
+    }
 
-    /// <summary>Says that there is another picture to compare with, or none.</summary>
-    public void LookAtMine()
+    /// <summary>Compares with the user's picture as it is now.</summary>
+    public void CompareAgain()
     {
-        lock (gate) (wantsComparison, wantsExplanation) = (true, explained is not null);
+        lock (sync) (wantsComparison, wantsExplanation) = (true, explained is not null);
         Wake();
     }
 }

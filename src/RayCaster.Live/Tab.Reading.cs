@@ -3,10 +3,10 @@ using System.Text.Json;
 
 namespace RayCaster.Live;
 
-/// <summary>What a page asks for.</summary>
+/// <summary>Receives the page's requests.</summary>
 internal sealed partial class Tab
 {
-    private const int MostBytes = 1 << 16; // of a message; sensible ones have a hundred
+    private const int MostBytes = 1 << 16; // of a message; the page's have some hundred
 
     private async Task ReadAsync()
     {
@@ -25,20 +25,20 @@ internal sealed partial class Tab
             try
             {
                 using var message = JsonDocument.Parse(bytes.AsMemory(0, length));
-                foreach (var wish in message.RootElement.EnumerateObject()) Take(wish.Name, wish.Value);
+                foreach (var request in message.RootElement.EnumerateObject()) Take(request.Name, request.Value);
             }
             catch (Exception e) when (e is JsonException or InvalidOperationException or FormatException or IndexOutOfRangeException)
             {
-                return; // it is not the page that speaks
+                return; // the page sends no such message, so another program does: the connection ends
             }
             Wake();
         }
     }
 
-    /// <summary>Keeps one wish.</summary>
+    /// <summary>Notes one request.</summary>
     private void Take(string name, JsonElement value)
     {
-        lock (gate)
+        lock (sync)
         {
             switch (name)
             {
@@ -73,23 +73,18 @@ internal sealed partial class Tab
                     hover = (value[0].GetInt32(), value[1].GetInt32());
                     break;
                 case "explain":
-                    explained = value.ValueKind == JsonValueKind.Null ? null : (value[0].GetInt32(), value[1].GetInt32());
+                    explained = IsNull(value) ? null : (value[0].GetInt32(), value[1].GetInt32());
                     wantsExplanation = explained is not null;
                     break;
                 case "map":
-                    map = value.ValueKind == JsonValueKind.Null ? null : MapKinds.Named(value.GetString()!);
+                    map = IsNull(value) ? null : MapKinds.Named(value.GetString()!);
                     wantsMap = map is not null;
-                    break;
-                case "ledger":
-                    wantsLedger = true;
                     break;
                 case "hint":
                     hint = Enum.Parse<HintLevel>(value.GetString()!, ignoreCase: true);
-                    wantsComparison = true;
                     break;
                 case "diagnose":
-                    wantsDiagnosis = true;
-                    wantsComparison = true;
+                    (wantsDiagnosis, wantsComparison) = (true, true);
                     break;
                 case "forgetMine":
                     server.Mine.Forget();
@@ -98,16 +93,18 @@ internal sealed partial class Tab
                     WriteCamera(value.GetInt32());
                     break;
                 default:
-                    throw new FormatException($"there is no wish '{name}'");
+                    throw new FormatException($"there is no request '{name}'");
             }
         }
     }
+
+    private static bool IsNull(JsonElement value) => value.ValueKind == JsonValueKind.Null;
 
     private static double Finite(JsonElement value) => value.GetDouble() is var number && double.IsFinite(number)
         ? number
         : throw new FormatException("a number is not finite");
 
-    /// <summary>Moves the camera by hand; every move is kept, however few frames are drawn.</summary>
+    /// <summary>Moves the camera. Each move counts, even if no frame is drawn before the next.</summary>
     private void Move(Func<Camera, Camera> move)
     {
         if (server.Scene.State.Scene is not { } scene) return;
@@ -116,28 +113,23 @@ internal sealed partial class Tab
         outdated.Cancel();
     }
 
-    /// <summary>The hand lets go: a sharp picture from where the camera is now.</summary>
+    /// <summary>Ends a movement: the next frame has its full size.</summary>
     private void Rest()
     {
         if (view.Camera is { } camera) view = view with { Camera = CameraMotion.Rounded(camera) };
-        (isMoving, wantsFrame, wantsCamera) = (false, true, true);
-        (wantsExplanation, wantsMap) = (explained is not null, map is not null);
+        (isMoving, wantsCamera) = (false, true);
+        Refresh();
     }
 
-    /// <summary>Goes to a camera that the page remembers, or back to the scene's own.</summary>
+    /// <summary>Restores a camera that the page remembers, or with null the scene's own.</summary>
     private void SeeThrough(JsonElement value)
     {
-        var camera = default(Camera);
-        if (value.ValueKind != JsonValueKind.Null && server.Scene.State.Scene is { } scene)
+        var camera = IsNull(value) || server.Scene.State.Scene is not { } scene ? null : new Camera(scene.Camera.Parameters with
         {
-            camera = new(scene.Camera.Parameters with
-            {
-                Position = VectorOf(value.GetProperty("position")),
-                Target = VectorOf(value.GetProperty("target")),
-            });
-        }
-        view = view with { Camera = camera?.Flaw is null ? camera : null };
-        outdated.Cancel();
+            Position = VectorOf(value.GetProperty("position")),
+            Target = VectorOf(value.GetProperty("target")),
+        });
+        Look(view with { Camera = camera?.Flaw is null ? camera : null });
         Rest();
     }
 
@@ -146,25 +138,26 @@ internal sealed partial class Tab
     private void Look(View other)
     {
         view = other;
-        wantsFrame = true;
-        (wantsExplanation, wantsMap) = (explained is not null, map is not null);
+        Refresh();
         outdated.Cancel();
     }
 
-    /// <summary>Writes the camera into the scene file, if the page knows what the file says.</summary>
+    /// <summary>Writes the camera into the scene file, unless the file has changed since the version that the page knows.</summary>
     private void WriteCamera(int version)
     {
         var camera = view.Camera;
-        _ = Task.Run(() =>
+        _ = Task.Run(() => Post(Messages.Of(new { Kind = "written", Problem = Write() })));
+
+        string Write()
         {
             try
             {
-                Post(Messages.Of(new { Kind = "written", Problem = camera is null ? "" : server.Scene.WriteCamera(camera, version) ?? "" }));
+                return camera is null ? "" : server.Scene.WriteCamera(camera, version) ?? "";
             }
             catch (Exception e) when (e is PictureFileException or IOException or UnauthorizedAccessException)
             {
-                Post(Messages.Of(new { Kind = "written", Problem = e.Message }));
+                return e.Message;
             }
-        });
+        }
     }
 }

@@ -4,23 +4,23 @@ using System.Net.WebSockets;
 namespace RayCaster.Live;
 
 /// <summary>
-/// One page in a browser. What it asks for is kept, the newest instead of the older; frames go out one after another, and the next only when the
-/// page
-/// has shown the one before the last: a slow or stopped browser costs nothing.
+/// The connection to one page in a browser. Of each kind of request only the newest is kept, and a frame is sent only after the page has shown the
+/// one before the last, so a slow or stopped browser costs nothing.
 /// </summary>
-internal sealed partial class Tab
+/// <param name="socket">The connection.</param>
+/// <param name="server">What all pages share.</param>
+/// <param name="cancellation">Ends the connection.</param>
+internal sealed partial class Tab(WebSocket socket, LiveServer server, CancellationToken cancellation)
 {
     private const int MostUnseen = 2;
 
-    private readonly WebSocket socket;
-    private readonly LiveServer server;
     private readonly SemaphoreSlim wake = new(1, 1);
     private readonly MovingBuffer buffer = new();
-    private readonly CancellationTokenSource end;
+    private readonly CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
     private readonly ConcurrentQueue<byte[]> posted = new();
     private Task sending = Task.CompletedTask;
 
-    private readonly Lock gate = new(); // guards what follows, which the reading loop writes and the sending loop reads
+    private readonly Lock sync = new(); // guards the fields below, which the reading loop writes and the sending loop reads
     private View view = new();
     private bool isMoving, wantsFrame, wantsCamera, wantsLedger;
     private int divisor = 1;
@@ -29,36 +29,29 @@ internal sealed partial class Tab
     private (int Column, int Line)? hover, explained;
     private bool wantsExplanation;
     private int shown, sent;
-    private SceneState? told; // what the page knows of the scene
+    private SceneState? told; // the state that the page knows
     private CancellationTokenSource outdated = new();
 
-    public Tab(WebSocket socket, LiveServer server, CancellationToken cancellation)
-    {
-        (this.socket, this.server) = (socket, server);
-        end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
-    }
-
-    /// <summary>Says that the scene, the code or the picture to compare with has changed.</summary>
+    /// <summary>Makes the sending loop look for work.</summary>
     public void Wake()
     {
         lock (wake)
             if (wake.CurrentCount == 0) wake.Release();
     }
 
-    /// <summary>Tells the page something, in its turn.</summary>
+    /// <summary>Sends a message after those before it.</summary>
     public void Post(byte[] message)
     {
         posted.Enqueue(message);
         Wake();
     }
 
-    /// <summary>Serves the page until it is closed.</summary>
+    /// <summary>Serves the page until it closes or breaks the rules.</summary>
     public async Task RunAsync()
     {
         try
         {
-            var reading = ReadAsync();
-            await Task.WhenAny(reading, SendAsync());
+            await Task.WhenAny(ReadAsync(), SendAsync());
         }
         finally
         {
@@ -67,7 +60,7 @@ internal sealed partial class Tab
         }
     }
 
-    /// <summary>Answers what has been asked for, the quickest first.</summary>
+    /// <summary>Answers the requests, the quickest first.</summary>
     private async Task SendAsync()
     {
         while (true)
@@ -89,7 +82,9 @@ internal sealed partial class Tab
             }
             catch (OperationCanceledException) when (!end.IsCancellationRequested)
             {
-                Wake(); // the scene or the view has changed meanwhile; what was wanted still is
+                // The scene or the view has changed during the work.
+                lock (sync) Refresh();
+                Wake();
             }
         }
     }
@@ -98,49 +93,42 @@ internal sealed partial class Tab
     {
         if (ReferenceEquals(told, state)) return;
         await SendAsync(Messages.OfScene(server.Scene, state));
-        var isOther = !ReferenceEquals(told?.Scene, state.Scene) || told?.Version != state.Version;
-        lock (gate)
+        lock (sync)
         {
-            // Whoever writes another camera into the file wants to see through it.
+            // After a change of the camera in the file the page shows the file's camera, not the one that was turned.
             if (state.IsGood && told?.Scene is { } before && !IsSame(before.Camera, state.Scene!.Camera)) view = view with { Camera = null };
             told = state;
-            if (!state.IsGood || !isOther) return;
-            wantsFrame = wantsCamera = true;
-            wantsExplanation = explained is not null;
-            wantsMap = map is not null;
-            wantsComparison = true;
+            if (!state.IsGood) return;
+            Refresh();
+            wantsCamera = wantsComparison = true;
         }
     }
+
+    /// <summary>Notes that the page needs everything anew that depends on the scene and the view.</summary>
+    private void Refresh() =>
+        (wantsFrame, wantsExplanation, wantsMap, wantsLedger) = (true, explained is not null, map is not null, true);
 
     private async Task TellFrameAsync(SceneState state)
     {
         View wanted;
         bool moves;
-        lock (gate)
+        lock (sync)
         {
             if (!wantsFrame || sent - shown >= MostUnseen) return;
             (wantsFrame, moves) = (false, isMoving);
             wanted = moves ? view with { Divisor = divisor } : view;
         }
-        try
-        {
-            var frame = moves
-                ? await server.Studio.DrawAsync(wanted.Of(state.Scene!), buffer, end.Token)
-                : await server.Studio.DrawAsync(state, wanted, Outdated());
-            await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
-            server.FirstPictureSent(state.Scene!);
-        }
-        catch (OperationCanceledException)
-        {
-            lock (gate) wantsFrame = true;
-            throw;
-        }
+        var frame = moves
+            ? await server.Studio.DoAsync(() => buffer.Draw(wanted.Of(state.Scene!)), end.Token)
+            : await server.Studio.DrawAsync(state, wanted, Outdated());
+        await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
+        server.Studio.WarmUp(state.Scene!);
     }
 
     private async Task TellCameraAsync(SceneState state)
     {
         Camera? camera;
-        lock (gate)
+        lock (sync)
         {
             if (!wantsCamera) return;
             (wantsCamera, camera) = (false, view.Camera);
@@ -151,7 +139,7 @@ internal sealed partial class Tab
     private async Task TellHoverAsync(SceneState state)
     {
         (int Column, int Line) place;
-        lock (gate)
+        lock (sync)
         {
             if (hover is not { } wanted) return;
             (hover, place) = (null, wanted);
@@ -164,7 +152,7 @@ internal sealed partial class Tab
     {
         (int Column, int Line) place;
         View seen;
-        lock (gate)
+        lock (sync)
         {
             if (!wantsExplanation || isMoving || explained is not { } wanted) return;
             (wantsExplanation, place, seen) = (false, wanted, view);
@@ -178,7 +166,7 @@ internal sealed partial class Tab
     private async Task TellLedgerAsync(SceneState state)
     {
         View seen;
-        lock (gate)
+        lock (sync)
         {
             if (!wantsLedger || isMoving) return;
             (wantsLedger, seen) = (false, view);
@@ -188,18 +176,18 @@ internal sealed partial class Tab
         await SendAsync(Messages.OfLedger(ledger, state.Version));
     }
 
-    /// <summary>Cancelled when the scene says something else, the page looks elsewhere, or is closed.</summary>
+    /// <summary>Cancelled when the scene or the view changes, or the page closes.</summary>
     private CancellationToken Outdated()
     {
-        lock (gate)
+        lock (sync)
         {
-            outdated.Dispose(); // what it was for is done; kept, each would stay registered with the end of the page
+            outdated.Dispose(); // its work is done; without this each would stay registered until the page closes
             outdated = CancellationTokenSource.CreateLinkedTokenSource(server.Scene.Outdated, end.Token);
             return outdated.Token;
         }
     }
 
-    /// <summary>A frame goes out while the next is drawn, which another thread does.</summary>
+    /// <summary>Starts to send a frame; the next one is drawn at the same time.</summary>
     private async Task SendFrameAsync(Frame frame, Layer layer, int version, bool isFinal)
     {
         await sending;

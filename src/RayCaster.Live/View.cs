@@ -1,11 +1,13 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster.Live;
 
-/// <summary>What a page looks at: its own camera, and which models.</summary>
+/// <summary>What a page looks at: a camera, and which models show.</summary>
 /// <param name="Camera">The camera; null for the scene's own.</param>
-/// <param name="Divisor">The picture is so many times smaller in each direction, while it moves.</param>
-/// <param name="Hidden">The places of the models that are left out, as "2,5".</param>
-/// <param name="Look">How one model is looked at.</param>
-/// <param name="Model">Which.</param>
+/// <param name="Divisor">By how much the width and the height are divided while the camera moves.</param>
+/// <param name="Hidden">The indices of the models that are left out, as "2,5".</param>
+/// <param name="Look">How <paramref name="Model"/> is shown.</param>
+/// <param name="Model">The index of the model that <paramref name="Look"/> is about; −1 for none.</param>
 internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidden = "", Look Look = Look.Plain, int Model = -1)
 {
     /// <summary>The most pixels that a page shows; larger pictures are drawn smaller.</summary>
@@ -14,19 +16,15 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidde
     /// <summary>The longest side of a canvas that every browser shows.</summary>
     private const int MostSide = 8000;
 
-    private static readonly Mesh nothing = new([], []);
+    /// <summary>The last selection of each scene's models: the renderer keeps what it knows of a list of models by that list's identity.</summary>
+    private static readonly ConditionalWeakTable<IReadOnlyList<Model>, Selection> selections = [];
 
-    /// <summary>The scene as it is looked at. A model that is left out becomes one of nothing, so that the others keep their places.</summary>
+    /// <summary>The scene as the page shows it. An empty mesh takes the place of a hidden model, so that the others keep their indices.</summary>
     public Scene Of(Scene scene)
     {
         var (width, height) = SizeOf(scene.Camera);
         var camera = (Camera ?? scene.Camera).WithSize(Math.Max(1, width / Divisor), Math.Max(1, height / Divisor));
-        if (Hidden.Length == 0) return scene with { Camera = camera };
-        var models = scene.Models.ToArray();
-        foreach (var place in Hidden.Split(',').Select(int.Parse))
-            if (place < models.Length)
-                models[place] = nothing;
-        return scene with { Camera = camera, Models = models };
+        return scene with { Camera = camera, Models = Hidden.Length == 0 ? scene.Models : Select(scene.Models) };
     }
 
     /// <summary>The size at which a page shows a scene's picture.</summary>
@@ -36,4 +34,17 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidde
         var divisor = Math.Max((int)Math.Ceiling(Math.Sqrt(pixels / MostPixels)), (Math.Max(camera.Width, camera.Height) - 1) / MostSide + 1);
         return (Math.Max(1, camera.Width / divisor), Math.Max(1, camera.Height / divisor));
     }
+
+    private Model[] Select(IReadOnlyList<Model> all)
+    {
+        if (selections.TryGetValue(all, out var last) && last.Hidden == Hidden) return last.Models;
+        var models = all.ToArray();
+        foreach (var index in Hidden.Split(',').Select(int.Parse))
+            if (index < models.Length)
+                models[index] = new Mesh([], []) { Name = $"{Messages.NameOf(all[index], index)} (hidden)" };
+        selections.AddOrUpdate(all, new(Hidden, models));
+        return models;
+    }
+
+    private sealed record Selection(string Hidden, Model[] Models);
 }

@@ -10,26 +10,39 @@ internal static class OwnWays
     /// <summary>How many crossings a way without a hierarchy may compute in one run; of a larger picture it casts evenly spread pixels.</summary>
     private const double Crossings = 2e7;
 
-    /// <summary>The engine, exact, as one of many frames: all that it prepares for a scene is counted. Its map is kept from run to run, as
+    /// <summary>The engine, exact, as the first of many frames: all that it prepares for a scene is counted. Its map is kept from run to run, as
     /// Embree's is.</summary>
-    public static Way Exact(BenchmarkScene scene, int width, int height)
+    public static Way Exact(BenchmarkScene scene, int width, int height) => Exact("exact t", () => Fresh(scene, width, height), width, height);
+
+    /// <summary>The same as a later frame: the scene's models have been drawn before, from another side.</summary>
+    public static Way LaterExact(BenchmarkScene scene, int width, int height) =>
+        Exact("exact t, later frame", Moving(scene, width, height), width, height);
+
+    /// <summary>The engine, only the picture's bytes: as the first of many frames, or as a program draws that draws no other picture.</summary>
+    public static Way Bytes(BenchmarkScene scene, int width, int height, bool manyFrames = true) =>
+        Bytes(manyFrames ? "bytes" : "bytes of a single picture", () => Fresh(scene, width, height), width, height, manyFrames);
+
+    /// <summary>The same as a later frame.</summary>
+    public static Way LaterBytes(BenchmarkScene scene, int width, int height) =>
+        Bytes("bytes, later frame", Moving(scene, width, height), width, height, manyFrames: true);
+
+    private static Way Exact(string name, Func<Scene> next, int width, int height)
     {
         var hits = new Lazy<HitMap>(() => new(width, height));
-        return new("exact t", Answer.Hits, threads =>
+        return new(name, Answer.Hits, threads =>
         {
-            var (fresh, map) = (Fresh(scene, width, height), hits.Value);
-            return Time(() => new Renderer(fresh, threads) { ManyFrames = true }.CastHits(map));
+            var (scene, map) = (next(), hits.Value);
+            return Time(threads, () => new Renderer(scene, threads) { ManyFrames = true }.CastHits(map));
         });
     }
 
-    /// <summary>The engine, only the picture's bytes: as one of many frames, or as a program draws that draws no other picture.</summary>
-    public static Way Bytes(BenchmarkScene scene, int width, int height, bool manyFrames = true)
+    private static Way Bytes(string name, Func<Scene> next, int width, int height, bool manyFrames)
     {
         var picture = new Lazy<Picture>(() => new(width, height));
-        return new(manyFrames ? "bytes" : "bytes of a single picture", Answer.Bytes, threads =>
+        return new(name, Answer.Bytes, threads =>
         {
-            var (fresh, kept) = (Fresh(scene, width, height), picture.Value);
-            return Time(() => new Renderer(fresh, threads) { ManyFrames = manyFrames }.DrawInto(kept));
+            var (scene, kept) = (next(), picture.Value);
+            return Time(threads, () => new Renderer(scene, threads) { ManyFrames = manyFrames }.DrawInto(kept));
         });
     }
 
@@ -95,7 +108,7 @@ internal static class OwnWays
 
     private static int Gcd(int a, int b) => b == 0 ? a : Gcd(b, a % b);
 
-    private static double Scaled(int step, int pixels, Action work) => Time(work) * pixels / ((pixels + step - 1) / step);
+    private static double Scaled(int step, int pixels, Action work) => Time(1, work) * pixels / ((pixels + step - 1) / step);
 
     private static Scene Fresh(BenchmarkScene scene, int width, int height)
     {
@@ -104,8 +117,22 @@ internal static class OwnWays
         return fresh;
     }
 
-    private static double Time(Action work)
+    /// <summary>The same models in each frame, and a camera that swings by some degrees.</summary>
+    private static Func<Scene> Moving(BenchmarkScene scene, int width, int height)
     {
+        const int Frames = 16, OfOrbit = 720;
+        var (kept, frame) = (new Lazy<Scene>(() => scene.Create(width, height)), 0);
+        return () => kept.Value with { Camera = Orbit.Frame(kept.Value.Camera, frame++ % Frames, OfOrbit) };
+    }
+
+    /// <summary>The milliseconds that work takes: on one thread its processor time, which other work of the machine hardly changes.</summary>
+    private static double Time(int threads, Action work)
+    {
+        if (threads == 1 && Workshop.ProcessorTimeOfThread() is var before && !double.IsNaN(before))
+        {
+            work();
+            return Workshop.ProcessorTimeOfThread() - before;
+        }
         var start = Stopwatch.GetTimestamp();
         work();
         return Stopwatch.GetElapsedTime(start).TotalMilliseconds;

@@ -18,6 +18,12 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
 
     public Way Bytes { get; } = OwnWays.Bytes(scene, width, height).With(threads);
 
+    /// <summary>The same with models that earlier frames have drawn, from other sides.</summary>
+    public Way LaterExact { get; } = OwnWays.LaterExact(scene, width, height).With(threads);
+
+    /// <inheritdoc cref="LaterExact"/>
+    public Way LaterBytes { get; } = OwnWays.LaterBytes(scene, width, height).With(threads);
+
     /// <summary>What README's command runs: without the kernels that pay only for many frames.</summary>
     public Way SinglePicture { get; } = OwnWays.Bytes(scene, width, height, manyFrames: false).With(threads);
 
@@ -47,7 +53,7 @@ internal sealed class RayComparison(BenchmarkScene scene, int width, int height,
     /// <returns>This.</returns>
     public RayComparison Run(EmbreePeer? embree, int rounds, bool withDefinitions, Workshop workshop)
     {
-        ways.AddRange([Exact, Bytes, SinglePicture]);
+        ways.AddRange([Exact, Bytes, LaterExact, LaterBytes, SinglePicture]);
         if (withDefinitions && Threads == 1)
         {
             ways.Add(Scalar = OwnWays.Scalar(Scene, width, height));

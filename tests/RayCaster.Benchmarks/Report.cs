@@ -31,13 +31,13 @@ internal sealed class Report
     private void WriteRays(StringBuilder text)
     {
         text.AppendLine("\n## Rays\n");
-        text.AppendLine("| scene | picture | threads | exact t | bytes | bytes of a single picture | scalar definition | " +
+        text.AppendLine("| scene | picture | threads | exact t | bytes | exact t, later frame | bytes, later frame | bytes of a single picture | scalar definition | " +
             "naive, struct | naive, class | Embree agrees | its build / its trace |");
-        text.AppendLine("|---|---|---|---|---|---|---|---|---|---|---|");
+        text.AppendLine("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
         foreach (var c in Comparisons)
         {
             var cells = new List<string> { c.Scene.Title, c.Size, $"{c.Threads}" };
-            cells.AddRange(new[] { c.Exact, c.Bytes, c.SinglePicture }.Select(way => Against(c, way, Text.Spread)));
+            cells.AddRange(new[] { c.Exact, c.Bytes, c.LaterExact, c.LaterBytes, c.SinglePicture }.Select(way => Against(c, way, Text.Spread)));
             cells.AddRange(new[] { c.Scalar, c.NaiveStruct, c.NaiveClass }.Select(way => Against(c, way, ratio => Text.Ratio(ratio.Median))));
             cells.Add(double.IsNaN(c.Agreement) ? "–" : $"{100 * c.Agreement:0.00} %");
             cells.Add(Text.Ratio(c.BuildPerTrace));

@@ -95,6 +95,15 @@ internal sealed class Workshop : IDisposable
         return (elapsed, ProcessorTimeOfChildren() - processor);
     }
 
+    /// <summary>The milliseconds that the processor has spent on this thread; NaN if the system does not tell.</summary>
+    public static double ProcessorTimeOfThread()
+    {
+        const int ThreadCpuTime = 3;
+        if (!OperatingSystem.IsLinux()) return double.NaN;
+        var time = new long[2]; // seconds and nanoseconds
+        return GetClock(ThreadCpuTime, time) == 0 ? time[0] * 1e3 + time[1] / 1e6 : double.NaN;
+    }
+
     private static double ProcessorTimeOfChildren()
     {
         if (!OperatingSystem.IsLinux()) return double.NaN;
@@ -102,6 +111,9 @@ internal sealed class Workshop : IDisposable
         var usage = new long[36]; // seconds and microseconds in user mode, then in the kernel, then what is of no interest here
         return GetResourceUsage(Children, usage) == 0 ? (usage[0] + usage[2]) * 1e3 + (usage[1] + usage[3]) / 1e3 : double.NaN;
     }
+
+    [DllImport("libc", EntryPoint = "clock_gettime")]
+    private static extern int GetClock(int clock, long[] time);
 
     [DllImport("libc", EntryPoint = "getrusage")]
     private static extern int GetResourceUsage(int who, long[] usage);

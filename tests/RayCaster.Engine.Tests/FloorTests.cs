@@ -8,7 +8,7 @@ public partial class FloorTests
 {
     private static readonly string[][] floors =
     [
-        ["Memory", "Threads"], ["Numbers"], ["Contracts"], ["Shading"], ["Shapes", "Batches", "Meshes"], ["Pictures"], ["."],
+        ["Threads"], ["Memory"], ["Numbers"], ["Contracts"], ["Shading"], ["Shapes", "Batches", "Meshes"], ["Pictures"], ["."],
     ];
 
     /// <summary>Data that what draws and what is drawn share.</summary>

@@ -190,7 +190,7 @@ public class AttackTests
         var request = new HttpRequestMessage(HttpMethod.Post, page.Root + "/mine?name=mine.png") { Content = new ByteArrayContent(bytes) };
         request.Headers.Add("Cookie", page.Cookie);
         request.Headers.Add("Origin", page.Root);
-        request.Headers.ExpectContinue = true; // a server that refuses at once need not be sent all
+        request.Headers.ExpectContinue = true; // the client sends no body that the server refuses by its length
         return client.SendAsync(request);
     }
 

@@ -2,14 +2,14 @@ using Microsoft.Playwright;
 
 namespace RayCaster.Live.Tests;
 
-/// <summary>A test that needs Chromium; where that is not installed it is left out, and the run says so.</summary>
+/// <summary>A test that needs Chromium. Without it the test is skipped, and the run says so.</summary>
 public sealed class BrowserFactAttribute : FactAttribute
 {
     public const string Path = "/usr/bin/chromium";
 
     public BrowserFactAttribute()
     {
-        if (!File.Exists(Path)) Skip = $"left out: there is no Chromium at {Path} (Debian: apt-get install chromium)";
+        if (!File.Exists(Path)) Skip = $"skipped: there is no Chromium at {Path} (Debian: apt-get install chromium)";
     }
 }
 
@@ -32,15 +32,18 @@ public sealed class Chromium : IAsyncLifetime
         browser = await playwright.Chromium.LaunchAsync(new() { ExecutablePath = BrowserFactAttribute.Path, Args = flags });
     }
 
-    /// <summary>Opens the page, and waits for its first picture. What the page says to the console is noted.</summary>
-    internal async Task<(IPage Page, List<string> Complaints)> OpenAsync(LivePage live, BrowserNewPageOptions? options = null)
+    internal Task<(IPage Page, List<string> Complaints)> OpenAsync(LivePage live, BrowserNewPageOptions? options = null) =>
+        OpenAsync(live.Server.Address, options);
+
+    /// <summary>Opens the page and waits for its first picture. The list takes what the page writes to the console, and its errors.</summary>
+    internal async Task<(IPage Page, List<string> Complaints)> OpenAsync(string address, BrowserNewPageOptions? options = null)
     {
         var page = await browser!.NewPageAsync(options ?? new() { ViewportSize = new() { Width = 1300, Height = 900 } });
         var complaints = new List<string>();
         page.Console += (_, message) => complaints.Add(message.Text);
         page.PageError += (_, error) => complaints.Add(error);
         page.SetDefaultTimeout(60_000);
-        await page.GotoAsync(live.Server.Address);
+        await page.GotoAsync(address);
         await page.WaitForSelectorAsync("#picture[data-final=true]");
         return (page, complaints);
     }

@@ -126,7 +126,7 @@ public class BrowserTests(Chromium chromium) : IClassFixture<Chromium>
         Assert.Empty(complaints);
     }
 
-    /// <summary>Makes the pictures of docs/live.md anew where it is asked to.</summary>
+    /// <summary>Makes the pictures of docs/live.md anew if RAYCASTER_DOCS names their folder.</summary>
     [BrowserFact]
     public async Task ThePicturesOfTheDocsAreMade()
     {

@@ -84,7 +84,7 @@ public class FollowingTests
     public async Task TwentyPagesSeeTheSamePicture()
     {
         await using var page = await LivePage.OpenAsync();
-        for (var i = 0; i < 19; i++) await page.ConnectAsync(); // those before stay open and say nothing
+        for (var i = 0; i < 19; i++) await page.ConnectAsync(); // each stays open and confirms no frame
         await page.ConnectAsync();
         (await page.FrameAsync()).IsThatOf(page.Scene);
     }
@@ -141,12 +141,12 @@ public class FollowingTests
     {
         await using var page = await LivePage.OpenAsync();
         await page.ConnectAsync();
-        page.Server.TellErrors(WatchLine.Parse(
+        page.Server.ShowErrors(DotnetWatch.Parse(
             """{"type":"ReportDiagnostics","diagnostics":["/course/Sphere (1).cs(27,56): error CS1002: ; expected"]}""")!);
         await ToldAsync();
         await page.ConnectAsync();
         await ToldAsync();
-        page.Server.TellErrors(WatchLine.Parse("""{"type":"ReportDiagnostics","diagnostics":["Restarting application to apply changes ..."]}""")!);
+        page.Server.ShowErrors(DotnetWatch.Parse("""{"type":"ReportDiagnostics","diagnostics":["Restarting application to apply changes ..."]}""")!);
         Assert.Equal(0, (await page.MessageAsync("code")).GetProperty("errors").GetArrayLength());
 
         async Task ToldAsync()
@@ -159,7 +159,7 @@ public class FollowingTests
     }
 
     [Fact]
-    public void OtherMessagesOfTheWatchTellNoErrors() => Assert.Null(WatchLine.Parse("""{"type":"RefreshBrowser"}"""));
+    public void OtherMessagesOfTheWatchTellNoErrors() => Assert.Null(DotnetWatch.Parse("""{"type":"RefreshBrowser"}"""));
 
     [Fact]
     public async Task AWatchedPictureIsComparedEachTimeItIsWritten()

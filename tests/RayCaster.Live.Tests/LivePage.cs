@@ -4,7 +4,7 @@ using System.Text.Json;
 
 namespace RayCaster.Live.Tests;
 
-/// <summary>A server for a scene in a folder of its own, and a page's line to it without a browser.</summary>
+/// <summary>A server for a scene in a folder of its own, and a page's connection to it without a browser.</summary>
 internal sealed class LivePage : IAsyncDisposable
 {
     public const string Ball = """
@@ -16,7 +16,7 @@ internal sealed class LivePage : IAsyncDisposable
         """;
 
     private readonly TemporaryFolder folder;
-    private ClientWebSocket? line;
+    private ClientWebSocket? socket;
 
     private LivePage(TemporaryFolder folder, LiveServer server) => (this.folder, Server) = (folder, server);
 
@@ -40,18 +40,18 @@ internal sealed class LivePage : IAsyncDisposable
         return new(folder, await LiveServer.StartAsync(new(path, mine is null ? null : folder[mine], 0, false)));
     }
 
-    /// <summary>A line to the server as the page has it.</summary>
+    /// <summary>Connects to the server as the page does.</summary>
     public async Task ConnectAsync(string? origin = null, bool withCookie = true)
     {
-        line = new();
-        line.Options.SetRequestHeader("Origin", origin ?? Root);
-        if (withCookie) line.Options.SetRequestHeader("Cookie", Cookie);
-        await line.ConnectAsync(new($"ws://127.0.0.1:{Server.Port}/live"), Soon());
+        socket = new();
+        socket.Options.SetRequestHeader("Origin", origin ?? Root);
+        if (withCookie) socket.Options.SetRequestHeader("Cookie", Cookie);
+        await socket.ConnectAsync(new($"ws://127.0.0.1:{Server.Port}/live"), Soon());
     }
 
-    public Task AskAsync(string wishes) => line!.SendAsync(Encoding.UTF8.GetBytes(wishes), WebSocketMessageType.Text, true, Soon());
+    public Task AskAsync(string requests) => socket!.SendAsync(Encoding.UTF8.GetBytes(requests), WebSocketMessageType.Text, true, Soon());
 
-    /// <summary>The next message of a kind that suits; what comes before it is left out, frames are acknowledged.</summary>
+    /// <summary>The next message of a kind that suits. Confirms frames that come before it, and drops other messages.</summary>
     public async Task<JsonElement> MessageAsync(string kind, Func<JsonElement, bool>? suits = null)
     {
         while (true)
@@ -63,7 +63,7 @@ internal sealed class LivePage : IAsyncDisposable
         }
     }
 
-    /// <summary>The next picture that is sharp.</summary>
+    /// <summary>The next frame of full size.</summary>
     public async Task<SeenFrame> FrameAsync(Layer layer = Layer.Picture)
     {
         while (true)
@@ -77,7 +77,7 @@ internal sealed class LivePage : IAsyncDisposable
 
     public async ValueTask DisposeAsync()
     {
-        line?.Abort();
+        socket?.Abort();
         await Server.DisposeAsync();
         folder.Dispose();
     }
@@ -88,10 +88,10 @@ internal sealed class LivePage : IAsyncDisposable
         var part = new byte[1 << 16];
         while (true)
         {
-            var result = await line!.ReceiveAsync(part, Soon());
+            var result = await socket!.ReceiveAsync(part, Soon());
             whole.Write(part, 0, result.Count);
             if (!result.EndOfMessage) continue;
-            if (result.MessageType == WebSocketMessageType.Close) throw new InvalidOperationException("the server has closed the line");
+            if (result.MessageType == WebSocketMessageType.Close) throw new InvalidOperationException("the server has closed the connection");
             var bytes = whole.ToArray();
             if (result.MessageType == WebSocketMessageType.Binary && bytes[0] == (int)Layer.Picture)
                 await AskAsync($$"""{"shown":{{BitConverter.ToInt32(bytes, 8)}}}""");
@@ -102,7 +102,7 @@ internal sealed class LivePage : IAsyncDisposable
     private static CancellationToken Soon() => new CancellationTokenSource(TimeSpan.FromSeconds(60)).Token;
 }
 
-/// <summary>A picture that has come.</summary>
+/// <summary>A frame as the page receives it.</summary>
 internal sealed record SeenFrame(int Version, int Width, int Height, byte[] Rgba)
 {
     public (byte R, byte G, byte B) this[int x, int y] => (Rgba[4 * (y * Width + x)], Rgba[4 * (y * Width + x) + 1], Rgba[4 * (y * Width + x) + 2]);

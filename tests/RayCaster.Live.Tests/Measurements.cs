@@ -4,7 +4,7 @@ using Xunit.Abstractions;
 namespace RayCaster.Live.Tests;
 
 /// <summary>
-/// The figures of docs/live.md, for a machine that does nothing else. They are no tests: a figure that is measured fails on a machine that is busy.
+/// What a user waits for on the live page. These are no tests: on a busy machine the figures are worse. docs/live.md has the command.
 /// </summary>
 [Trait("kind", "measurement")]
 [Collection("alone")]
@@ -12,7 +12,7 @@ public class Measurements(Chromium chromium, ITestOutputHelper output) : IClassF
 {
     private const int Saves = 30, Seconds = 5;
 
-    /// <summary>From the moment at which the file is written to that at which the picture is on the canvas.</summary>
+    /// <summary>The time from writing the file to the picture on the canvas.</summary>
     [BrowserFact]
     public async Task FromSaveToPicture()
     {
@@ -34,7 +34,7 @@ public class Measurements(Chromium chromium, ITestOutputHelper output) : IClassF
         output.WriteLine($"room.json, save to picture: median {times[Saves / 2]:f0} ms, least {times[0]:f0}, greatest {times[^1]:f0}, of {Saves} saves");
     }
 
-    /// <summary>Frames that the browser shows while somebody drags for some seconds, and how large they are.</summary>
+    /// <summary>How many frames the browser shows while the mouse drags for some seconds, and their size.</summary>
     [BrowserFact]
     public async Task FramesWhileDragging()
     {

@@ -1,6 +1,6 @@
 namespace RayCaster.Live.Tests;
 
-/// <summary>What is measured of the whole process, while no other test runs in it.</summary>
+/// <summary>Tests that measure the whole process, so that no other test may run in it.</summary>
 [CollectionDefinition("alone", DisableParallelization = true)]
 public class AloneCollection;
 
@@ -25,7 +25,7 @@ public class MemoryTests
         Assert.True(after < 1.1 * before, $"{before} bytes after 100 saves, {after} after 1,000");
     }
 
-    /// <summary>What the system has given to the process, once nothing is left to collect.</summary>
+    /// <summary>The process's memory after a collection.</summary>
     private static long Used()
     {
         GC.Collect();

@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tool: casts the tiles of a scene with a batch.</summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <summary>Casts the tiles of a scene with a batch; each thread has its own.</summary>
 internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) where N : struct, IPacket<N>
 {
     private const int Side = ScreenBins.PartSide;
@@ -10,13 +9,11 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
     private readonly RayStream row = new(camera);
     private readonly DepthOrder order = new();
 
-    /// <summary>Whether members of the batch may show in a tile.</summary>
+    /// <summary>Whether members may show in a tile.</summary>
     public bool IsFor(in Tile tile) => batch.Shows(tile, order);
 
     /// <summary>Casts all rays of a tile.</summary>
-    /// <param name="tile">The tile.</param>
-    /// <param name="others">Lets the rays of a stream meet the models that are not in the batch; null where there are none.</param>
-    /// <param name="consumer">Takes the streams.</param>
+    /// <param name="others">Intersects a stream with the models that are not in the batch; null if there are none.</param>
     public void Cast(in Tile tile, Action<RayStream>? others, IHitConsumer consumer)
     {
         var (firstColumn, firstRow) = (tile.Column / Side * Side, tile.Row / Side * Side);
@@ -46,7 +43,7 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
         consumer.Take(part.Rays);
     }
 
-    /// <summary>Row by row, since not every view can meet several rows at once.</summary>
+    /// <summary>Row by row, since some views cannot intersect several rows at once.</summary>
     private void MeetOthers(in Tile tile, Action<RayStream> others)
     {
         row.Enter<N>(tile.Column, tile.Width);

@@ -3,38 +3,30 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>What is known of a model of a batch before its formula is asked.</summary>
+/// <summary>What is known of a member of a batch before its formula is computed.</summary>
 internal struct BatchItem
 {
-    /// <summary>The pixels where it may show.</summary>
     public Sides Sides;
 
-    /// <summary>None of its hits is nearer.</summary>
+    /// <summary>No hit of it is nearer.</summary>
     public float Nearest;
 
-    /// <summary>Its group, and its place there.</summary>
     public int Kind, Place;
 
-    /// <summary>Whether all of its hits surely count.</summary>
+    /// <summary>Whether all of its hits certainly count.</summary>
     public bool IsClear;
 }
 
-/// <summary>The sides of a rectangle of pixels, as four numbers of which the greater ones of two rectangles are the sides of what they
-/// share.</summary>
-/// <param name="numbers">The first column, the first row, and with the sign turned around the columns and rows after the last.</param>
+/// <summary>The sides of a rectangle of pixels, stored so that the greater numbers of two rectangles are the sides of their intersection.</summary>
+/// <param name="numbers">The first column, the first row, and the negated column and row after the last.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly struct Sides(Vector128<int> numbers)
 {
     private readonly Vector128<int> numbers = numbers;
 
-    /// <param name="left">The first column.</param>
-    /// <param name="bottom">The first row.</param>
-    /// <param name="right">The column after the last.</param>
-    /// <param name="top">The row after the last.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Sides(int left, int bottom, int right, int top) : this(Vector128.Create(left, bottom, -right, -top)) { }
 
-    /// <summary>The sides of a tile.</summary>
     public Sides(in Tile tile) : this(tile.Column, tile.Row, tile.EndColumn, tile.EndRow) { }
 
     public int Left => numbers[0];
@@ -45,11 +37,9 @@ internal readonly struct Sides(Vector128<int> numbers)
 
     public int Top => -numbers[3];
 
-    /// <summary>What both share.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Sides And(Sides other) => new(Vector128.Max(numbers, other.numbers));
 
-    /// <summary>Whether there are any pixels.</summary>
     public bool HasPixels
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,64 +1,37 @@
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 
 namespace RayCaster.Engine;
 
 /// <summary>The members of a batch that have one kind of shape.</summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
 internal abstract class BatchShapes<N> where N : struct, IPacket<N>
 {
-    /// <summary>Takes a model and its place in the scene, if it has this kind of shape.</summary>
-    public abstract bool Add(Model model, int place);
-
     /// <summary>Finds where the shapes show.</summary>
-    /// <param name="outlines">The tool for it.</param>
-    /// <param name="group">The number of this group.</param>
     /// <param name="members">Takes those that may show.</param>
     /// <param name="others">Takes the models of which nothing is known.</param>
-    /// <param name="share">Which share of the shapes to look at.</param>
-    /// <param name="shares">How many shares there are.</param>
     public abstract void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares);
 
-    /// <summary>Puts the shapes into the order of the members.</summary>
-    public abstract void Arrange(Span<BatchItem> members, int group);
+    /// <summary>Copies the shapes of some members into the order of the members.</summary>
+    public abstract void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end);
 
-    /// <summary>Asks the memory for a shape.</summary>
-    public abstract void Fetch(int place);
+    public abstract void Reserve(int members);
 
-    /// <summary>Gives the memory back.</summary>
+    public abstract void Fetch(int member);
+
     public abstract void Free();
 
-    /// <summary>Lets rays meet shapes, as they are listed.</summary>
-    /// <param name="part">The part with the list.</param>
-    /// <param name="first">The first in the list.</param>
-    /// <param name="end">The one after the last.</param>
-    /// <param name="isClear">Whether all hits count, so that nobody needs to ask.</param>
+    /// <summary>Intersects rays with shapes as the part lists them.</summary>
     public abstract void Meet(BatchTile<N> part, int first, int end, bool isClear);
 }
 
-/// <inheritdoc/>
-/// <typeparam name="P">The kind of shape.</typeparam>
-/// <typeparam name="N">The kind of packet.</typeparam>
-/// <param name="clip">Which hits count.</param>
-/// <param name="most">How many models the scene has.</param>
-internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>
+internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : BatchShapes<N> where P : struct, IPrimitive where N : struct, IPacket<N>
 {
-    private readonly PooledList<(P Shape, int Model)> shapes = new(); // as they came
     private readonly PooledList<(P Shape, int Model)> arranged = new();
 
-    /// <inheritdoc/>
-    public override bool Add(Model model, int place)
-    {
-        if (model is not Model<P> { Primitive: var shape }) return false;
-        if (shapes.Count == 0) shapes.Reserve(most - place);
-        shapes.Add((shape, place));
-        return true;
-    }
-
-    /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void AddTo(PooledList<BatchItem> members, List<int> others, ScreenBounds outlines, int group, int share, int shares)
     {
-        var all = shapes.Items;
+        var all = CollectionsMarshal.AsSpan(list.Items);
         var (begin, end) = ((int)((long)all.Length * share / shares), (int)((long)all.Length * (share + 1) / shares));
         var member = new BatchItem { Kind = group };
         for (var first = begin; first < end; first += ScreenBounds.Count)
@@ -92,31 +65,23 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<
         }
     }
 
-    /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public override void Arrange(Span<BatchItem> members, int group)
+    public override void Reserve(int members) => arranged.Resize(members);
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public override void Arrange(ReadOnlySpan<BatchItem> members, int group, int first, int end)
     {
-        arranged.Resize(shapes.Count);
-        var from = shapes.Items;
+        var from = CollectionsMarshal.AsSpan(list.Items);
         var to = arranged.Items;
-        var count = 0;
-        foreach (ref var member in members)
-        {
-            if (member.Kind != group) continue;
-            to[count] = from[member.Place];
-            member.Place = count++;
-        }
-        shapes.Free();
+        for (var i = first; i < end; i++)
+            if (members[i].Kind == group)
+                to[i] = from[members[i].Place];
     }
 
-    /// <inheritdoc/>
-    public override void Fetch(int place) => Lanes.Fetch(ref arranged.Items[place]);
+    public override void Fetch(int member) => Lanes.Fetch(ref arranged.Items[member]);
 
-    /// <inheritdoc/>
     public override void Free() => arranged.Free();
 
-    /// <inheritdoc/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void Meet(BatchTile<N> part, int first, int end, bool isClear)
     {
         var (range, rays) = (clip, part.Rays);
@@ -128,7 +93,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, int most) : BatchShapes<
             ref readonly var it = ref shapes[places[i]];
             var at = packets[i];
             var crossings = it.Shape.Intersect(rays.RaysAt<N>(at));
-            // The question which crossings count costs about as much as the formula of a sphere.
+            // Testing which crossings count costs about as much as the formula of a sphere.
             var hit = isClear ? N.Or(crossings.Near, crossings.Far) : range.First(crossings, rays.ZPerTAt<N>(at));
             rays.Keep(at, hit, Lanes.Broadcast<N>(it.Model));
         }

@@ -3,13 +3,10 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>One thread's part of the picture in which members of a batch are looked for: its rays, the nearest hits so far, and where they hide
-/// what.</summary>
-/// <remarks>
-/// Most members that are looked at are hidden, wholly or in part, and it cannot be foretold where. So the packets to ask a formula about are listed
-/// first, for some members at a time and without branches, and then asked without any: that way neither waits for the other.
-/// </remarks>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <summary>A part of the picture in which members of a batch are looked for: its rays, the nearest hits so far, and what they hide. Each thread has
+/// its own.</summary>
+/// <remarks>Most members are hidden, wholly or in part, and branch prediction cannot tell where. So for some members at a time, the packets that a
+/// formula must test are listed first, without branches, and then computed without any.</remarks>
 internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
 {
     private const int Side = ScreenBins.PartSide;
@@ -28,7 +25,6 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     /// <summary>Its rays, and the nearest hits so far.</summary>
     public RayStream Rays { get; } = new(camera, Side * Side);
 
-    /// <summary>Goes to another part and aims its rays.</summary>
     public void Enter(in Tile tile)
     {
         (this.tile, sides) = (tile, new(tile));
@@ -41,7 +37,6 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Takes over the hits of a row.</summary>
     public void Take(RayStream rays)
     {
         var row = (rays.Row - tile.Row) * Side;
@@ -52,28 +47,28 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     /// <summary>Whether all pixels have a hit nearer than this.</summary>
     public bool Hides(double nearest) => Visible(nearest) == 0;
 
-    /// <summary>Forgets the packets that are listed, and finds out how far the hits reach now that they have been asked.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    /// <summary>Clears the list of packets and finds the farthest hit of each block that they changed.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Refresh()
     {
         for (; touched != 0; touched &= touched - 1) Measure(BitOperations.TrailingZeroCount(touched));
         count = 0;
     }
 
-    /// <summary>Finds out how far the hits reach everywhere.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void RefreshAll()
     {
         for (var block = 0; block < Blocks; block++) Measure(block);
         (count, touched) = (0, 0);
     }
 
-    /// <summary>Lists the packets in a member's rectangle where not all hits so far are nearer than it.</summary>
-    /// <returns>Where in the list they end.</returns>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public int List(in BatchItem member)
+    /// <summary>Lists the packets in a member's rectangle that do not hide it.</summary>
+    /// <param name="place">Its index among all members.</param>
+    /// <returns>The end of the list.</returns>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public int List(in BatchItem member, int place)
     {
-        var (nearest, place) = (member.Nearest, member.Place);
+        var nearest = member.Nearest;
         var shared = sides.And(member.Sides);
         var (left, right) = (shared.Left - tile.Column, shared.Right - 1 - tile.Column);
         var (bottom, top) = (shared.Bottom - tile.Row, shared.Top - 1 - tile.Row);
@@ -102,13 +97,13 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         return count = end;
     }
 
-    /// <summary>Of each packet that is listed the pixel where it begins.</summary>
+    /// <summary>The first pixel of each listed packet.</summary>
     public ReadOnlySpan<int> Packets => packets;
 
-    /// <summary>And the place in its group of the member that it may hit.</summary>
+    /// <summary>The member that each listed packet may hit.</summary>
     public ReadOnlySpan<int> Places => places;
 
-    /// <summary>A bit for each block: whether it has pixels whose nearest hit is not nearer than this.</summary>
+    /// <summary>A bit for each block in which some pixel's nearest hit is not nearer than this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private uint Visible(double nearest)
     {
@@ -128,7 +123,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
         farthest[block] = N.Greatest(most);
     }
 
-    /// <summary>Where the numbers of a block begin.</summary>
+    /// <summary>The first pixel of a block.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int Corner(int block) => block / BlocksAcross * BlockSide * Side + block % BlocksAcross * BlockSide;
 }

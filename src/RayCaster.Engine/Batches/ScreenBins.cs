@@ -6,12 +6,10 @@ namespace RayCaster.Engine;
 
 /// <summary>
 /// Finds the members that may show in a part of the picture. There are several grids, each of cells four times as wide and high as the one before,
-/// and a member lies in
-/// the finest one whose cells are not smaller than its rectangle, in the cell of the rectangle's lower left corner. So what shows in a part has its
-/// corner in the part's cell, or in the one to the left, below, or both; and each member has one place, however large it is.
+/// and a member lies in the finest one whose cells are not smaller than its rectangle, in the cell of the rectangle's lower left corner. So what
+/// shows in a part has its corner in the part's cell, or in the one to the left, below, or both; and each member has one place, however large it is.
 /// </summary>
-/// <remarks>Members that show near each other lie near each other in memory; in the order of the scene, a part would wait for each of
-/// them.</remarks>
+/// <remarks>Members that show near each other are also neighbours in memory; in the scene's order, a part would wait for each of them.</remarks>
 internal sealed class ScreenBins
 {
     /// <summary>The most columns and rows of a part in which members are looked for. Its rays and hits, 48 bytes a pixel, should stay in the
@@ -19,7 +17,8 @@ internal sealed class ScreenBins
     public const int PartSide = 32;
 
     private readonly Level[] levels;
-    private readonly int[] starts; // of each cell of each grid the first member; one more at the end
+    private readonly int cellCount;
+    private int[] starts = []; // of each cell of each grid the first member; one more at the end
 
     public ScreenBins(Camera camera)
     {
@@ -33,35 +32,23 @@ internal sealed class ScreenBins
         }
         while (created[^1].Across > 1 || created[^1].Up > 1);
         levels = [.. created];
-        starts = new int[first + 1];
+        cellCount = first;
     }
 
     /// <summary>Sorts members by their cells.</summary>
-    /// <param name="shares">The members, in shares to each of which there is a thread.</param>
-    /// <param name="sorted">Takes them.</param>
+    /// <param name="shares">The members; each share has a thread.</param>
     public void Sort(PooledList<BatchItem>[] shares, PooledList<BatchItem> sorted)
     {
-        var (cells, places) = (new int[shares.Length][], new int[shares.Length][]); // of each share: its members' cells, and each cell's next place
-        ThreadTeam.Each(shares.Length, shares.Length, i =>
-        {
-            cells[i] = ArrayPool<int>.Shared.Rent(shares[i].Count);
-            Count(shares[i].Items, cells[i], places[i] = new int[starts.Length]);
-        });
-        var next = 0;
-        for (var cell = 0; cell < starts.Length; cell++)
-        {
-            starts[cell] = next;
-            foreach (var place in places) (place[cell], next) = (next, next + place[cell]);
-        }
-        sorted.Resize(next);
-        ThreadTeam.Each(shares.Length, shares.Length, i =>
-        {
-            Place(shares[i].Items, cells[i], places[i], sorted.Items);
-            ArrayPool<int>.Shared.Return(cells[i]);
-        });
+        var cells = Array.ConvertAll(shares, share => ArrayPool<int>.Shared.Rent(share.Count)); // of each member
+        sorted.Resize(shares.Sum(share => share.Count));
+        starts = CountingSort.Sort(
+            shares.Length, cellCount,
+            (i, counts) => Count(shares[i].Items, cells[i], counts),
+            (i, next) => Place(shares[i].Items, cells[i], next, sorted.Items));
+        foreach (var some in cells) ArrayPool<int>.Shared.Return(some);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Count(ReadOnlySpan<BatchItem> members, int[] cells, int[] counts)
     {
         for (var i = 0; i < members.Length; i++)
@@ -72,15 +59,13 @@ internal sealed class ScreenBins
         }
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private static void Place(ReadOnlySpan<BatchItem> members, int[] cells, int[] places, Span<BatchItem> sorted)
     {
         for (var i = 0; i < members.Length; i++) sorted[places[cells[i]]++] = members[i];
     }
 
-    /// <summary>Finds the members of the cells that have all that may show in a tile, and more.</summary>
-    /// <param name="tile">The tile.</param>
-    /// <param name="ranges">Takes them.</param>
+    /// <summary>Finds ranges that hold all members that may show in a tile, and others.</summary>
     public void Find(in Tile tile, PooledList<(int First, int End)> ranges)
     {
         ranges.Clear();
@@ -106,9 +91,6 @@ internal sealed class ScreenBins
         return level.First + (bottom >> level.Side) * level.Across + (left >> level.Side);
     }
 
-    /// <param name="First">The number of the first cell.</param>
     /// <param name="Side">The logarithm of a cell's side in pixels.</param>
-    /// <param name="Across">Cells side by side.</param>
-    /// <param name="Up">Cells one upon another.</param>
     private readonly record struct Level(int First, int Side, int Across, int Up);
 }

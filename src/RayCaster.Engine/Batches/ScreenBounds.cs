@@ -2,24 +2,18 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Finds where in the picture balls and boxes may show, and how near they are: as many at once as a packet has lanes.
-/// </summary>
-/// <remarks>
-/// What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
-/// (<see cref="BoundsExtensions.PaddedFrom"/>), and what
-/// the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.
-/// </remarks>
+/// <summary>Finds where in the picture balls and boxes may show, and how near they are, for all lanes of a packet at once.</summary>
+/// <remarks>What it says is padded by 1e-12 of the distance: some ten thousand times what a formula's rounding can move a hit
+/// (<see cref="BoundsExtensions.PaddedFrom"/>), and what the projection here rounds, which is a few units of 2⁻⁵³ of the distance, too.</remarks>
 internal sealed class ScreenBounds
 {
-    /// <summary>How many are looked at together.</summary>
+    /// <summary>How many are processed together.</summary>
     public const int Count = 8;
 
     private const double Padding = 1e-12;
 
     private const double Outside = 0, Unknown = 1, Shows = 2, Clear = 3;
 
-    /// <summary>Where they are.</summary>
     public readonly double[] X = new double[Count], Y = new double[Count], Z = new double[Count];
 
     /// <summary>How far they reach from there: balls in every direction, boxes along each axis.</summary>
@@ -48,16 +42,14 @@ internal sealed class ScreenBounds
         }
     }
 
-    /// <summary>Looks at balls.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void OfBalls<N>() where N : struct, IPacket<N>
     {
         for (var i = 0; i < Count; i += N.Count)
             Keep(i, Ball(new Vector3<N>(N.Load(X, i), N.Load(Y, i), N.Load(Z, i)), N.Load(Radius, i)));
     }
 
-    /// <summary>Looks at boxes.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void OfBoxes<N>() where N : struct, IPacket<N>
     {
         for (var i = 0; i < Count; i += N.Count)
@@ -67,10 +59,9 @@ internal sealed class ScreenBounds
         }
     }
 
-    /// <summary>What was found of one of them.</summary>
-    /// <param name="i">Which.</param>
-    /// <param name="member">Where it shows and how near it is.</param>
-    /// <returns>Whether it may show; null where it reaches to the eye's plane, or numbers fail, so that nothing is known.</returns>
+    /// <summary>Reads the result for one of them.</summary>
+    /// <param name="member">Receives where it shows and how near it is.</param>
+    /// <returns>Whether it may show; null if that is not known, since it reaches to the eye's plane or numbers overflow.</returns>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool? Read(int i, ref BatchItem member)
     {
@@ -97,7 +88,7 @@ internal sealed class ScreenBounds
             : (z - r >= camera.ZNear) & (z + r <= camera.ZFar));
         return Judged(
             IsOutside(x, y, z, r),
-            0.999 * z > r, // so that the difference of squares keeps its digits
+            0.999 * z > r, // so that the difference of squares stays accurate
             isClear,
             distance - r,
             (x * z - rootX) / difference, (x * z + rootX) / difference, (y * z - rootY) / difference, (y * z + rootY) / difference);
@@ -132,7 +123,7 @@ internal sealed class ScreenBounds
         return new()
         {
             Verdict = N.Select(isOutside, Outside, N.Select(isKnown, N.Select(isClear, Clear, Shows), Unknown)),
-            // As a float it is rounded by 6e-8 of itself, or by more where it is next to nothing.
+            // A float rounds it by 6e-8 of itself, or by more if it is nearly 0.
             Nearest = N.Select(nearest > 1e-37, N.Min(nearest * (1 - 1e-7), float.MaxValue), 0),
             Left = left,
             Right = right,

@@ -5,10 +5,8 @@ namespace RayCaster.Engine;
 /// <summary>What a box around something tells about the rays that may hit it.</summary>
 public static class BoundsExtensions
 {
-    /// <summary>
-    /// Bounds seen from a point, with a margin of 1e-12 of their largest coordinate. The rounding of a formula moves a hit sideways by far less,
-    /// a few units in the last place; without a margin, hits at the silhouettes of far objects are lost.
-    /// </summary>
+    /// <summary>Bounds seen from a point, with a margin of 1e-12 of their largest coordinate. The rounding of a formula moves a hit sideways by far
+    /// less, a few units in the last place; without a margin, hits at the silhouettes of far objects are lost.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Bounds PaddedFrom(this Bounds bounds, Vector3 origin)
     {
@@ -22,16 +20,6 @@ public static class BoundsExtensions
 
     extension(Bounds bounds)
     {
-        /// <summary>Half of the surface; 0 for bounds of nothing.</summary>
-        internal double HalfArea
-        {
-            get
-            {
-                var size = bounds.Max - bounds.Min;
-                return size.X < 0 ? 0 : size.X * size.Y + size.Y * size.Z + size.Z * size.X;
-            }
-        }
-
         /// <summary>No ray from the origin of space has a hit in the bounds at a lesser t; 0 where they contain that origin.</summary>
         internal double LeastT
         {
@@ -48,9 +36,9 @@ public static class BoundsExtensions
         /// <summary>The same for any kind of number.</summary>
         /// <remarks>
         /// It is a little less than the distance. A triangle's t is a mean of its corners' depths along the axis k that the ray follows most
-        /// (<see cref="AlongRay{N}"/>), t = z / d_k. For a triangle that is seen almost exactly edge-on the weights of that mean are all
-        /// rounding, and t may be the depth of any corner: the ray meets the box, but only the hit's coordinate along k is sure to lie in it.
-        /// Of rays that meet the box, |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), where i and j are the two other axes.
+        /// (<see cref="AlongRay{N}"/>), t = z / d_k. For a triangle that is seen almost exactly edge-on the weights of that mean are all rounding,
+        /// and t may be the depth of any corner: the ray meets the box, but only the hit's coordinate along k is sure to lie in it. Of rays that
+        /// meet the box, |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), where i and j are the two other axes.
         /// </remarks>
         /// <param name="near">How far the box is from the origin along each axis.</param>
         /// <param name="far">How far it reaches, to either side.</param>

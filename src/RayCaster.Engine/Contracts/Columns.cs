@@ -2,16 +2,13 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>What the rays of columns side by side have in common, whatever their rows: uc U (<see cref="Camera.Across"/>). Reused from part to
-/// part.</summary>
-/// <param name="camera">Where the rays start.</param>
-/// <param name="capacity">The most columns.</param>
+/// <summary>What the rays of a column have in common: uc U (<see cref="Camera.Across"/>).</summary>
 internal sealed class Columns(Camera camera, int capacity)
 {
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
 
-    /// <summary>Comes to columns; those of the last packet that lie beyond them are computed, too.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    /// <summary>Computes columns; those of the last packet may lie beyond the width.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Enter<N>(int column, int width) where N : struct, IPacket<N>
     {
         for (var i = 0; i < width; i += N.Count)

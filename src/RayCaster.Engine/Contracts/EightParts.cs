@@ -5,7 +5,6 @@ namespace RayCaster.Engine;
 /// <summary>Eight parts of the picture, and all the rays of each as intervals: a part is a lane.</summary>
 internal sealed class EightParts(Camera camera)
 {
-    /// <summary>How many.</summary>
     public const int Count = 8;
 
     private readonly Tile[] tiles = new Tile[Count];
@@ -13,13 +12,13 @@ internal sealed class EightParts(Camera camera)
     private Interval zPerT;
     private bool isAimed;
 
-    /// <summary>One of them; it may be empty.</summary>
+    /// <summary>A part; it may be empty.</summary>
     public ref readonly Tile this[int part] => ref tiles[part];
 
-    /// <summary>How many lie side by side; the others lie above them.</summary>
+    /// <summary>How many parts lie side by side; the others lie above them.</summary>
     public int Across { get; private set; }
 
-    /// <summary>The rays; computed when they are first asked for: a mesh or a batch does not ask, and no formula takes longer to compile.</summary>
+    /// <summary>The rays. They are computed on first use: meshes and batches do not need them, and their code takes long to compile.</summary>
     public ref readonly Ray<Interval> Rays
     {
         get
@@ -29,12 +28,11 @@ internal sealed class EightParts(Camera camera)
         }
     }
 
-    /// <summary>What z gains for one unit of t along the <see cref="Rays"/>, which must have been asked for before.</summary>
+    /// <summary>What z gains for one unit of t along the <see cref="Rays"/>, which must be read first.</summary>
     public ref readonly Interval ZPerT => ref zPerT;
 
-    /// <summary>Goes to the parts of a rectangle, from left to right and then upwards.</summary>
+    /// <summary>Cuts a rectangle into parts, from left to right and then upwards.</summary>
     /// <param name="whole">The rectangle; parts that lie beyond its sides are narrower, lower or empty.</param>
-    /// <param name="side">The columns and rows of a part.</param>
     /// <param name="across">How many lie side by side.</param>
     public void Cut(in Tile whole, int side, int across)
     {
@@ -55,7 +53,7 @@ internal sealed class EightParts(Camera camera)
         for (var i = 0; i < Count; i++)
         {
             (left[i], bottom[i]) = (tiles[i].Column, tiles[i].Row);
-            // of an empty one, any
+            // of an empty part, any
             (right[i], top[i]) = (Math.Max(tiles[i].EndColumn - 1, tiles[i].Column), Math.Max(tiles[i].EndRow - 1, tiles[i].Row));
         }
         var direction = camera.Direction(Range(left, right), Range(bottom, top));

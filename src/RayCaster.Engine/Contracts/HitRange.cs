@@ -2,14 +2,12 @@ namespace RayCaster.Engine;
 
 /// <summary>Where the hits of a model in a tile lie.</summary>
 /// <param name="Least">No hit is nearer; +∞ if there is none.</param>
-/// <param name="Cover">Every pixel of the tile surely has a hit that is not farther; +∞ if that is not sure.</param>
-/// <param name="IsNear">Every hit is surely its shape's first crossing: there is nothing to choose or clip.</param>
+/// <param name="Cover">Every pixel of the tile certainly has a hit at most this far; +∞ if that is not certain.</param>
+/// <param name="IsNear">Every hit is certainly the shape's first crossing, so there is nothing to choose or clip.</param>
 internal readonly record struct HitRange(double Least, double Cover, bool IsNear = false)
 {
-    /// <summary>Anything is possible.</summary>
     public static HitRange Unknown => new(0, double.PositiveInfinity);
 
-    /// <summary>No hit.</summary>
     public static HitRange None => new(double.PositiveInfinity, double.PositiveInfinity);
 }
 
@@ -19,6 +17,5 @@ internal readonly struct HitRanges(WidePacket least, WidePacket cover, WidePacke
     /// <summary>The same in all parts.</summary>
     public HitRanges(HitRange all) : this(all.Least, all.Cover, 0) { }
 
-    /// <summary>That of a part.</summary>
-    public HitRange this[int part] => new(least.Lanes[part], cover.Lanes[part], double.IsNegative(isNear.Lanes[part])); // a mask's sign is its truth
+    public HitRange this[int part] => new(least.Lanes[part], cover.Lanes[part], double.IsNegative(isNear.Lanes[part])); // a mask's sign bit is its truth value
 }

@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
-/// <summary>A view of a single shape. Where the shape surely covers a tile, a kernel that is compiled for its kind of shape can do the whole
-/// tile.</summary>
+/// <summary>A view of a single shape. If the shape certainly covers a tile, a kernel for its kind of shape can do the whole tile.</summary>
 internal interface ICoveringView
 {
     /// <summary>Calls the visitor with the shape; returns what that returns.</summary>
@@ -12,6 +11,5 @@ internal interface ICoveringView
 internal interface IShapeVisitor
 {
     /// <summary>Runs the kernel; returns whether it could.</summary>
-    /// <typeparam name="P">The kind of shape.</typeparam>
     bool Visit<P>(P shape) where P : struct, IPrimitive;
 }

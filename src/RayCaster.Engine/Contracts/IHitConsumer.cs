@@ -1,21 +1,17 @@
 namespace RayCaster.Engine;
 
-/// <summary>One thread's consumer of hits: takes what the parts of a picture come to, in any order.</summary>
+/// <summary>Consumes the hits of the parts of a picture, in any order; each thread has its own.</summary>
 internal interface IHitConsumer
 {
     /// <summary>Takes the hits of a stream, before the next stream is cast into it.</summary>
     void Take(RayStream rays);
 
-    /// <summary>Takes a part in which no ray hits anything.</summary>
+    /// <summary>Takes a part without any hit.</summary>
     void TakeMiss(in Tile part);
 
-    /// <summary>Offers a part that shapes fully cover; returns whether the consumer can do it without the hits.</summary>
-    /// <param name="covered">The part; a small one if there are several shapes.</param>
-    bool TryTake(CoveredTile covered);
+    /// <summary>Offers a part that one shape covers; returns whether the consumer can do it without exact hits.</summary>
+    bool TryTake(in CoveredTile covered);
 
-    /// <summary>Offers a tile in which one model alone may show; returns whether the consumer lets the model's view paint it.</summary>
-    /// <param name="tile">The tile.</param>
-    /// <param name="view">The model's view, which has entered the tile.</param>
-    /// <param name="index">The model's place in the scene.</param>
+    /// <summary>Offers a tile in which only one model may show; returns whether the model's view has painted it.</summary>
     bool TryTake(in Tile tile, ITileView view, int index);
 }

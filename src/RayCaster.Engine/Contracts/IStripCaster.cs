@@ -1,10 +1,9 @@
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tool to find what the rays of a strip of the picture hit.</summary>
+/// <summary>Finds what the rays of a strip of the picture hit; each thread has its own.</summary>
 internal interface IStripCaster
 {
     /// <summary>Casts all rays of a strip.</summary>
-    /// <param name="strip">Up to eight tiles side by side, none of which reaches over a multiple of <see cref="Tile.MaxSide"/>.</param>
-    /// <param name="consumer">Takes the hits.</param>
+    /// <param name="strip">Up to eight tiles side by side; none crosses a multiple of <see cref="Tile.MaxSide"/>.</param>
     void Cast(in Tile strip, IHitConsumer consumer);
 }

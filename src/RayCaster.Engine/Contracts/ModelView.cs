@@ -1,10 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>
-/// A model as the camera of one picture sees it. It may say early that it does not show in a tile; which pixels it shows in, and at which t, comes
-/// from the model's own formula.
-/// </summary>
-/// <typeparam name="N">The kind of packet that the formula runs over.</typeparam>
+/// <summary>A model as the camera of one picture sees it. It may reject tiles early; the model's own formula decides in which pixels it shows, and
+/// at which t.</summary>
 internal abstract class ModelView<N> where N : struct, IPacket<N>
 {
     /// <summary>Where in the picture the model can show at all.</summary>
@@ -13,26 +10,21 @@ internal abstract class ModelView<N> where N : struct, IPacket<N>
     /// <summary>No hit anywhere in the picture is nearer than this.</summary>
     public virtual double Nearest => 0;
 
-    /// <summary>A view for the use of one thread at a time; the same one where a view keeps nothing between calls.</summary>
-    /// <param name="tools">What the thread's views share; new ones if left out.</param>
+    /// <summary>A view for one thread at a time; the same object if a view has no state.</summary>
+    /// <param name="tools">What the thread's views share; new tools if left out.</param>
     public virtual ModelView<N> ForThread(ThreadTools? tools = null) => this;
 
-    /// <summary>Goes to a tile, before <see cref="Meet"/> is called for rows in it, and returns between which t the model's hits lie.</summary>
-    /// <param name="tile">The tile.</param>
-    /// <param name="known">What is known of that already.</param>
+    /// <summary>Goes to a tile, before <see cref="Meet"/> is called for its rows; returns the range of the model's hits.</summary>
     public virtual HitRange Enter(in Tile tile, HitRange known) => known;
 
-    /// <summary>Returns between which t the model's hits in some parts lie; not called for a model whose <see cref="Extent"/> is small.</summary>
-    /// <param name="parts">The parts and their rays.</param>
-    /// <param name="whole">What is known of all of them.</param>
+    /// <summary>Returns the ranges of the model's hits in some parts; not called for a model whose <see cref="Extent"/> is small.</summary>
     public virtual HitRanges Narrow(EightParts parts, HitRange whole) => new(whole);
 
-    /// <summary>Keeps the hits of some pixels in the tile that are nearer than all before.</summary>
-    /// <param name="rays">The rays.</param>
+    /// <summary>Intersects some rays in the tile with the model and keeps hits that are nearer than all before.</summary>
     /// <param name="index">The model's place in the scene, for ties.</param>
     public abstract void Meet(RayStream rays, int index);
 
-    /// <summary>Gives rented memory back when the picture is done; called once, on the view that made those of the threads.</summary>
+    /// <summary>Returns rented memory when the picture is done; called once, not for each thread's view.</summary>
     public virtual void Free()
     {
     }

@@ -4,19 +4,17 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// The rays of up to 64 pixels side by side in one row of a tile, or of all rows of a small part, and the nearest hit of each so far. Reused from
-/// stream to stream.
-/// Its numbers lie in arrays, a place for each pixel, from which packets of any kind are taken; the lanes of the last packet that
-/// reach beyond the stream's end are cast, too, and ignored.
+/// The rays of up to 64 pixels side by side in one row of a tile, or of all rows of a small part, and the nearest hit of each so far. One object
+/// serves many streams. Arrays hold one number for each pixel, and packets of any width read from them; lanes beyond the stream's end are cast and
+/// ignored.
 /// </summary>
 internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLength)
 {
-    /// <summary>The most pixels in a stream: few enough to stay in the first-level cache, many enough to make a virtual call cheap.</summary>
+    /// <summary>The most pixels in a stream: they fit into the first-level cache, and a virtual call for so many is cheap.</summary>
     public const int MaxLength = Tile.MaxSide;
 
-    /// <summary>The most pixels of a small part of a tile, the rows of which are cast at once; they stay in the first-level cache, too. (The
-    /// parts of
-    /// a batch are larger.)</summary>
+    /// <summary>The most pixels of a small part whose rows are cast at once; they fit into the first-level cache, too. (The parts of a batch are
+    /// larger.)</summary>
     public const int MaxArea = 256;
 
     private readonly Vector3 origin = camera.Position;
@@ -30,19 +28,17 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>The first pixel's column, from the left.</summary>
     public int Column { get; private set; }
 
-    /// <summary>The lowest pixels' row, from the bottom.</summary>
+    /// <summary>The lowest row, from the bottom.</summary>
     public int Row { get; private set; }
 
-    /// <summary>How many numbers there are from the first pixel's to the last one's.</summary>
+    /// <summary>How many numbers there are from the first pixel to the last.</summary>
     public int Length => (Rows - 1) * Pitch + Width;
 
-    /// <summary>How many pixels lie in a row.</summary>
     public int Width { get; private set; }
 
-    /// <summary>How many rows there are.</summary>
     public int Rows { get; private set; } = 1;
 
-    /// <summary>How many numbers there are from a pixel's to that of the one above it.</summary>
+    /// <summary>The distance in the arrays from a pixel to the one above it.</summary>
     public int Pitch { get; private set; }
 
     /// <summary>Whether there are no numbers between the rows.</summary>
@@ -51,36 +47,32 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>The t of the nearest hit of each pixel, +∞ for none; numbers beyond the stream's length mean nothing.</summary>
     public ReadOnlySpan<double> T => t;
 
-    /// <summary>Tells the models of some pixels' nearest hits, by their places in the scene; −1 for none.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    /// <summary>Copies the indices of the models that some pixels hit; −1 for none.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void CopyModels(int first, Span<int> to)
     {
         for (; to.Length >= Packet.Count; to = to[Packet.Count..], first += Packet.Count) ModelsAt<Packet>(first).ToInts().CopyTo(to);
         for (var i = 0; i < to.Length; i++) to[i] = (int)model[first + i];
     }
 
-    /// <summary>Comes to the columns that the next rows have in common.</summary>
-    /// <param name="column">The first column.</param>
+    /// <summary>Prepares the columns that the next rows have in common.</summary>
     /// <param name="length">How many, at most <see cref="MaxLength"/>.</param>
-    /// <param name="pitch">How many numbers to leave for each row; as many as there are columns, if left out.</param>
-    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    /// <param name="pitch">The distance from row to row; the number of columns if left out.</param>
     public void Enter<N>(int column, int length, int? pitch = null) where N : struct, IPacket<N>
     {
         (Column, Width, Pitch, Rows) = (column, length, pitch ?? length, 1);
         columns.Enter<N>(column, length);
     }
 
-    /// <summary>Aims the rays of a row, or of several one after another, and forgets all hits.</summary>
-    /// <param name="row">The lowest row, from the bottom.</param>
-    /// <param name="rows">How many; more than one only where the pitch is one of whole packets.</param>
-    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    /// <summary>Computes the directions of a row's rays, or of several rows', and forgets all hits.</summary>
+    /// <param name="rows">How many rows; more than one only if the pitch is a multiple of the packet's width.</param>
     public void Aim<N>(int row, int rows = 1) where N : struct, IPacket<N>
     {
         (Row, Rows) = (row, rows);
         for (var i = 0; i < rows; i++) AimRow<N>(row + i, i * Pitch);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void AimRow<N>(int row, int first) where N : struct, IPacket<N>
     {
         var upwards = camera.Upwards(Lanes.Broadcast<N>(row));
@@ -96,14 +88,11 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         }
     }
 
-    /// <summary>Takes some numbers out of all questions: nothing is nearer than the hits there, which no consumer sees, since they are not in the
-    /// stream's columns and rows.</summary>
+    /// <summary>Marks numbers outside the stream's columns and rows as hidden: nothing is nearer than −∞.</summary>
     public void Hide(int first, int count) => Array.Fill(t, double.NegativeInfinity, first, count);
 
-    /// <summary>Where the rays start.</summary>
     public Vector3 Origin => origin;
 
-    /// <summary>The direction of a pixel's ray.</summary>
     public Vector3 DirectionAt(int pixel) => new(x[pixel], y[pixel], z[pixel]);
 
     /// <summary>The rays of the packet that begins at a pixel.</summary>
@@ -115,7 +104,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N NearestAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(t, pixel);
 
-    /// <summary>The models of these hits.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N ModelsAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(model, pixel);
 
@@ -131,8 +119,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         models.Store(model, pixel);
     }
 
-    /// <summary>Whether all hits so far of some pixels are nearer than a model can be.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    /// <summary>Whether some pixels all have a hit nearer than any of a model's.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public bool Hides<N>(int first, int end, double nearest) where N : struct, IPacket<N>
     {
         var nearestOfModel = Lanes.Broadcast<N>(nearest);
@@ -142,7 +130,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         return true;
     }
 
-    /// <summary>Notes the crossings of a model with the packet that begins at a pixel.</summary>
+    /// <summary>Stores a model's crossings with the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Note<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N>
     {
@@ -150,11 +138,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         crossings.Far.Store(far, pixel);
     }
 
-    /// <summary>Keeps of the crossings that were noted those that count and are nearer than all hits before.</summary>
-    /// <param name="first">The first pixel, where a packet begins.</param>
-    /// <param name="end">The pixel after the last.</param>
-    /// <param name="modelIndex">The model's place in the scene.</param>
-    /// <typeparam name="N">The kind of packet to compute with.</typeparam>
+    /// <summary>Keeps those of the stored crossings that count and are nearer than all hits before.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public void KeepNoted<N>(int first, int end, int modelIndex) where N : struct, IPacket<N>
     {
@@ -168,9 +152,8 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         camera.ClipRange.First(crossings, N.Load(zPerT, pixel));
 
     /// <summary>Keeps the hits of a model that are nearer than all before.</summary>
-    /// <param name="pixel">Where the packet begins.</param>
     /// <param name="hit">The model's t in each lane, NaN for none.</param>
-    /// <param name="modelIndex">The model's place in the scene: of equal hits the one of the first model stays, in whatever order they come.</param>
+    /// <param name="modelIndex">The model's index in the scene: of equal hits, the first model's stays, in whatever order they are found.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Keep<N>(int pixel, N hit, N modelIndex) where N : struct, IPacket<N>
     {
@@ -179,7 +162,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         Set(pixel, N.Select(better, hit, nearest), N.Select(better, modelIndex, models));
     }
 
-    /// <summary>Meets a model that knows only single rays.</summary>
     public void MeetOneByOne(Model only, int modelIndex)
     {
         for (var i = 0; i < Length; i++)

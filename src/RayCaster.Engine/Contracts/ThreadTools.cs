@@ -1,11 +1,10 @@
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tools that several views share: one of each kind, made when a view first needs it.</summary>
+/// <summary>The tools that the views of one thread share: one of each kind, made on first use.</summary>
 internal sealed class ThreadTools
 {
     private readonly Dictionary<Type, object> tools = [];
 
-    /// <summary>The tool of a kind.</summary>
     public T Of<T>() where T : class, new()
     {
         if (!tools.TryGetValue(typeof(T), out var tool)) tools.Add(typeof(T), tool = new T());

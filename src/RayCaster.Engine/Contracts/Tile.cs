@@ -7,15 +7,15 @@ namespace RayCaster.Engine;
 /// <param name="Height">Rows.</param>
 public readonly record struct Tile(int Column, int Row, int Width, int Height)
 {
-    /// <summary>The most columns and rows of a tile that is worked on at once; none reaches over a multiple of it.</summary>
+    /// <summary>The most columns and rows of a tile; no tile crosses a multiple of it.</summary>
     public const int MaxSide = 64;
 
-    /// <summary>The most columns of a strip: tiles side by side that a thread takes at once.</summary>
+    /// <summary>The most columns of a strip, which is the row of tiles that a thread takes at once.</summary>
     public const int MaxStrip = EightParts.Count * MaxSide;
 
     private const double Margin = 0.01;
 
-    /// <summary>More than any picture.</summary>
+    /// <summary>Larger than any picture.</summary>
     public static Tile Everywhere => new(0, 0, int.MaxValue, int.MaxValue);
 
     /// <summary>The column after the last.</summary>
@@ -27,35 +27,33 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>How many pixels; 0 for an empty tile.</summary>
     public long Area => (long)Width * Height;
 
-    /// <summary>Whether it is small enough to be looked for by its place alone.</summary>
+    /// <summary>Whether it is so small that its place alone rejects most parts of the picture.</summary>
     public bool IsSmall => Area < MaxSide * MaxSide / 4;
 
-    /// <summary>How many tiles it takes for so many pixels side by side, or one upon another.</summary>
+    /// <summary>How many tiles cover so many columns or rows.</summary>
     public static int TilesOf(int pixels) => (pixels + MaxSide - 1) / MaxSide;
 
-    /// <summary>How many strips it takes for so many pixels side by side.</summary>
+    /// <summary>How many strips cover so many columns.</summary>
     public static int StripsOf(int pixels) => (pixels + MaxStrip - 1) / MaxStrip;
 
     /// <summary>Whether the tiles share a pixel.</summary>
     public bool Overlaps(in Tile other) =>
         Column < other.EndColumn && other.Column < EndColumn && Row < other.EndRow && other.Row < EndRow;
 
-    /// <summary>Where in a picture something may show that lies in bounds; nowhere if that is behind the camera.</summary>
-    /// <remarks>
-    /// The bounds are padded by far more than a formula's rounding can move a hit sideways
-    /// (<see cref="BoundsExtensions.PaddedFrom"/>). The projection itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.
-    /// </remarks>
-    /// <param name="padded">The bounds, seen from the camera and padded.</param>
+    /// <summary>The pixels where something within bounds may show; empty if the bounds are behind the camera.</summary>
+    /// <remarks>The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="BoundsExtensions.PaddedFrom"/>). The
+    /// projection itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.</remarks>
+    /// <param name="padded">The bounds relative to the camera, padded.</param>
     /// <param name="camera">The camera.</param>
     /// <param name="margin">Pixels to be added on each side.</param>
     public static Tile Of(Bounds padded, Camera camera, double margin = Margin)
     {
-        if (camera.IsSkewed) return Everywhere; // the projection would be beside the truth
+        if (camera.IsSkewed) return Everywhere; // the projection would be wrong
         var (center, half) = (0.5 * (padded.Min + padded.Max), 0.5 * (padded.Max - padded.Min));
         var (depth, depthHalf) = (-(center * camera.W), Spread(camera.W));
         var (nearest, farthest) = (depth - depthHalf, depth + depthHalf);
         if (farthest < 0) return default;
-        if (!(nearest > 0)) return Everywhere; // it reaches the eye's plane, or is no number
+        if (!(nearest > 0)) return Everywhere; // it reaches the eye's plane, or is NaN
 
         var (column, endColumn) = Pixels(center * camera.U, Spread(camera.U), camera.PlaneWidth, camera.Width);
         var (row, endRow) = Pixels(center * camera.V, Spread(camera.V), camera.PlaneHeight, camera.Height);

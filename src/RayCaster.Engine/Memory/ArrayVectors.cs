@@ -3,14 +3,11 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Vectors of numbers that follow one another in an array. The first place is checked, the others are not: the arrays have room for whole vectors.
-/// Built with the
-/// constant CHECKED, all places are checked.
-/// </summary>
+/// <summary>Vectors of consecutive numbers in an array. Only the first position is checked: the arrays have room for whole vectors. With the
+/// constant CHECKED all positions are checked.</summary>
 internal static class ArrayVectors
 {
-    /// <summary>The numbers from a place on, as many as fill 16 bytes.</summary>
+    /// <summary>The numbers from a position on, as many as fill 16 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector128<T> Load128<T>(this T[] numbers, int place) where T : struct =>
         Vector128.LoadUnsafe(ref At(numbers, place, Vector128<T>.Count));
@@ -25,7 +22,7 @@ internal static class ArrayVectors
     public static Vector512<T> Load512<T>(this T[] numbers, int place) where T : struct =>
         Vector512.LoadUnsafe(ref At(numbers, place, Vector512<T>.Count));
 
-    /// <summary>Writes numbers into an array, from a place on.</summary>
+    /// <summary>Writes numbers into an array.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void StoreTo<T>(this Vector256<T> vector, T[] numbers, int place) where T : struct =>
         vector.StoreUnsafe(ref At(numbers, place, Vector256<T>.Count));
@@ -40,7 +37,6 @@ internal static class ArrayVectors
     public static void StoreTo<T>(this Vector512<T> vector, T[] numbers, int place) where T : struct =>
         vector.StoreUnsafe(ref At(numbers, place, Vector512<T>.Count));
 
-    /// <summary>The first of some numbers in an array.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static ref T At<T>(T[] numbers, int place, int count) where T : struct
     {

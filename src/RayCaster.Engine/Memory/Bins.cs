@@ -3,55 +3,61 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Things sorted by a small number, their place; those of one place lie side by side, in the order in which they came. Their memory is rented from
-/// the pool:
-/// fresh pages cost more than what is written on them.
-/// </summary>
+/// <summary>Items sorted by a small number, their place; items of one place keep their order. The memory is rented from the pool: fresh pages cost
+/// more than writing to them.</summary>
 internal sealed class Bins<T> where T : struct
 {
     private readonly int[] starts;
-    private readonly int first; // no place before it holds anything: most meshes show in a small part of a picture
+    private readonly int first; // the first place that holds anything: most meshes show in a small part of a picture
     private T[] sorted;
 
-    /// <param name="lists">What to sort; the lists are emptied.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    /// <param name="lists">What to sort, each list on a thread; the lists are emptied.</param>
     public Bins(PooledList<(int Place, T Thing)>[] lists)
     {
-        var (total, last) = (0, -1);
-        first = int.MaxValue;
-        foreach (var list in lists)
-        {
-            foreach (ref readonly var item in list.Items) (first, last) = (Math.Min(first, item.Place), Math.Max(last, item.Place));
-            total += list.Count;
-        }
-        starts = new int[Math.Max(0, last - first + 1) + 2]; // while it is filled, place p's next free slot is at p + 1, p counted from the first
-        foreach (var list in lists)
-            foreach (ref readonly var item in list.Items)
-                starts[item.Place - first + 2]++;
-        for (var i = 2; i < starts.Length; i++) starts[i] += starts[i - 1];
+        var ranges = new (int First, int Last)[lists.Length];
+        ThreadTeam.Each(lists.Length, lists.Length, list => ranges[list] = RangeOf(lists[list].Items));
+        first = ranges.Length > 0 ? ranges.Min(range => range.First) : 0;
+        var (places, total) = (ranges.Length > 0 ? Math.Max(0, ranges.Max(range => range.Last) - first + 1) : 0, lists.Sum(list => list.Count));
         sorted = total > 0 ? ArrayPool<T>.Shared.Rent(total) : [];
-        foreach (var list in lists)
-        {
-            foreach (ref readonly var item in list.Items) sorted[starts[item.Place - first + 1]++] = item.Thing;
-            list.Free();
-        }
+        starts = CountingSort.Sort(
+            lists.Length, places, (list, counts) => Count(lists[list].Items, counts), (list, next) => Put(lists[list].Items, next));
+        foreach (var list in lists) list.Free();
     }
 
-    /// <summary>Gives the memory back; nothing may be asked for any more.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private static (int First, int Last) RangeOf(ReadOnlySpan<(int Place, T Thing)> items)
+    {
+        var (least, most) = (int.MaxValue, -1);
+        foreach (ref readonly var item in items) (least, most) = (Math.Min(least, item.Place), Math.Max(most, item.Place));
+        return (least, most);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Count(ReadOnlySpan<(int Place, T Thing)> items, int[] counts)
+    {
+        foreach (ref readonly var item in items) counts[item.Place - first]++;
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Put(ReadOnlySpan<(int Place, T Thing)> items, int[] next)
+    {
+        var to = sorted;
+        foreach (ref readonly var item in items) to[next[item.Place - first]++] = item.Thing;
+    }
+
+    /// <summary>Returns the memory; the object cannot be used any more.</summary>
     public void Free()
     {
         if (sorted.Length > 0) ArrayPool<T>.Shared.Return(sorted);
         sorted = [];
     }
 
-    /// <summary>The things of a place.</summary>
     public ReadOnlySpan<T> this[int place]
     {
         get
         {
             var p = (long)place - first;
-            return p >= 0 && p < starts.Length - 2 ? sorted.AsSpan(starts[p], starts[p + 1] - starts[p]) : [];
+            return p >= 0 && p < starts.Length - 1 ? sorted.AsSpan(starts[p], starts[p + 1] - starts[p]) : [];
         }
     }
 }

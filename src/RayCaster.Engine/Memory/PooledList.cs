@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>A list of plain values whose items can be read as a span. Its memory is rented from the pool: fresh pages cost more than what is written
-/// on them.</summary>
+/// <summary>A list of plain values that can be read as a span. The memory is rented from the pool: fresh pages cost more than writing to
+/// them.</summary>
 internal sealed class PooledList<T> where T : struct
 {
     private const int LeastLength = 1024;
@@ -12,13 +12,10 @@ internal sealed class PooledList<T> where T : struct
     private T[] items = [];
     private int count;
 
-    /// <summary>How many there are.</summary>
     public int Count => count;
 
-    /// <summary>All of them.</summary>
     public Span<T> Items => items.AsSpan(0, count);
 
-    /// <summary>Adds one at the end.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(T item)
     {
@@ -26,23 +23,21 @@ internal sealed class PooledList<T> where T : struct
         items[count++] = item;
     }
 
-    /// <summary>Changes their number; what new ones hold is left to chance.</summary>
+    /// <summary>Changes the number of items; new ones are not initialised.</summary>
     public void Resize(int length)
     {
         Reserve(length);
         count = length;
     }
 
-    /// <summary>Makes room for so many, so that they need not be moved while there come more.</summary>
+    /// <summary>Makes room for so many items, so that they are not copied while it grows.</summary>
     public void Reserve(int capacity)
     {
         if (capacity > items.Length) Move(capacity);
     }
 
-    /// <summary>Removes all; the memory stays.</summary>
     public void Clear() => count = 0;
 
-    /// <summary>Removes all and gives the memory back.</summary>
     public void Free()
     {
         if (items.Length > 0) ArrayPool<T>.Shared.Return(items);

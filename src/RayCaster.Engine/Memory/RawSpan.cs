@@ -4,11 +4,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Numbers in an array, read and written without a check of each place, for loops in which that check would cost most of the time. docs/limits.md
-/// says for each of
-/// them why no place lies outside. Built with the constant CHECKED, all places are checked.
-/// </summary>
+/// <summary>Numbers in an array without range checks, for loops in which the checks would take most of the time. docs/limits.md says for each use
+/// why no position lies outside. With the constant CHECKED all positions are checked.</summary>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
 {
@@ -17,14 +14,13 @@ internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
     private readonly int length = items.Length;
 #endif
 
-    /// <summary>The number at a place.</summary>
     public ref T this[int place]
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         get => ref From(place, 1);
     }
 
-    /// <summary>The numbers from a place on, as many as fill 16 bytes.</summary>
+    /// <summary>The numbers from a position on, as many as fill 16 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector128<T> Load128(int place) => Vector128.LoadUnsafe(ref From(place, Vector128<T>.Count));
 
@@ -32,7 +28,7 @@ internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector256<T> Load256(int place) => Vector256.LoadUnsafe(ref From(place, Vector256<T>.Count));
 
-    /// <summary>Writes numbers from a place on.</summary>
+    /// <summary>Writes numbers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Store(Vector256<T> numbers, int place) => numbers.StoreUnsafe(ref From(place, Vector256<T>.Count));
 

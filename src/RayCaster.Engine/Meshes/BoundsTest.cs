@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>Asks for the rays of a packet whether bounds can be rejected.</summary>
+/// <summary>Tests whether all rays of a packet miss bounds.</summary>
 internal readonly struct BoundsTest<N> where N : struct, IPacket<N>, IReal<N>
 {
     private readonly N inverseX, inverseY, inverseZ;
@@ -19,13 +19,9 @@ internal readonly struct BoundsTest<N> where N : struct, IPacket<N>, IReal<N>
 
     /// <summary>Whether any of the rays may cross what is in the bounds, not behind its origin and not beyond <paramref name="nearest"/>.</summary>
     /// <param name="bounds">The bounds, seen from the rays' origin and padded.</param>
-    /// <param name="nearest">The t beyond which nothing is looked for.</param>
-    /// <remarks>
-    /// A ray within a face's plane multiplies 0 by ∞: NaN, which no comparison rejects. A triangle that is seen nearly edge-on may
-    /// have a t that is far off the truth, but never outside of what its corners span along the axis that the ray follows most; so only that axis
-    /// tells
-    /// what is too far or behind.
-    /// </remarks>
+    /// <param name="nearest">Hits beyond this t do not matter.</param>
+    /// <remarks>A ray within a face's plane multiplies 0 by ∞: NaN, which no comparison rejects. A triangle that is seen nearly edge-on may get a
+    /// wrong t, but never one outside its corners' range along the ray's main axis; so only that axis tells what is too far or behind.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool MayHit(Bounds bounds, N nearest)
     {

@@ -1,53 +1,43 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool: finds the tiles of a mesh's triangles, by the box around sixteen of them that follow one another. Where that box says
-/// little, each triangle is looked at.
-/// </summary>
-internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, int[] indices, TriangleSorter each)
-    where N : struct, IPacket<N>, IReal<N>
+/// <summary>Finds the tiles in which a mesh's clusters may show; each thread has its own. Where a cluster's box says too little, it sorts the
+/// cluster's triangles one by one.</summary>
+internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
-    /// <summary>The triangles of a group in more tiles than this are sorted one by one: they lie far from each other, or are large.</summary>
+    /// <summary>In more tiles than this the triangles are sorted one by one: they are far from each other, or large.</summary>
     private const int ManyTiles = 6;
 
     private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
-    private readonly TriangleBoxes boxes = new(vertices, indices);
-    private readonly BoxCorners lows = new(N.Count), highs = new(N.Count);
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
-    private readonly int[] middles = new int[N.Count];
+    private uint sides; // a bit for each box: which side of its triangles is seen; only the order of work depends on it
     private (uint Left, uint Right, uint Bottom, uint Top) extent = (int.MaxValue, 0, int.MaxValue, 0);
 
-    /// <summary>Clusters by tile and side.</summary>
     public PooledList<(int Place, TriangleCluster Cluster)> Clusters { get; } = new();
 
-    /// <summary>Where samples may be covered.</summary>
+    /// <summary>The pixels that may be covered.</summary>
     public (int Left, int Right, int Bottom, int Top) Extent => ((int)extent.Left, (int)extent.Right, (int)extent.Bottom, (int)extent.Top);
 
-    /// <summary>Takes triangles.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
-        Clusters.Reserve((end - first) / TriangleCluster.Length);
-        for (; first < end; first += N.Count * TriangleCluster.Length)
+        Clusters.Reserve(end - first);
+        for (; first < end; first += N.Count)
         {
-            for (var i = 0; i < N.Count; i++)
+            var (fit, shows) = Project(first);
+            if (end - first < N.Count) (fit, shows) = (fit | ~0u << (end - first), shows & ~(~0u << (end - first)));
+            for (var unfit = ~fit & (1u << N.Count) - 1; unfit != 0; unfit &= unfit - 1)
             {
-                // Where fewer are left than there are lanes, the last group again.
-                var begin = Math.Min(first + i * TriangleCluster.Length, (end - 1) / TriangleCluster.Length * TriangleCluster.Length);
-                var (low, high) = boxes.Around(begin, Math.Min(begin + TriangleCluster.Length, end));
-                lows.Set(i, low);
-                highs.Set(i, high);
-                middles[i] = Math.Min(begin + TriangleCluster.Length / 2, end - 1);
+                var (begin, stop) = boxes.TrianglesOf(first + BitOperations.TrailingZeroCount(unfit));
+                each.Add(begin, stop);
             }
-            var ((fit, shows), sides) = (Project(), Facings());
-            for (var i = 0; i < N.Count && first + i * TriangleCluster.Length < end; i++)
+            for (; shows != 0; shows &= shows - 1)
             {
-                var (begin, bit) = (first + i * TriangleCluster.Length, 1u << i);
-                if ((fit & bit) == 0) each.Add(begin, Math.Min(begin + TriangleCluster.Length, end));
-                else if ((shows & bit) != 0) Place(begin, Math.Min(begin + TriangleCluster.Length, end), i, (int)(sides >> i) & 1);
+                var i = BitOperations.TrailingZeroCount(shows);
+                Place(first + i, i);
             }
         }
     }
@@ -55,14 +45,14 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, i
     /// <summary>The rectangles on the screen and the ranges of w of some boxes.</summary>
     /// <remarks>
     /// Rounding moves a rectangle's sides by some 2⁻⁵³ of (distance + size) / least depth, in units of the scale; the size is held below the least
-    /// depth,
-    /// and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
+    /// depth, and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
     /// </remarks>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private (uint Fit, uint Shows) Project()
+    private (uint Fit, uint Shows) Project(int first)
     {
-        Vector3<N> eye = screen.Camera.Position;
-        var (low, high) = (lows.Load<N>() - eye, highs.Load<N>() - eye);
+        N unit = boxes.Unit;
+        Vector3<N> middle = boxes.Middle - screen.Camera.Position;
+        var (low, high) = (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
         var (center, half) = ((N)0.5 * (low + high), (N)0.5 * (high - low));
         var (nearest, farthest) = Range(-screen.Camera.W, center, half);
         var (inverse, inverseFar) = ((N)1.0 / nearest, (N)1.0 / farthest);
@@ -78,9 +68,10 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, i
         var mostW = N.Select(stretch < one, w1 * (N)(1 + 1e-5) * (one + stretch), double.PositiveInfinity);
         mostW.Store(most, 0);
         shows &= (mostW >= (N)(double)screen.LeastW) & (leastW <= (N)(double)screen.MostW);
+        sides = N.Bits(boxes.Normals<N>(first) * center > (N)0.0);
         return (N.Bits(fit), N.Bits(shows));
 
-        // in a method grown too large operators, silently, become calls
+        // in a larger method, the compiler would turn operators into calls
         [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
         void Project(Vector3 axis, double zero, double pixels, double[] first, double[] last)
         {
@@ -96,27 +87,16 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, i
         }
     }
 
-    /// <summary>
-    /// Which groups' middle triangles are seen the way around that has a tile's second place; see <see cref="TriangleSorter"/>. Only the order of
-    /// work depends on it.
-    /// </summary>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private uint Facings()
-    {
-        var (a, b, c) = (Middle(0), Middle(1), Middle(2));
-        var (e, f, g) = (b - a, c - a, a - (Vector3<N>)screen.Camera.Position);
-        var volume = (e.Y * f.Z - e.Z * f.Y) * g.X + (e.Z * f.X - e.X * f.Z) * g.Y + (e.X * f.Y - e.Y * f.X) * g.Z;
-        return N.Bits(volume > (N)0.0);
-    }
-
-    /// <summary>The pixels before or at places; they are in the picture where the group shows.</summary>
+    /// <summary>Stores places, moved into the picture; their whole parts are pixels.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Keep(double[] pixels, N place, N last) =>
         N.Select(place >= (N)0.0, N.Select(place < last, place, last), 0.0).Store(pixels, 0);
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Place(int first, int end, int i, int side)
+    private void Place(int cluster, int i)
     {
+        var (first, end) = boxes.TrianglesOf(cluster);
+        var side = (int)(sides >> i) & 1;
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
         if (x0 < extent.Left) extent.Left = x0;
         if (x1 > extent.Right) extent.Right = x1;
@@ -158,7 +138,4 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, Vector3[] vertices, i
         var (middle, spread) = (center * along, half * across);
         return (middle - spread, middle + spread);
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector3<N> Middle(int corner) => N.Gather(vertices, indices, new(middles), 0, corner);
 }

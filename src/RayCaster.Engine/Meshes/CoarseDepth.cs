@@ -3,8 +3,7 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>For each cell of 8 × 8 pixels the least w that their hits surely have: what lies behind it is hidden there, and need not be looked
-/// at.</summary>
+/// <summary>A coarse depth buffer: for each cell of 8 × 8 pixels the least w that their hits certainly have. What lies behind is hidden.</summary>
 internal sealed class CoarseDepth
 {
     /// <summary>The side of a cell in pixels.</summary>
@@ -14,10 +13,9 @@ internal sealed class CoarseDepth
 
     private readonly float[] least = new float[Across * Across];
 
-    /// <summary>Knows nothing.</summary>
     public void Clear() => least.AsSpan().Clear();
 
-    /// <summary>Looks at the pixels of a tile, row by row of <see cref="Tile.MaxSide"/>.</summary>
+    /// <summary>Finds the least w of each cell. Rows are <see cref="Tile.MaxSide"/> numbers long.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Update(float[] covered)
     {
@@ -32,10 +30,9 @@ internal sealed class CoarseDepth
         }
     }
 
-    /// <summary>Whether each pixel of some cells surely has a hit before w.</summary>
+    /// <summary>Whether each pixel of some cells certainly has a hit with a greater w.</summary>
     /// <param name="cells">Cells of a whole tile.</param>
-    /// <param name="firstRow">The row of that tile from which on its pixels were looked at.</param>
-    /// <param name="w">The w.</param>
+    /// <param name="firstRow">The first row of that tile whose pixels are known.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool Hides(Cells cells, int firstRow, float w)
     {
@@ -48,7 +45,7 @@ internal sealed class CoarseDepth
         return (hidden & columns) == columns;
     }
 
-    /// <summary>Each pixel that was looked at surely has a hit of at least this w; 0 if that is not sure.</summary>
+    /// <summary>Each pixel certainly has a hit of at least this w; 0 if that is not certain.</summary>
     public float Least
     {
         get
@@ -63,7 +60,7 @@ internal sealed class CoarseDepth
 /// <summary>A rectangle of cells of a tile.</summary>
 internal readonly record struct Cells(byte Left, byte Right, byte Bottom, byte Top)
 {
-    /// <summary>Those of pixels of a tile, by their columns and rows in the picture.</summary>
+    /// <summary>The cells of pixels, by their columns and rows in the picture.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Cells Of(uint left, uint right, uint bottom, uint top) => new(CellOf(left), CellOf(right), CellOf(bottom), CellOf(top));
 

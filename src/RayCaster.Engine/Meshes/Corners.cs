@@ -5,15 +5,13 @@ namespace RayCaster.Engine;
 /// <summary>Where the corners of triangles are seen.</summary>
 internal abstract class Corners
 {
-    /// <summary>How many triangles there are.</summary>
     public abstract int Count { get; }
 
     /// <summary>Sees eight triangles.</summary>
-    /// <param name="triangles">Which ones.</param>
-    /// <param name="seen">Their corners on the screen. Where one is not fit for floats the numbers mean nothing.</param>
+    /// <param name="seen">Their corners on the screen; meaningless where a corner is not fit for floats.</param>
     public abstract void See(ReadOnlySpan<int> triangles, out EightTriangles seen);
 
-    /// <summary>Sees eight triangles that follow one another; where fewer are left, the last one again in the other lanes.</summary>
+    /// <summary>Projects eight triangles that follow one another; if fewer are left, the last one is repeated.</summary>
     public void SeeRun(int first, out EightTriangles seen)
     {
         Span<int> triangles = stackalloc int[8];
@@ -21,14 +19,12 @@ internal abstract class Corners
         See(triangles, out seen);
     }
 
-    /// <summary>Says that a group will be seen soon; <see cref="FetchVertices"/> is to follow.</summary>
-    /// <param name="group">Its first triangle.</param>
+    /// <summary>Fetches the indices of a cluster that will be needed soon.</summary>
     public virtual void Fetch(int group)
     {
     }
 
-    /// <summary>Says that a group will be seen next, or almost.</summary>
-    /// <param name="group">Its first triangle.</param>
+    /// <summary>Fetches the vertices of a cluster that will be needed next.</summary>
     public virtual void FetchVertices(int group)
     {
     }

@@ -1,14 +1,11 @@
 namespace RayCaster.Engine;
 
 /// <summary>
-/// Tells that a triangle has the corners of an earlier one, to the bit and in the same order: its t is the same everywhere, so that only one of them
-/// need be
-/// asked. Without this a million copies of one triangle would all be asked about each pixel, since none is surely before another.
+/// Recognises a triangle whose corners equal an earlier one's, to the bit and in the same order: its t is the same everywhere, so one of them is
+/// enough. Otherwise a million copies of one triangle would all be intersected with each pixel's ray, since none is certainly in front.
 /// </summary>
-/// <remarks>
-/// It forgets some, since a slot of the table remembers one triangle only. And it tells only of twins that are earlier in the mesh: so of all that
-/// have the same corners the first one is never left out, in whatever order they come.
-/// </remarks>
+/// <remarks>It misses some, since a slot of the table holds only one triangle. It reports only duplicates of triangles that are earlier in the mesh,
+/// so the first of all equal ones is never left out, in whatever order they come.</remarks>
 internal sealed class Duplicates(Vector3[] vertices, int[] indices)
 {
     private Vector3[] vertices = vertices;
@@ -23,10 +20,9 @@ internal sealed class Duplicates(Vector3[] vertices, int[] indices)
         Clear();
     }
 
-    /// <summary>Forgets all.</summary>
     public void Clear() => round++;
 
-    /// <summary>Whether an earlier triangle of the mesh that came before has the same corners.</summary>
+    /// <summary>Whether a triangle that was seen before, and is earlier in the mesh, has the same corners.</summary>
     public bool HasEarlier(int triangle)
     {
         var (a, b, c) = (vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);

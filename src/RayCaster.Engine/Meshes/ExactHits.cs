@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>Asks the triangles' formula where each ray of a packet hits its own triangle.</summary>
+/// <summary>Computes where each ray of a packet hits its own triangle, by the triangle's formula.</summary>
 internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket<N>
 {
     private readonly double[] columns = new double[N.Count], rows = new double[N.Count], hits = new double[N.Count], nearness = new double[N.Count];
@@ -11,27 +11,21 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     private int[] indices = [];
     private int count;
 
-    /// <summary>Goes to another mesh.</summary>
     public void Show(Vector3[] vertices, int[] indices) => (this.vertices, this.indices) = (vertices, indices);
 
     /// <summary>Where rays cross triangles, a lane for each pair.</summary>
-    /// <param name="rays">The rays.</param>
-    /// <param name="triangles">The triangles.</param>
-    /// <param name="first">The place there of the first lane's triangle, which those of the others follow.</param>
-    // in a caller grown too large operators, silently, become calls
+    /// <param name="first">The position of the first lane's triangle; the other lanes' follow.</param>
+    // in a larger method, the compiler would turn operators into calls
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public Crossings<N> Intersect(in Ray<N> rays, RawSpan<int> triangles, int first) => Triangle.Intersect(
         new AlongRay<N>(rays),
         N.Gather(vertices, indices, triangles, first, 0), N.Gather(vertices, indices, triangles, first, 1),
         N.Gather(vertices, indices, triangles, first, 2));
 
-    /// <summary>Asks about a pixel and a triangle, sooner or later, and keeps the t if it is less than what stands at the place.</summary>
-    /// <param name="column">The pixel's column.</param>
-    /// <param name="row">The pixel's row.</param>
-    /// <param name="triangle">The triangle.</param>
-    /// <param name="place">Where the pixel's numbers stand.</param>
-    /// <param name="least">Of each pixel the least t so far.</param>
-    /// <param name="covered">Of each pixel the greatest w so far, less what may be rounded.</param>
+    /// <summary>Adds a pixel and a triangle to the next packet. Its t is kept if it is less than the one so far.</summary>
+    /// <param name="place">The pixel's position in both arrays.</param>
+    /// <param name="least">The least t of each pixel so far.</param>
+    /// <param name="covered">The greatest w of each pixel so far, less its rounding error.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(int column, int row, int triangle, int place, double[] least, float[] covered)
     {
@@ -39,7 +33,6 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
         if (++count == N.Count) Flush(least, covered);
     }
 
-    /// <summary>Asks about all that is left.</summary>
     public void Flush(double[] least, float[] covered)
     {
         if (count == 0) return;

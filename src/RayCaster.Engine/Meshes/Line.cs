@@ -7,11 +7,11 @@ public readonly struct Line(Vector3 origin, Vector3 direction)
 {
     private readonly Vector3 inverse = new(1 / direction.X, 1 / direction.Y, 1 / direction.Z);
 
-    /// <summary>Whether the line passes bounds by.</summary>
+    /// <summary>Whether the line misses bounds.</summary>
     public bool Misses(Bounds bounds) => double.IsPositiveInfinity(Enters(bounds));
 
-    /// <summary>The t at which the line enters bounds, behind its origin too; +∞ if it passes them by.</summary>
-    /// <remarks>In a face's plane 0 · ∞ is NaN, of which nothing is known: −∞.</remarks>
+    /// <summary>The t at which the line enters bounds, also behind its origin; +∞ if it misses them.</summary>
+    /// <remarks>In a face's plane 0 · ∞ is NaN; the result is then −∞, which rejects nothing.</remarks>
     public double Enters(Bounds bounds)
     {
         var (min, max) = bounds.PaddedFrom(origin);

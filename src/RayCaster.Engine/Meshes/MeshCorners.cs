@@ -2,21 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// The corners of a mesh's triangles, projected each time that they are asked for: to write all vertices' places on the screen to an array first,
-/// and
-/// to
-/// read them from there, takes longer, for memory is slower than arithmetic.
-/// </summary>
-/// <param name="screen">The camera.</param>
-/// <param name="vertices">The corners.</param>
-/// <param name="indices">Three for each triangle, all of them places of vertices.</param>
+/// <summary>The corners of a mesh's triangles. They are projected at each use: storing all projected vertices takes longer, because memory is slower
+/// than arithmetic.</summary>
 internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
 {
-    /// <inheritdoc/>
     public override int Count => indices.Length / 3;
 
-    /// <inheritdoc/>
     public override void See(ReadOnlySpan<int> triangles, out EightTriangles seen)
     {
         See(triangles, 0, out seen.A);
@@ -24,20 +15,18 @@ internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int
         See(triangles, 2, out seen.C);
     }
 
-    /// <inheritdoc/>
     public override void Fetch(int group)
     {
         for (var i = 0; i < 3; i++) Lanes.Fetch(ref indices[Math.Min(3 * group + i * TriangleCluster.Length, indices.Length - 1)]);
     }
 
-    /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void FetchVertices(int group)
     {
         if (group + TriangleCluster.Length > Count) return;
         var points = new RawSpan<Vector3>(vertices);
         var places = new RawSpan<int>(indices);
-        for (var i = 3 * group; i < 3 * (group + TriangleCluster.Length); i += 9) // most are neighbours of others
+        for (var i = 3 * group; i < 3 * (group + TriangleCluster.Length); i += 9) // most vertices are next to others
         {
             Lanes.Fetch(ref points[places[i]]);
             Lanes.Fetch(ref points[places[i + 1]]);

@@ -4,20 +4,15 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool: paints the tiles of a mesh in floats, from what the filter knows of each pixel. The hit's w is in a range, so its t is in one,
-/// and each
-/// channel's level, too. Where both ends have the same whole part, that is the byte; the few other pixels are in doubt.
-/// </summary>
+/// <summary>Paints the tiles of a mesh in floats; each thread has its own. The filter knows a range for each hit's w; so t and each channel's level
+/// have a range, too. Where both ends have the same whole part, that is the byte; the few other pixels are in doubt.</summary>
 internal sealed class MeshPainter
 {
-    /// <summary>With a greater error too many pixels would be in doubt.</summary>
+    /// <summary>With a greater error, too many bytes would be uncertain.</summary>
     private const double MostError = 0.002;
 
-    /// <summary>
-    /// How far a t may be from that of its w, in parts of itself: the squares of a slope across and of one upwards, their sum, the root of it, unit,
-    /// product and quotient each round by 2⁻²⁴, and the root halves what came before it.
-    /// </summary>
+    /// <summary>How far a t may be from that of its w, in parts of itself: the squares of a slope across and of one upwards, their sum, the root of
+    /// it, unit, product and quotient each round by 2⁻²⁴, and the root halves what came before it.</summary>
     private const double Roundings = 6.0 / (1 << 24);
 
     private readonly Scene scene;
@@ -30,15 +25,12 @@ internal sealed class MeshPainter
     private byte[] rgb = [];
     private int first, step;
 
-    /// <param name="screen">The camera.</param>
-    /// <param name="scene">The scene.</param>
-    /// <param name="index">The mesh's place in it.</param>
     public MeshPainter(ScreenSpace screen, Scene scene, int index)
     {
         (this.screen, this.scene, model) = (screen, scene, scene.Models[index]);
         var (r, g, b) = scene.Background.ToBytes();
         background = Vector512.Create(r | (g << 8) | (b << 16));
-        // Beyond this t there is no light, whatever the rounding.
+        // Beyond this t there is no light, even after rounding.
         var most = 2 * scene.Camera.Reach;
         var light = scene.Attenuation(new ErrorBound(0, most, most * Roundings));
         Error = Color.Level(light * Math.Max(model.Color.R, Math.Max(model.Color.G, model.Color.B))).Error + FloatBytes.RoundingOfTheEnds;
@@ -48,23 +40,21 @@ internal sealed class MeshPainter
             && screen.LongestT < 1e4 && screen.Camera.Skew * screen.LongestT < 1e-9;
     }
 
-    /// <summary>Whether machine and scene suit it.</summary>
+    /// <summary>Whether the machine and the scene allow it.</summary>
     public bool IsSupported { get; }
 
-    /// <summary>How far a level may be from the one that doubles give for the same w.</summary>
+    /// <summary>The largest difference between a level and the one in doubles for the same w.</summary>
     public double Error { get; init; }
 
-    /// <summary>The pixels that the last painting left in doubt, by their places in the tile.</summary>
+    /// <summary>The positions of pixels whose bytes the last painting could not decide.</summary>
     public PooledList<int> Doubts { get; } = new();
 
     /// <summary>Writes the bytes of a tile.</summary>
-    /// <param name="tile">The tile.</param>
     /// <param name="covered">The least w that a pixel's hit may have, row by row of <see cref="TilePixels.Stride"/>.</param>
     /// <param name="front">The greatest; 0 where there is no hit.</param>
-    /// <param name="decided">Less than +∞ where the w are not all that is known; null if there is no such pixel.</param>
-    /// <param name="rgb">Room for the bytes.</param>
-    /// <param name="first">The place of the lowest row's first pixel.</param>
-    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    /// <param name="decided">Less than +∞ where the formula decided about a pixel; null if there is none.</param>
+    /// <param name="first">The position of the lowest row's first pixel.</param>
+    /// <param name="step">The distance from a pixel to the one above it.</param>
     public void Paint(in Tile tile, float[] covered, float[] front, double[]? decided, byte[] rgb, int first, int step)
     {
         (this.tile, this.rgb, this.first, this.step) = (tile, rgb, first, step);
@@ -81,7 +71,7 @@ internal sealed class MeshPainter
     }
 
     /// <summary>Writes a pixel by the definition.</summary>
-    /// <param name="pixel">Its place in the tile.</param>
+    /// <param name="pixel">Its position in the tile.</param>
     /// <param name="t">Where its ray hits the mesh; +∞ if it does not.</param>
     public void Write(int pixel, double t)
     {

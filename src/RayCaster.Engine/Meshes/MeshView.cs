@@ -1,10 +1,8 @@
 namespace RayCaster.Engine;
 
 /// <summary>
-/// A mesh as a camera sees it. All rays of a picture start in one point, so each triangle is projected onto the picture once, and a filter in floats
-/// finds for
-/// each pixel of a tile the triangle that is surely in front there; where it is not sure it names several. Which of them is hit, and where, the
-/// triangle's formula decides.
+/// A mesh as a camera sees it. All rays of a picture start in one point, so a filter in floats can project the triangles and find for each pixel the
+/// one that is certainly in front; where that is not certain it proposes several. The triangle's formula then decides which is hit, and where.
 /// </summary>
 internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IPacket<N>
 {
@@ -12,19 +10,16 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     private readonly Vector3[] vertices;
     private readonly int[] indices;
     private readonly ScreenTriangles<N>[] sets = []; // the triangles, and the pieces of those that had to be clipped
-    private readonly TriangleTree? hard;             // over those for which the filter knows nothing
-    private readonly TileFilters<N>? filters;        // one thread's, for all meshes
-    private TileFilter<N>? filter;                   // the one that knows this mesh's pixels, until another mesh takes it
+    private readonly TriangleTree? hard;             // over those of which the filter knows nothing
+    private readonly TileFilters<N>? filters;        // of one thread, for all meshes
+    private TileFilter<N>? filter;                   // holds this mesh's pixels until another mesh takes it
     private Tile entered;
     private bool shows;                              // whether a triangle may show in that tile
 
-    /// <param name="vertices">The corners.</param>
-    /// <param name="indices">Three for each triangle.</param>
-    /// <param name="screen">The camera.</param>
-    /// <param name="threads">How many threads may prepare the view.</param>
-    public MeshView(Vector3[] vertices, int[] indices, ScreenSpace screen, int threads = 1)
+    /// <param name="isKept">Whether what depends only on the mesh stays in memory for the next picture.</param>
+    public MeshView(Mesh mesh, ScreenSpace screen, bool isKept = false, int threads = 1)
     {
-        (this.vertices, this.indices, this.screen) = (vertices, indices, screen);
+        (vertices, indices, this.screen) = (mesh.Vertices, mesh.Indices, screen);
         if (!screen.IsFine)
         {
             hard = new(vertices, indices);
@@ -34,7 +29,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
 
         var whole = new ScreenTriangles<N>(
             screen, new MeshCorners<N>(screen, vertices, indices), null,
-            each => new ClusterSorter<N>(screen, vertices, indices, each), () => new Duplicates(vertices, indices), threads);
+            TriangleBoxes.Of(mesh, isKept, threads), () => new Duplicates(vertices, indices), threads);
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
@@ -51,13 +46,10 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         this.filters = filters;
     }
 
-    /// <inheritdoc/>
     public override Tile Extent { get; }
 
-    /// <inheritdoc/>
     public override ModelView<N> ForThread(ThreadTools? tools = null) => new MeshView<N>(this, (tools ?? new()).Of<TileFilters<N>>());
 
-    /// <inheritdoc/>
     public override HitRange Enter(in Tile tile, HitRange known)
     {
         if (sets.Length == 0) return known;
@@ -66,7 +58,6 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         return hard is null ? range : range with { Least = 0 };
     }
 
-    /// <inheritdoc/>
     public override void Meet(RayStream rays, int index)
     {
         if (shows) OwnFilter().Meet(rays, index);
@@ -74,13 +65,11 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         for (var i = 0; i < rays.Length; i += N.Count) rays.Keep(i, hard.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
     }
 
-    /// <inheritdoc/>
     public override void Free()
     {
         foreach (var set in sets) set.Free();
     }
 
-    /// <inheritdoc/>
     public bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
     {
         if (hard is not null) return false;
@@ -98,7 +87,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         return range;
     }
 
-    /// <summary>The filter that knows this mesh's pixels in the entered tile. If another mesh has taken it, the tile is entered anew.</summary>
+    /// <summary>The filter that holds this mesh's pixels in the entered tile. If another mesh has taken it, the tile is entered anew.</summary>
     private TileFilter<N> OwnFilter()
     {
         if (filter!.Owner != this || filter.Tile != entered) Enter();

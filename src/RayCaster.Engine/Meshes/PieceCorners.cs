@@ -2,14 +2,12 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>The corners of triangles that are on the screen already.</summary>
+/// <summary>The corners of triangles that are projected already.</summary>
 /// <param name="points">x, y and w of three corners for each triangle.</param>
 internal sealed class PieceCorners(Vector128<float>[] points) : Corners
 {
-    /// <inheritdoc/>
     public override int Count => points.Length / 3;
 
-    /// <inheritdoc/>
     public override void See(ReadOnlySpan<int> triangles, out EightTriangles seen) =>
         (seen.A, seen.B, seen.C) = (See(triangles, 0), See(triangles, 1), See(triangles, 2));
 

@@ -2,10 +2,7 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Sorts out the triangles that cannot be projected as they are, since they reach behind the eye or far off the picture: what shows of them becomes
-/// pieces that can.
-/// </summary>
+/// <summary>Clips the triangles that reach behind the eye or far off the picture into pieces that can be projected.</summary>
 internal sealed class ScreenClipper
 {
     private readonly ScreenSpace screen;
@@ -27,7 +24,7 @@ internal sealed class ScreenClipper
         ];
     }
 
-    /// <summary>Triangles of which nothing is known but by their formula: three vertices for each.</summary>
+    /// <summary>Triangles of which only the formula knows anything: three vertices for each.</summary>
     public List<int> Hard { get; } = [];
 
     /// <summary>The pieces, three points for each.</summary>
@@ -36,7 +33,6 @@ internal sealed class ScreenClipper
     /// <summary>The triangles that the pieces belong to.</summary>
     public int[] Owners => [.. owners];
 
-    /// <summary>Takes a triangle by its corners' places.</summary>
     public void Add(int triangle, int cornerA, int cornerB, int cornerC)
     {
         var (a, b, c) = (screen.See(vertices[cornerA]), screen.See(vertices[cornerB]), screen.See(vertices[cornerC]));
@@ -48,8 +44,8 @@ internal sealed class ScreenClipper
         }
 
         // Seen edge-on, the formula's weights are noise and its t may be any that the corners span, so a triangle behind the eye might be "hit"
-        // before it.
-        // The volume over the triangle is t · area; beyond 1e-12 of its greatest value its sign, and t's, is safe, since it rounds by some 1e-15.
+        // before it. The volume over the triangle is t · area; beyond 1e-12 of its greatest value its sign, and t's, is safe, since it rounds by
+        // some 1e-15.
         var (inFront, behind) = (Math.Min(a.Z, Math.Min(b.Z, c.Z)) > 1e-9 * size, Math.Max(a.Z, Math.Max(b.Z, c.Z)) < -1e-9 * size);
         var volume = Math.Abs(a % b * c) / (size * size * size);
         if (!inFront && volume < 1e-12)
@@ -70,7 +66,7 @@ internal sealed class ScreenClipper
         void AddHard() => Hard.AddRange([cornerA, cornerB, cornerC]);
     }
 
-    /// <summary>Clips a triangle that is seen well enough that its t is good to 1e-8; false if the pieces would not be exact.</summary>
+    /// <summary>Clips a triangle whose t is accurate to 1e-8; false if the pieces would not be accurate.</summary>
     private bool Clip(Vector3 a, Vector3 b, Vector3 c, double size, int triangle)
     {
         polygon.Clear();

@@ -3,11 +3,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Where a camera sees points: the column and row that a point falls on (samples lie at whole numbers) and w = |T − P| / depth, which over the
-/// picture
-/// plane is linear on every flat surface. All that is told in floats, with margins for what they and the primitive's formula round.
-/// </summary>
+/// <summary>Screen space: the column and row of a point (samples lie at whole numbers) and w = |T − P| / depth, which is linear over the picture on
+/// every flat surface; in floats, with margins for what they and the triangle's formula round.</summary>
 internal sealed class ScreenSpace
 {
     private readonly Vector3 origin, u, v, w;
@@ -59,38 +56,38 @@ internal sealed class ScreenSpace
     /// <inheritdoc cref="CenterX"/>
     public double CenterY { get; }
 
-    /// <summary>How many pixels off the picture a corner may be. Triangles that reach farther are clipped, so that floats stay exact
+    /// <summary>How many pixels off the picture a corner may lie. Triangles that reach farther are clipped, so that floats stay accurate
     /// enough.</summary>
     public double Guard { get; }
 
-    /// <summary>The t of the rays that are longest to a depth of 1.</summary>
+    /// <summary>The greatest t of a ray at depth 1.</summary>
     public double LongestT { get; }
 
-    /// <summary>Pixels by which doubles may put a corner, and a ray, wrong.</summary>
+    /// <summary>The error of a corner and a ray in doubles, in pixels.</summary>
     public double DoubleMargin { get; }
 
-    /// <summary>Pixels by which floats may.</summary>
+    /// <summary>The error of a corner in floats, in pixels.</summary>
     public float Margin { get; init; }
 
-    /// <summary>What some float operations on numbers of a size of up to 1 are off by at most.</summary>
+    /// <summary>The greatest error of some float operations on numbers up to 1.</summary>
     public float Roundings { get; init; } = 1f / (1 << 20);
 
-    /// <summary>Twice the area of a triangle by its width and height, in pixels, from which its t lies safely on its plane.</summary>
+    /// <summary>Twice a triangle's area divided by its width and height, in pixels; from this value on, its t certainly lies on its plane.</summary>
     public float LeastWidth { get; init; }
 
-    /// <summary>Whether doubles tell pixels of this camera apart at all; with a view of 1e-9 degrees they do not.</summary>
+    /// <summary>Whether doubles can tell this camera's pixels apart; with a view of 1e-9 degrees they cannot.</summary>
     public bool IsFine { get; }
 
-    /// <summary>Nothing that is less deep counts.</summary>
+    /// <summary>No hit at a lesser depth counts.</summary>
     public double LeastDepth { get; }
 
-    /// <summary>Hits between these surely count.</summary>
+    /// <summary>Hits with a w between these certainly count.</summary>
     public float LeastSureW { get; init; }
 
     /// <inheritdoc cref="LeastSureW"/>
     public float MostSureW { get; init; }
 
-    /// <summary>Hits surely do not count outside of these.</summary>
+    /// <summary>Hits with a w outside of these certainly do not count.</summary>
     public float LeastW { get; }
 
     /// <inheritdoc cref="LeastW"/>
@@ -114,8 +111,7 @@ internal sealed class ScreenSpace
     /// <summary>Column, row and w of points.</summary>
     /// <remarks>
     /// The axes in pixels are rounded once more than those of the camera, and products and sums less often; what that changes is a few parts in 2⁵³
-    /// of a
-    /// coordinate, as <see cref="DoubleMargin"/> counts for any order of these steps. What overflows is not fit for floats.
+    /// of a coordinate, as <see cref="DoubleMargin"/> counts for any order of these steps. What overflows is not fit for floats.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (N X, N Y, N W) Project<N>(Vector3<N> point) where N : struct, IPacket<N>, IReal<N>

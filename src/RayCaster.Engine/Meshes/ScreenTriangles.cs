@@ -1,72 +1,63 @@
 namespace RayCaster.Engine;
 
 /// <summary>Triangles on the screen, sorted into the tiles of the picture in which they may cover a sample.</summary>
-/// <typeparam name="N">The kind of packet that sorts groups.</typeparam>
 internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 {
     private const int LeastForAThread = 1 << 15;
 
     private readonly int tilesAcross;
-    private readonly Bins<int> triangles; // two places for each tile: those whose corners are seen one way around, and the others
+    private readonly Bins<int> triangles; // two places for each tile, one for each side of a triangle
     private readonly Bins<TriangleCluster> groups;
 
-    /// <param name="screen">The camera.</param>
-    /// <param name="corners">Where the triangles' corners are seen.</param>
-    /// <param name="owners">The mesh's triangle that each belongs to; null where they are the same.</param>
-    /// <param name="group">Makes a sorter of groups, which gives what it does not sort to the one of triangles; null where neighbours mean
-    /// nothing.</param>
-    /// <param name="twins">Makes what knows that triangles are the same; null where that is not known.</param>
-    /// <param name="threads">How many threads may work.</param>
+    /// <param name="owners">The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</param>
+    /// <param name="boxes">The boxes of the clusters; null if triangles are sorted one by one.</param>
+    /// <param name="twins">Makes a table of duplicates; null if it is not needed.</param>
     public ScreenTriangles(
-        ScreenSpace screen, Corners corners, int[]? owners, Func<TriangleSorter, ClusterSorter<N>>? group, Func<Duplicates>? twins, int threads)
+        ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? twins, int threads)
     {
         (Corners, Owners) = (corners, owners);
         tilesAcross = Tile.TilesOf(screen.Camera.Width);
-        var count = corners.Count;
-        var sorters = new TriangleSorter[Math.Clamp(count / LeastForAThread, 1, threads)];
+        var sorters = new TriangleSorter[Math.Clamp(corners.Count / LeastForAThread, 1, threads)];
         for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
-        var groupers = group is null ? [] : Array.ConvertAll(sorters, sorter => group(sorter));
-        int First(int sorter) =>
-            sorter == sorters.Length ? count : (int)((long)count * sorter / sorters.Length) / TriangleCluster.Length * TriangleCluster.Length;
-        ThreadTeam.Each(sorters.Length, sorters.Length, i =>
+        var clusterSorters = boxes is null ? [] : Array.ConvertAll(sorters, each => new ClusterSorter<N>(screen, boxes, each));
+        ThreadTeam.Shares(sorters.Length, boxes?.Count ?? corners.Count, (i, first, end) =>
         {
-            if (group is null) sorters[i].Add(First(i), First(i + 1));
-            else groupers[i].Add(First(i), First(i + 1));
+            if (boxes is null) sorters[i].Add(first, end);
+            else clusterSorters[i].Add(first, end);
         });
 
         triangles = new(Array.ConvertAll(sorters, sorter => sorter.Triangles));
-        groups = new(Array.ConvertAll(groupers, grouper => grouper.Clusters));
+        groups = new(Array.ConvertAll(clusterSorters, sorter => sorter.Clusters));
         foreach (var sorter in sorters)
         {
             Large.AddRange(sorter.Large);
             Unfit.AddRange(sorter.Unfit);
             Extend(sorter.Extent);
         }
-        foreach (var grouper in groupers) Extend(grouper.Extent);
+        foreach (var sorter in clusterSorters) Extend(sorter.Extent);
     }
 
-    /// <summary>Where the triangles' corners are.</summary>
     public Corners Corners { get; }
 
-    /// <summary>The mesh's triangle that each belongs to; null where they are the same.</summary>
+    /// <summary>The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</summary>
     public int[]? Owners { get; }
 
-    /// <summary>Where samples may be covered.</summary>
+    /// <summary>The pixels that may be covered.</summary>
     public (int Left, int Right, int Bottom, int Top) Extent { get; private set; } = (int.MaxValue, -1, int.MaxValue, -1);
 
-    /// <summary>Triangles with corners that are not fit for floats; they are not sorted.</summary>
+    /// <summary>Triangles with a corner that is not fit for floats; they are not sorted.</summary>
     public List<int> Unfit { get; } = [];
 
-    /// <summary>Those that may show in any tile.</summary>
+    /// <summary>Triangles that may show in any tile.</summary>
     public List<int> Large { get; } = [];
 
-    /// <summary>Those of a tile that are seen with their corners one way (0) or the other way (1) around, but for those in groups.</summary>
+    /// <summary>The triangles of a tile whose corners run one way (0) or the other way (1) around, except those in clusters.</summary>
     public ReadOnlySpan<int> Of(in Tile tile, int side) => triangles[2 * PlaceOf(tile) + side];
 
-    /// <summary>Clusters of a tile most of which are seen one way or the other way around.</summary>
+    /// <summary>The clusters of a tile whose middle triangle runs one way or the other way around.</summary>
     public ReadOnlySpan<TriangleCluster> ClustersOf(in Tile tile, int side) => groups[2 * PlaceOf(tile) + side];
 
-    /// <summary>Gives rented memory back; nothing may be asked for any more.</summary>
+    /// <summary>Returns rented memory; the object cannot be used any more.</summary>
     public void Free()
     {
         triangles.Free();

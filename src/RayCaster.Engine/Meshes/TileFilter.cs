@@ -4,11 +4,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is left out,
-/// group by
-/// group, then triangles that cover no sample, eight at once.
-/// </summary>
+/// <summary>One thread's tool for one tile after another: finds for each pixel the triangle that may be in front there. What is surely hidden is
+/// left out, group by group, then triangles that cover no sample, eight at once.</summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
     /// <summary>How many groups are looked at before any of them is drawn, and how many of these their memory is asked for in advance.</summary>
@@ -24,7 +21,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private Tile tile;
     private bool isEmpty;
 
-    /// <param name="screen">The camera.</param>
     public TileFilter(ScreenSpace screen)
     {
         this.screen = screen;
@@ -35,13 +31,10 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <summary>The view whose pixels it knows; null where it knows none.</summary>
     public MeshView<N>? Owner { get; private set; }
 
-    /// <summary>The tile that was entered last.</summary>
     public Tile Tile => tile;
 
     /// <summary>Goes to another mesh.</summary>
     /// <param name="owner">The view that uses it from now on.</param>
-    /// <param name="vertices">The mesh's corners.</param>
-    /// <param name="indices">Three for each triangle.</param>
     public void Show(MeshView<N> owner, Vector3[] vertices, int[] indices)
     {
         Owner = owner;
@@ -49,7 +42,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         hits.Show(vertices, indices);
     }
 
-    /// <summary>Finds the pixels' triangles.</summary>
     public HitRange Enter(in Tile tile, ScreenTriangles<N>[] sets)
     {
         this.tile = tile;
@@ -82,7 +74,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             least > 0 ? screen.Unit / least * screen.LongestT * (1 + 1e-6) : double.PositiveInfinity);
     }
 
-    /// <summary>Keeps the hits of a part of a row of the tile.</summary>
+    /// <summary>Keeps the mesh's hits for some pixels of a row.</summary>
     public void Meet(RayStream rays, int index) => hits.Meet(rays, index);
 
     /// <inheritdoc cref="TileHits{N}.Paint"/>

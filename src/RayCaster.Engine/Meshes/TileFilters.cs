@@ -1,10 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's filters, which the meshes of a tile share: each has a tenth of a megabyte, and a scene may have thousands of meshes. A tile with
-/// more meshes than there are filters takes longer, for a mesh whose filter another one has taken enters the tile anew.
-/// </summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <summary>One thread's filters, which the meshes of a tile share: each has a tenth of a megabyte, and a scene may have thousands of meshes. A tile
+/// with more meshes than there are filters takes longer, for a mesh whose filter another one has taken enters the tile anew.</summary>
 internal sealed class TileFilters<N> where N : struct, IPacket<N>
 {
     private const int Most = 32;
@@ -14,8 +11,6 @@ internal sealed class TileFilters<N> where N : struct, IPacket<N>
     private (int Index, MeshPainter Painter)? painter;
 
     /// <summary>A filter for a mesh in a tile: one that another tile has left, or a new one; where there are many, the one taken first.</summary>
-    /// <param name="screen">The camera.</param>
-    /// <param name="tile">The tile.</param>
     public TileFilter<N> Take(ScreenSpace screen, in Tile tile)
     {
         if (next == filters.Count) next = 0;
@@ -25,9 +20,6 @@ internal sealed class TileFilters<N> where N : struct, IPacket<N>
     }
 
     /// <summary>What paints tiles in which nothing but one mesh shows.</summary>
-    /// <param name="screen">The camera.</param>
-    /// <param name="scene">The scene.</param>
-    /// <param name="index">The mesh's place in it.</param>
     public MeshPainter PainterOf(ScreenSpace screen, Scene scene, int index)
     {
         if (painter is not var (known, same) || known != index) painter = (index, same = new(screen, scene, index));

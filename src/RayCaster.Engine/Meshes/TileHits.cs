@@ -3,20 +3,15 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tool: computes by the triangles' formula where the rays of a tile hit the triangles that the filter proposes.</summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
-/// <param name="screen">The camera.</param>
-/// <param name="pixels">What the filter knows.</param>
+/// <summary>Computes where the rays of a tile hit the triangles that the filter proposes, by the triangle's formula; each thread has its
+/// own.</summary>
 internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N : struct, IPacket<N>
 {
     private readonly ExactHits<N> exact = new(screen);
 
-    /// <summary>Goes to another mesh.</summary>
-    /// <param name="vertices">Its corners.</param>
-    /// <param name="indices">Three for each triangle.</param>
     public void Show(Vector3[] vertices, int[] indices) => exact.Show(vertices, indices);
 
-    /// <summary>Computes the hits that wait and may still be in front.</summary>
+    /// <summary>Computes the queued hits that may still be in front.</summary>
     public void Decide()
     {
         if (pixels.Queue.Count == 0) return;
@@ -28,7 +23,7 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
         pixels.Queue.Clear();
     }
 
-    /// <summary>Keeps the hits of a part of a row of the tile.</summary>
+    /// <summary>Keeps the mesh's hits for some pixels of a row.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Meet(RayStream rays, int index)
     {
@@ -48,7 +43,7 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
         }
     }
 
-    /// <summary>Writes the bytes of the tile, in which nothing but the mesh may show.</summary>
+    /// <summary>Writes the bytes of a tile in which only the mesh may show.</summary>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step)
     {
         painter.Paint(pixels.Tile, pixels.Covered, pixels.Front, pixels.HasDecided ? pixels.Decided : null, rgb, first, step);

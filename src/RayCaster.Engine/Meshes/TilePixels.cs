@@ -4,52 +4,49 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// What one thread knows of each pixel of a tile: the triangle that may be in front there. A triangle that surely covers a pixel hides all that is
-/// surely
-/// behind it; where two are too close to each other or a sample too close to a side, the second one waits in a queue for its formula.
+/// What the filter knows of each pixel of a tile: the triangle that may be in front. A triangle that certainly covers a pixel hides what is
+/// certainly behind it. Where two are too close to each other, or a sample is too close to an edge, the second triangle waits in a queue for its
+/// formula.
 /// </summary>
 internal sealed class TilePixels
 {
-    /// <summary>From a pixel to the one above it. What a packet at the end of a row holds of the next one stays as it is.</summary>
+    /// <summary>The distance from a pixel to the one above it. A packet at the end of a row leaves the next row unchanged.</summary>
     public const int Stride = Tile.MaxSide;
 
-    /// <summary>How many pixels there are, with room for a packet that begins at the last, and for a row above, since rows are looked at by
-    /// twos.</summary>
-    public const int Size = Stride * (Tile.MaxSide + 1) + 8;
+    /// <summary>The number of pixels, with room for a packet that begins at the last one, and for three rows above, since at least four rows are
+    /// processed.</summary>
+    public const int Size = Stride * (Tile.MaxSide + 4) + 8;
 
     private const int QueueLength = 1 << 14;
 
     private readonly Duplicates twins = new([], []);
 
-    /// <summary>A hit with at least this w is sure; 0 for none.</summary>
+    /// <summary>Each pixel certainly has a hit with at least this w; 0 for none.</summary>
     public float[] Covered { get; } = new float[Size];
 
-    /// <summary>The w of the proposed triangle is at most this; 0 where there is none.</summary>
+    /// <summary>The greatest w of the proposed triangle; 0 if there is none.</summary>
     public float[] Front { get; } = new float[Size];
 
-    /// <summary>The triangle; any where there is none.</summary>
+    /// <summary>The proposed triangle; any number if there is none.</summary>
     public int[] Proposed { get; } = new int[Size];
 
-    /// <summary>The least t of the hits that the formula had to decide; +∞ where there are none. It means nothing unless
-    /// <see cref="HasDecided"/>.</summary>
+    /// <summary>The least t of the hits that the formula computed; +∞ if there are none. Valid only if <see cref="HasDecided"/>.</summary>
     public double[] Decided { get; } = new double[Size];
 
-    /// <summary>Whether the formula had to decide about any pixel.</summary>
+    /// <summary>Whether the formula has computed any hit.</summary>
     public bool HasDecided { get; private set; }
 
-    /// <summary>Pixels and triangles that wait for the formula.</summary>
+    /// <summary>Pixels and triangles for the formula to decide.</summary>
     public PooledList<(int Pixel, int Triangle, float MostW)> Queue { get; } = new();
 
-    /// <summary>Whether so many wait that the formula should decide about them now.</summary>
+    /// <summary>Whether the queue is so long that the formula should decide now.</summary>
     public bool IsFull => Queue.Count > QueueLength;
 
-    /// <summary>The tile.</summary>
     public Tile Tile { get; private set; }
 
-    /// <summary>Goes to another mesh.</summary>
     public void Show(Vector3[] vertices, int[] indices) => twins.Show(vertices, indices);
 
-    /// <summary>Forgets all; beyond the tile's pixels everything is covered, so that they do not count where the least is looked for.</summary>
+    /// <summary>Forgets all. Places outside the tile are covered, so that they do not affect the coarse depth.</summary>
     public void Enter(in Tile tile)
     {
         Tile = tile;
@@ -62,19 +59,17 @@ internal sealed class TilePixels
             Covered.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
     }
 
-    /// <summary>Lets a pixel's triangle wait for its formula.</summary>
+    /// <summary>Queues a pixel and a triangle.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Enqueue(int pixel, int triangle, float mostW)
     {
         if (!twins.HasEarlier(triangle)) Queue.Add((pixel, triangle, mostW));
     }
 
-    /// <summary>The same for some pixels.</summary>
-    /// <param name="triangle">The triangle.</param>
-    /// <param name="count">How many packets of pixels there are.</param>
-    /// <param name="pixels">Their first pixels.</param>
-    /// <param name="lanes">A bit for each of their pixels that is meant.</param>
-    /// <param name="mostW">The w of all of their pixels.</param>
+    /// <summary>Queues some pixels of a triangle.</summary>
+    /// <param name="pixels">The first pixel of each packet.</param>
+    /// <param name="lanes">A bit for each pixel of a packet that is queued.</param>
+    /// <param name="mostW">The greatest w of each pixel.</param>
     public void Enqueue(int triangle, int count, int[] pixels, uint[] lanes, float[] mostW)
     {
         if (twins.HasEarlier(triangle)) return;
@@ -88,7 +83,7 @@ internal sealed class TilePixels
         }
     }
 
-    /// <summary>Says that the formula decides about some pixels.</summary>
+    /// <summary>Prepares for the first hits that the formula computes.</summary>
     public void BeginDecided()
     {
         if (!HasDecided) Decided.AsSpan().Fill(double.PositiveInfinity);

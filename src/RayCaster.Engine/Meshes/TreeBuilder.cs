@@ -4,15 +4,12 @@ namespace RayCaster.Engine;
 internal sealed class TreeBuilder
 {
     private const int MaxLeaf = 4;
-    private const int Bins = 16;
-    private const int MaxDepthByArea = 64;
+    private const int MostUnevenLevels = 64;
 
     private readonly int[] order; // triangles by leaf
     private readonly Bounds[] bounds;
     private readonly List<TreeNode> nodes = [];
 
-    /// <param name="vertices">The corners.</param>
-    /// <param name="indices">Three for each triangle.</param>
     public TreeBuilder(Vector3[] vertices, int[] indices)
     {
         order = new int[indices.Length / 3];
@@ -24,14 +21,14 @@ internal sealed class TreeBuilder
         }
     }
 
-    /// <summary>The nodes, the root first, the order of the triangles in the leaves, and how many nodes lie upon one another at most.</summary>
+    /// <summary>The nodes, the root first; the order of the triangles in the leaves; and the tree's depth.</summary>
     public (TreeNode[] Nodes, int[] Order, int Depth) Build()
     {
         var depth = order.Length > 0 ? Add(0, order.Length, 1) : 0;
         return ([.. nodes], order, depth);
     }
 
-    /// <summary>Adds the node of a part of the order and returns how deep it goes.</summary>
+    /// <summary>Adds the node of a part of the order and returns its depth.</summary>
     private int Add(int first, int end, int level)
     {
         Bounds all = Bounds.Empty, centers = Bounds.Empty;
@@ -48,66 +45,26 @@ internal sealed class TreeBuilder
             nodes.Add(new TreeNode(all, 0, first, end - first, 0));
             return level;
         }
-        nodes.Add(default); // its second child is not known yet
+        nodes.Add(default); // the second child is not known yet
         var deepest = Add(first, middle, level + 1);
         nodes[place] = new TreeNode(all, nodes.Count, 0, 0, axis);
         return Math.Max(deepest, Add(middle, end, level + 1));
     }
 
-    /// <summary>
-    /// Parts the order at <c>Middle</c> so that the surface area heuristic (SAH: area × triangles of both sides) is least over planes at equal steps
-    /// along the longest axis (after Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
-    /// </summary>
+    /// <summary>Parts the order at <c>Middle</c>, by a plane across the middle of the longest axis.</summary>
     private (int Axis, int Middle) Split(Bounds centers, int first, int end, int level)
     {
         var size = centers.Max - centers.Min;
         var axis = size.X >= size.Y && size.X >= size.Z ? 0 : size.Y >= size.Z ? 1 : 2;
-        var (from, length) = (Coordinate(centers.Min, axis), Coordinate(size, axis));
-        int BinOf(int triangle) =>
-            Math.Clamp((int)((Coordinate(Center(bounds[triangle]), axis) - from) / length * Bins), 0, Bins - 1);
-
-        var middle = first;
-        if (length > 0 && level < MaxDepthByArea)
+        var (plane, middle) = (Coordinate(Center(centers), axis), first);
+        for (var i = first; i < end && level < MostUnevenLevels; i++)
         {
-            var cut = CheapestCut(first, end, BinOf);
-            for (var i = first; i < end; i++)
-            {
-                if (BinOf(order[i]) >= cut) continue;
-                (order[i], order[middle]) = (order[middle], order[i]);
-                middle++;
-            }
+            if (!(Coordinate(Center(bounds[order[i]]), axis) < plane)) continue;
+            (order[i], order[middle]) = (order[middle], order[i]);
+            middle++;
         }
-        // Duplicates in one place, or parts so uneven that the tree would not end: halves.
-        return middle > first && middle < end ? (axis, middle) : (axis, (first + end) / 2);
-    }
-
-    private int CheapestCut(int first, int end, Func<int, int> binOf)
-    {
-        Span<Bounds> bins = stackalloc Bounds[Bins];
-        Span<int> counts = stackalloc int[Bins];
-        bins.Fill(Bounds.Empty);
-        for (var i = first; i < end; i++)
-        {
-            var bin = binOf(order[i]);
-            bins[bin] = bins[bin].With(bounds[order[i]]);
-            counts[bin]++;
-        }
-
-        Span<double> costs = stackalloc double[Bins]; // of cutting before a bin
-        Bounds left = Bounds.Empty, right = Bounds.Empty;
-        for (int bin = 1, count = 0; bin < Bins; bin++)
-        {
-            left = left.With(bins[bin - 1]);
-            costs[bin] = left.HalfArea * (count += counts[bin - 1]);
-        }
-        var (best, cheapest) = (1, double.PositiveInfinity);
-        for (int bin = Bins - 1, count = 0; bin > 0; bin--)
-        {
-            right = right.With(bins[bin]);
-            costs[bin] += right.HalfArea * (count += counts[bin]);
-            if (costs[bin] < cheapest) (best, cheapest) = (bin, costs[bin]);
-        }
-        return best;
+        // If all are on one side, as duplicates are, or the tree becomes too deep: halves.
+        return (axis, middle > first && middle < end ? middle : (first + end) / 2);
     }
 
     private static Vector3 Center(Bounds bounds) => 0.5 * bounds.Min + 0.5 * bounds.Max;

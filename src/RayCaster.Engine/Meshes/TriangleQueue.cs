@@ -4,31 +4,25 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Triangles that wait until there are many of them: of eight that come together often only some need a further look; and while they are only
-/// collected,
-/// nothing depends on what comes out, so that the processor can work far ahead.
-/// </summary>
+/// <summary>Collects triangles until there are many of them: of eight that come together often only some go on, and while they are only collected,
+/// no instruction waits for a result.</summary>
 internal sealed class TriangleQueue
 {
-    /// <summary>The most that ever wait.</summary>
+    /// <summary>The most triangles in the queue.</summary>
     public const int Limit = 128;
 
     private const int Room = Limit + 8;
 
     private static readonly int[] Orders = MakeOrders();
 
-    private readonly int[] orders = Orders; // a field of its own: code compiled early asks at each use whether a static one is there
+    private readonly int[] orders = Orders; // code that is compiled early checks at each use whether a static field is initialised
     private readonly float[] corners = new float[9 * Room];
     private readonly int[] triangles = new int[Room];
 
-    /// <summary>How many there are.</summary>
     public int Count { get; private set; }
 
-    /// <summary>Whether there is no room for another eight.</summary>
     public bool IsFull => Count > Limit - 8;
 
-    /// <summary>Their numbers.</summary>
     public RawSpan<int> Triangles => new(triangles);
 
     /// <summary>Adds some of eight triangles, while it is not full.</summary>
@@ -49,7 +43,7 @@ internal sealed class TriangleQueue
         Count += BitOperations.PopCount(lanes);
     }
 
-    /// <summary>Eight of them; where fewer are left, the other lanes hold what was there before.</summary>
+    /// <summary>Eight of them; if fewer are left, the other lanes are meaningless.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public EightTriangles See(int first) => new() { A = Points(first), B = Points(first + 3 * Room), C = Points(first + 6 * Room) };
 
@@ -57,10 +51,9 @@ internal sealed class TriangleQueue
     private EightPoints Points(int first) => new(
         corners.Load256(first), corners.Load256(first + Room), corners.Load256(first + 2 * Room));
 
-    /// <summary>Forgets all.</summary>
     public void Clear() => Count = 0;
 
-    /// <summary>For each mask of eight lanes the numbers of the lanes that are set, from the first place on.</summary>
+    /// <summary>For each mask of eight lanes, the numbers of the lanes that are set, in order.</summary>
     private static int[] MakeOrders()
     {
         var orders = new int[8 << 8];

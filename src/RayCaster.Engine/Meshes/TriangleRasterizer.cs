@@ -4,32 +4,29 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tool: covers the pixels of a tile with triangles.</summary>
+/// <summary>Rasterizes triangles in a tile; each thread has its own.</summary>
 /// <remarks>
-/// Every second sample of a small box is outside or hidden, and no processor foresees which. So pixels are written whether or not anything changes;
-/// only what is
-/// not sure, which is rare, has a branch. In a large box what is outside lies together.
+/// Every second sample of a small box is outside or hidden, and branch prediction cannot tell which. So pixels are written whether or not anything
+/// changes; only uncertain ones, which are rare, take a branch. In a large box samples outside are predictable, so a branch skips them.
 /// </remarks>
-/// <param name="screen">The camera.</param>
-/// <param name="pixels">What is known of the pixels.</param>
-/// <param name="decide">Empties the queue of pixels that wait for the formula.</param>
+/// <param name="decide">Decides about all queued pixels.</param>
 internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, Action decide)
 {
-    /// <summary>Triangles whose boxes have at most as many samples a side are small.</summary>
+    /// <summary>A triangle is small if its box has at most so many samples on each side.</summary>
     public const int SmallSide = 2;
 
-    /// <summary>Those with at least as many on one side are large: most of the box of a long one is outside.</summary>
+    /// <summary>A triangle is large if its box has at least so many samples on one side: most of a long one's box is outside.</summary>
     private const int LargeSide = 24;
 
     private readonly float[] upperOfLane = new float[8], lowerOfLane = new float[8];
-    private readonly float[] unsureUppers = new float[TilePixels.Size]; // of the triangle at work: packets with pixels that are not sure
+    private readonly float[] unsureUppers = new float[TilePixels.Size]; // packets of the current triangle with uncertain pixels
     private readonly int[] unsurePixels = new int[TilePixels.Size / 8];
     private readonly uint[] unsureLanes = new uint[TilePixels.Size / 8];
     private readonly float[] setup = new float[TriangleSetUp.Length];
     private Tile tile;
     private Vector256<float> greatestW;
 
-    /// <summary>No triangle of the tile has a greater w.</summary>
+    /// <summary>The greatest w of the tile's triangles.</summary>
     public float GreatestW
     {
         get
@@ -40,10 +37,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         }
     }
 
-    /// <summary>Comes to a tile.</summary>
     public void Enter(in Tile tile) => (this.tile, greatestW) = (tile, Vector256<float>.Zero);
 
-    /// <summary>Takes small triangles, eight at once.</summary>
     public void AddSmall(TriangleQueue triangles)
     {
         for (var first = 0; first < triangles.Count; first += 8)
@@ -54,7 +49,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         triangles.Clear();
     }
 
-    /// <summary>Takes triangles of any size, one by one.</summary>
     public void AddLarge(TriangleQueue triangles)
     {
         for (var first = 0; first < triangles.Count; first += 8)
@@ -72,10 +66,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         return triangles.Count - first < 8 ? shows & ((1u << (triangles.Count - first)) - 1) : shows;
     }
 
-    /// <summary>Takes eight small triangles that are set up, sample by sample of their boxes.</summary>
-    /// <param name="names">The mesh's triangles.</param>
-    /// <param name="firstName">The place there of the first one.</param>
-    /// <param name="shows">Which of them to look at.</param>
+    /// <summary>Covers samples of eight small triangles, one sample of each at a time.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void CoverSmall(RawSpan<int> names, int firstName, uint shows)
     {
@@ -125,16 +116,13 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         }
     }
 
-    /// <summary>A function at a sample of each triangle's box.</summary>
+    /// <summary>The value of a function at one sample of each triangle's box.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> At(RawSpan<float> setup, int field, Vector256<float> right, Vector256<float> up) =>
         Vector256.MultiplyAddEstimate(
         up, Field(setup, field + 2), Vector256.MultiplyAddEstimate(right, Field(setup, field + 1), Field(setup, field)));
 
-    /// <summary>Takes the triangles that are set up, eight pixels of two rows at a time.</summary>
-    /// <param name="names">The mesh's triangles.</param>
-    /// <param name="firstName">The place there of the first one.</param>
-    /// <param name="shows">Which of them to look at.</param>
+    /// <summary>Covers samples of triangles one by one, eight pixels of two rows at a time.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Cover(RawSpan<int> names, int firstName, uint shows)
     {
@@ -166,9 +154,10 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                 var (most, least) = (All(s, lane, TriangleSetUp.MostW), All(s, lane, TriangleSetUp.LeastW));
                 var (outside, inside) = (All(s, lane, TriangleSetUp.Outside), All(s, lane, TriangleSetUp.Inside));
                 var up = Vector512.Create(0f, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
-                var last = Vector512.Create((float)height); // the second of two rows may be beyond it
+                var last = Vector512.Create((float)height); // the second of two rows may lie beyond it
                 var pixel = first + x;
-                for (var y = 0; y <= height; y += 2, pixel += 2 * TilePixels.Stride, up += Vector512.Create(2f))
+                // At least four rows: branch prediction cannot tell whether a small triangle has more than two.
+                for (var y = 0; y <= (height | 2); y += 2, pixel += 2 * TilePixels.Stride, up += Vector512.Create(2f))
                 {
                     var inner = Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upU, u),
                         Vector512.MinNative(Vector512.MultiplyAddEstimate(up, upV, v), Vector512.MultiplyAddEstimate(up, upW, w)));
@@ -187,7 +176,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
 
                     var unsure = (uint)Vector512.AndNot(possible, wins).ExtractMostSignificantBits();
                     if (unsure == 0) continue;
-                    uppers.Store(upper, 8 * count); // a call here would put all that is in registers on the stack
+                    uppers.Store(upper, 8 * count); // a call here would spill all registers
                     (unsureAt[count], pixelAt[count]) = (unsure & 0xFF, pixel);
                     count++;
                     (unsureAt[count], pixelAt[count]) = (unsure >> 8, pixel + TilePixels.Stride);
@@ -198,7 +187,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         }
     }
 
-    /// <summary>One triangle's number in all lanes.</summary>
+    /// <summary>One triangle's value in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<float> All(RawSpan<float> setup, int lane, int field) => Vector512.Create(setup[8 * field + lane]);
 

@@ -3,31 +3,28 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// What the filter knows of eight triangles in a tile: the box of samples, for each side a function that is positive on the inner side, w as a
-/// function of the
-/// place, all with margins. Each field has eight lanes.
-/// </summary>
+/// <summary>What the filter needs of eight triangles in a tile: the box of samples, an edge function for each side that is positive inside, and w as
+/// a function of the place, all with margins. Each field has eight lanes.</summary>
 internal static class TriangleSetUp
 {
-    /// <summary>The functions: the value at the box's lower left sample, the step to the right, the step upwards.</summary>
+    /// <summary>The functions: the value at the box's lower left sample, the step to the right, and the step upwards.</summary>
     public const int U = 0, V = 3, W = 6, Depth = 9;
 
-    /// <summary>Whole numbers: the place of that sample's pixel (<see cref="TilePixels.Stride"/>), and how many more samples there are to the right
-    /// and upwards.</summary>
+    /// <summary>Integers: the position of that sample's pixel (<see cref="TilePixels.Stride"/>), and the number of further samples to the right and
+    /// upwards.</summary>
     public const int Pixel = 12, Across = 13, Upwards = 14;
 
-    /// <summary>w is known up to ± this, and lies between these; the greatest is 0 where the triangle does not show.</summary>
+    /// <summary>The error of w, and its range; the greatest w is 0 where the triangle does not show.</summary>
     public const int Slack = 15, LeastW = 16, MostW = 17;
 
-    /// <summary>A sample with a side function below the first is surely outside, with all above the second surely covered.</summary>
+    /// <summary>A sample with an edge function below the first is certainly outside; with all above the second it is certainly covered.</summary>
     public const int Outside = 18, Inside = 19;
 
     /// <summary>Numbers in all.</summary>
     public const int Length = 8 * 20;
 
-    /// <summary>Fills the fields for eight triangles and returns a bit for each that may show in the tile.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    /// <summary>Computes the fields of eight triangles and returns a bit for each that may show in the tile.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public static uint Of(TriangleQueue triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
     {
         var t = triangles.See(first);
@@ -47,10 +44,9 @@ internal static class TriangleSetUp
         var shows = Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top);
 
         // Twice the areas of the triangles that a sample makes with the sides: (b − s) × (c − s). With corners off by δ such a product is off by 2 δ
-        // · size,
-        // since a sample in the box is not farther from a corner than the box is wide and high. It, and its steps to the right and upwards, round
-        // seven times by 2⁻²⁴ · size times how far a sample may be from a corner, and of that δ holds 2 · 2⁻²⁴ (ScreenSpace.Margin): less than 4 δ ·
-        // size.
+        // · size, since a sample in the box is not farther from a corner than the box is wide and high. It, and its steps to the right and upwards,
+        // round seven times by 2⁻²⁴ · size times how far a sample may be from a corner, and of that δ holds 2 · 2⁻²⁴ (ScreenSpace.Margin): less than
+        // 4 δ · size.
         var area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
         var sign = Vector256.ConditionalSelect(Vector256.LessThan(area, zero), -one, one);
         area *= sign;
@@ -62,7 +58,7 @@ internal static class TriangleSetUp
         var w = (left - ax) * wRight + (bottom - ay) * wUp;
         var slack = Vector256.Create(6f) * margin * size;
 
-        // Beside one of its sides lies the whole box, or what the tile leaves of it.
+        // The whole box, cut by the tile, may lie outside of one edge.
         var (across, upwards) = (right - left, top - bottom);
         shows &= Reaches(u, uRight, uUp, across, upwards, slack) & Reaches(v, vRight, vUp, across, upwards, slack)
             & Reaches(w, wRight, wUp, across, upwards, slack);
@@ -95,24 +91,18 @@ internal static class TriangleSetUp
         Keep(fields, Pixel, Whole(bottom * Vector256.Create((float)TilePixels.Stride) + left), Whole(across), Whole(upwards));
         Keep(fields, Slack, Vector256.AndNot(depthSlack, isSliver), leastW * Vector256.Create(1 - 4e-6f),
             shows & (Vector256.ConditionalSelect(isSliver, stretchedW, mostW) * Vector256.Create(1 + 4e-6f)));
-        // Which way around a sliver is seen is not known; if it is the other way, its functions are below its area's and the others' slack.
+        // The orientation of a sliver is not known; if it is the other one, its functions are at most the slack of its area and of the others.
         Vector256.ConditionalSelect(isSliver, Vector256.Create(-3f) * slack, -slack).StoreTo(fields, 8 * Outside);
         Vector256.ConditionalSelect(counts, slack, Vector256.Create(float.PositiveInfinity)).StoreTo(fields, 8 * Inside);
         return shows.ExtractMostSignificantBits();
     }
 
-    /// <summary>Where a sample is surely beside a triangle around which it is in the box.</summary>
-    /// <param name="t">The triangles.</param>
-    /// <param name="column">The samples' columns.</param>
-    /// <param name="row">The samples' rows.</param>
+    /// <summary>Where a sample in a triangle's box is certainly outside the triangle.</summary>
     /// <param name="size">The boxes' widths and heights together.</param>
     /// <param name="margin">How far off the corners may be.</param>
     /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>
-    /// <remarks>
-    /// What the areas are off by is said in <see cref="Of"/>. Which way around a sliver is seen is not known, so one area must surely be below 0,
-    /// and
-    /// one above.
-    /// </remarks>
+    /// <remarks><see cref="Of"/> derives the error of the areas. The orientation of a sliver is not known, so one area must certainly be below 0,
+    /// and one above.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Pass(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
         Vector256<float> margin, out Vector256<float> area)

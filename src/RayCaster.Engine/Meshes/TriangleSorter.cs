@@ -4,32 +4,29 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tool: finds the tiles of triangles, eight at a time.</summary>
-/// <param name="screen">The camera.</param>
-/// <param name="corners">Where the triangles' corners are seen.</param>
-/// <param name="twins">Knows which large triangles are there already; null where that is not known.</param>
+/// <summary>Finds the tiles of triangles, eight at a time; each thread has its own.</summary>
+/// <param name="twins">The large triangles so far; null if duplicates do not matter.</param>
 internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplicates? twins)
 {
-    /// <summary>A triangle in more tiles than this is looked at in every tile, so that a million large ones do not need a place in each.</summary>
+    /// <summary>A triangle in more tiles than this goes to all tiles, so that a million large ones do not fill each tile's list.</summary>
     private const int ManyTiles = 64;
 
     private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
 
-    /// <summary>Triangles by tile and side.</summary>
     public PooledList<(int Place, int Triangle)> Triangles { get; } = new();
 
-    /// <summary>Triangles that are in many tiles.</summary>
+    /// <summary>Triangles in many tiles.</summary>
     public List<int> Large { get; } = [];
 
-    /// <summary>Triangles with corners that are not fit for floats; nothing is known of them.</summary>
+    /// <summary>Triangles with a corner that is not fit for floats.</summary>
     public List<int> Unfit { get; } = [];
 
-    /// <summary>Where samples may be covered.</summary>
+    /// <summary>The pixels that may be covered.</summary>
     public (int Left, int Right, int Bottom, int Top) Extent => extent;
 
-    /// <summary>Takes triangles. Those that surely cover no sample are dropped.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    /// <summary>Sorts triangles; drops those that certainly cover no sample.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
         var (zero, one) = (Vector256<float>.Zero, Vector256<float>.One);
@@ -47,7 +44,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
             var size = right - left + (top - bottom);
 
-            // The samples within the box around the triangle. Columns and rows of a picture are exact in floats.
+            // The samples in the triangle's box. A picture's columns and rows are exact in floats.
             var column0 = Vector256.MaxNative(Vector256.Ceiling(left - margin), zero);
             var column1 = Vector256.MinNative(Vector256.Floor(right + margin), lastColumn);
             var row0 = Vector256.MaxNative(Vector256.Ceiling(bottom - margin), zero);
@@ -60,7 +57,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.A.W, t.B.W, t.C.W) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
             shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
 
-            // Where the box holds one sample only, the sides tell whether it is beside the triangle. (The others are looked at in their tiles.)
+            // If the box holds only one sample, the edges tell whether it is outside. (Others are tested in their tiles.)
             var passes = TriangleSetUp.Pass(t, column0, row0, size, margin, out var area);
             var single = Vector256.Equals(column0, column1) & Vector256.Equals(row0, row1);
             shows &= ~(passes & single) & fit;

@@ -2,10 +2,8 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// A tree of bounds over the triangles of a mesh (a bounding volume hierarchy, BVH). Bounds reject whole branches; which triangle is hit, and where,
-/// always comes from the triangle's own formula, so the answer is the one of all triangles in order.
-/// </summary>
+/// <summary>A bounding volume hierarchy (BVH) over the triangles of a mesh. Bounds reject whole branches; the triangle's own formula decides which
+/// triangle is hit, and where, so the result is the one of testing all triangles in order.</summary>
 public sealed class TriangleTree
 {
     private readonly Vector3[] vertices;
@@ -22,14 +20,12 @@ public sealed class TriangleTree
         (nodes, order, depth) = new TreeBuilder(vertices, indices).Build();
     }
 
-    /// <summary>The least of the t that a function gives for the triangles near which a line passes, before its origin or behind it; null for
+    /// <summary>The least t that a function returns for the triangles that a line may cross, in front of its origin or behind it; null for
     /// none.</summary>
     /// <param name="origin">Where the line begins.</param>
     /// <param name="direction">Its direction.</param>
-    /// <param name="hit">
-    /// The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within the triangle's
-    /// bounds.
-    /// </param>
+    /// <param name="hit">The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within
+    /// the triangle's bounds.</param>
     public double? Nearest(Vector3 origin, Vector3 direction, Func<int, double?> hit)
     {
         double? nearest = null;
@@ -47,14 +43,13 @@ public sealed class TriangleTree
 
         var (first, second) = (index + 1, node.Second);
         var (t0, t1) = (line.Enters(nodes[first].Bounds), line.Enters(nodes[second].Bounds));
-        if (t1 < t0) ((first, second), (t0, t1)) = ((second, first), (t1, t0)); // the nearer one may spare the other
+        if (t1 < t0) ((first, second), (t0, t1)) = ((second, first), (t1, t0)); // hits in the nearer one may reject the other
         if (t0 <= (nearest ?? double.MaxValue)) Visit(first, line, hit, ref nearest);
         if (t1 <= (nearest ?? double.MaxValue)) Visit(second, line, hit, ref nearest);
     }
 
-    /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel, or NaN; a hit beyond the nearest one so far does not
-    /// count.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often drawn before the runtime would optimise by itself
+    /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel; NaN if no hit is nearer than those so far.</summary>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)] // many pictures are done before the runtime optimises by itself
     internal N Nearest<N>(RayStream rays, int pixel) where N : struct, IPacket<N>
     {
         var (best, hit) = (rays.NearestAt<N>(pixel), Lanes.Broadcast<N>(double.NaN));
@@ -75,7 +70,7 @@ public sealed class TriangleTree
             if (!test.MayHit(node.Bounds.PaddedFrom(origin), best)) continue;
             if (!node.IsLeaf)
             {
-                // The child that the first ray meets first comes first, so that its hits reject the other.
+                // The child that the first ray enters first is visited first, so that its hits reject the other.
                 var isAhead = TreeBuilder.Coordinate(ahead, node.Axis) >= 0;
                 stack[top++] = isAhead ? node.Second : index + 1;
                 stack[top++] = isAhead ? index + 1 : node.Second;

@@ -6,11 +6,9 @@ namespace RayCaster.Engine;
 /// </summary>
 /// <remarks>
 /// Each operation passes on the errors of its operands and adds what rounding its own result adds: half a unit in the last place of a float, 2⁻²⁴ of
-/// its
-/// size, or 2⁻¹⁴⁹ for numbers too small for that. Doubles round, too, by 2⁻⁵³, and so do these bounds; that is what <see cref="Unit"/> is a little
-/// larger for.
-/// An infinite error means that nothing is known. (An <see cref="Interval"/> knows more of NaN and of infinite numbers; where one of these may come,
-/// floats are not used.)
+/// its size, or 2⁻¹⁴⁹ for numbers too small for that. Doubles round, too, by 2⁻⁵³, and so do these bounds; that is what <see cref="Unit"/> is a
+/// little larger for. An infinite error means that nothing is known. (An <see cref="Interval"/> knows more of NaN and of infinite numbers; where one
+/// of these may come, floats are not used.)
 /// </remarks>
 /// <param name="Lo">The least that doubles compute.</param>
 /// <param name="Hi">The greatest.</param>
@@ -28,7 +26,6 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
     /// <summary>The greatest absolute value.</summary>
     private double Size => Greater(-Lo, Hi);
 
-    /// <summary>Doubles that are rounded to floats.</summary>
     public static ErrorBound From(double lo, double hi) => Result(lo, hi, 0);
 
     // infinite in both

@@ -3,11 +3,8 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Floats of sixteen pixels side by side and of the sixteen above them: a formula over it tells nearly, and much faster, what doubles tell exactly.
-/// How near,
-/// <see cref="ErrorBound"/> knows. (Two rows share the work of bringing a formula's constants into vectors, a sixth of it.)
-/// </summary>
+/// <summary>Floats of sixteen pixels side by side and of the sixteen above them. A formula over it is much faster than over doubles, and
+/// <see cref="ErrorBound"/> bounds its error. (Two rows share the broadcasts of a formula's constants, a sixth of the work.)</summary>
 /// <param name="lower">The numbers of the lower row; as a mask all bits of a lane set for true, none for false.</param>
 /// <param name="upper">Those of the upper row.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -15,7 +12,6 @@ internal readonly struct FloatPacket(Vector512<float> lower, Vector512<float> up
 {
     public readonly Vector512<float> Lower = lower, Upper = upper;
 
-    /// <summary>How many pixels side by side.</summary>
     public static int Count => Vector512<float>.Count;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -61,7 +57,7 @@ internal readonly struct FloatPacket(Vector512<float> lower, Vector512<float> up
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Sqrt(FloatPacket x) => new(Vector512.Sqrt(x.Lower), Vector512.Sqrt(x.Upper));
 
-    /// <summary>There is no NaN where <see cref="ErrorBound"/> knows a bound.</summary>
+    /// <summary>There is no NaN where <see cref="ErrorBound"/> is finite.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Min(FloatPacket a, FloatPacket b) =>
         new(Vector512.MinNative(a.Lower, b.Lower), Vector512.MinNative(a.Upper, b.Upper));
@@ -74,7 +70,7 @@ internal readonly struct FloatPacket(Vector512<float> lower, Vector512<float> up
     public static FloatPacket Select(FloatPacket mask, FloatPacket a, FloatPacket b) =>
         new(Vector512.ConditionalSelect(mask.Lower, a.Lower, b.Lower), Vector512.ConditionalSelect(mask.Upper, a.Upper, b.Upper));
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
     public static FloatPacket If(FloatPacket mask, FloatPacket value) => Select(mask, value, double.NaN);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -66,7 +66,7 @@ internal struct Packet : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Select(Packet mask, Packet a, Packet b) => new() { Lanes = Vector256.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
     public static Packet If(Packet mask, Packet value) => Select(mask, value, double.NaN);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)] // the same
@@ -97,6 +97,9 @@ internal struct Packet : IPacket<Packet>
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Load(double[] numbers, int first) => new() { Lanes = numbers.Load256(first) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Packet Load(float[] numbers, int first) => new() { Lanes = Vector256.WidenLower(numbers.Load128(first).ToVector256Unsafe()) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<Packet> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner)

@@ -63,11 +63,11 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) =>
         new() { Lanes = Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's own would not be inlined
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
     public static WidePacket If(WidePacket mask, WidePacket value) => Select(mask, value, double.NaN);
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector3<WidePacket> Divide(Vector3<WidePacket> a, WidePacket b) => Quotients.Divide(a, b);
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
+    public static Vector3<WidePacket> Divide(Vector3<WidePacket> a, WidePacket b) => new(a.X / b, a.Y / b, a.Z / b);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };
@@ -98,6 +98,9 @@ internal struct WidePacket : IPacket<WidePacket>
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Load(double[] numbers, int first) => new() { Lanes = numbers.Load512(first) };
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static WidePacket Load(float[] numbers, int first) => new() { Lanes = Vector512.WidenLower(numbers.Load256(first).ToVector512Unsafe()) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<WidePacket> Gather(Vector3[] vertices, int[] indices, RawSpan<int> triangles, int first, int corner)

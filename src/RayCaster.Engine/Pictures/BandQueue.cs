@@ -1,15 +1,11 @@
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Draws some lines of a picture in bands, from top to bottom: threads cast the strips of the next bands while finished bands are written in order.
-/// Only a few bands are in memory at a time.
-/// </summary>
+/// <summary>Draws some lines of a picture in bands, from top to bottom: threads cast the strips of the next bands while finished bands are written
+/// in order. Only a few bands are in memory at a time.</summary>
 /// <remarks>
-/// Strips are handed out one after another over all bands, so that no thread waits at the end of a band. The thread that writes casts strips, too,
-/// while
-/// the band that it writes next is not finished; so one thread is enough for all of it. Another thread that comes to a band for which there is no
-/// room waits
-/// until the oldest band is written.
+/// Threads take strips one after another over all bands, so that none waits at the end of a band. While the next band to write is not finished, the
+/// writing thread casts strips, too; so one thread is enough. Another thread waits if there is no room for the next band until the oldest one is
+/// written.
 /// </remarks>
 internal sealed class BandQueue
 {
@@ -30,19 +26,14 @@ internal sealed class BandQueue
     private long nextStrip, bandsWritten;
     private Exception? failure;
 
-    /// <param name="frame">What to draw.</param>
-    /// <param name="firstLine">The first line, counted from the top.</param>
-    /// <param name="endLine">The line after the last.</param>
-    /// <param name="threads">How many threads cast.</param>
-    /// <param name="isPlain">Whether every ray may as well meet every model.</param>
-    /// <param name="linesDone">Called with how many more lines have been cast, from any thread.</param>
-    /// <param name="cancellation">Stops the work.</param>
+    /// <param name="isPlain">Whether each ray is simply intersected with each model.</param>
+    /// <param name="linesDone">Called from any thread with the number of further lines that are done.</param>
     public BandQueue(Frame frame, int firstLine, int endLine, int threads, bool isPlain, Action<int>? linesDone, CancellationToken cancellation)
     {
         (this.frame, camera, this.isPlain) = (frame, frame.Scene.Camera, isPlain);
         (this.linesDone, this.cancellation) = (linesDone, cancellation);
 
-        // A band is a row of tiles, or of very wide pictures a half, a quarter … of one, so that no tile lies in two bands.
+        // A band is a row of tiles (in very wide pictures a half, a quarter … of one), so that no tile lies in two bands.
         for (rowsOfBand = Tile.MaxSide; rowsOfBand > 1 && 3L * camera.Width * rowsOfBand > BytesOfBand;) rowsOfBand /= 2;
         stripsAcross = Tile.StripsOf(camera.Width);
         (lowestRow, endRow) = (camera.Height - endLine, camera.Height - firstLine);
@@ -55,10 +46,9 @@ internal sealed class BandQueue
     }
 
     /// <summary>Draws it all.</summary>
-    /// <param name="write">Takes whole lines, in order, on this thread.</param>
     public void WriteAll(Action<ReadOnlySpan<byte>> write)
     {
-        var shader = frame.Shader; // made before other threads need it
+        var shader = frame.Shader; // before other threads need it
         if (threadCount == 1) WriteAll(write, shader);
         else ThreadTeam.Help(threadCount - 1, () => Help(shader), () => WriteAll(write, shader));
     }
@@ -82,7 +72,7 @@ internal sealed class BandQueue
         }
     }
 
-    /// <summary>Casts strips on another thread, until none is left.</summary>
+    /// <summary>Casts strips on another thread until none is left.</summary>
     private void Help(HitShader shader)
     {
         try
@@ -119,10 +109,10 @@ internal sealed class BandQueue
         return (first, end - first);
     }
 
-    /// <summary>Whether the band of the next strip has a buffer: the one that used it before is written.</summary>
+    /// <summary>Whether there is a buffer for the band of the next strip.</summary>
     private bool HasRoom => nextStrip / stripsAcross < bandsWritten + buffers.Length;
 
-    /// <summary>The next strip for a thread that only casts, which waits for room; −1 if the work is over.</summary>
+    /// <summary>The next strip for a thread that only casts; waits for room. −1 if the work is over.</summary>
     private long Next()
     {
         lock (gate)
@@ -132,8 +122,8 @@ internal sealed class BandQueue
         }
     }
 
-    /// <summary>The next strip for the thread that writes; −1 when the band that it writes next is finished. It waits only where others cast all
-    /// strips for which there is room.</summary>
+    /// <summary>The next strip for the writing thread; −1 when the next band to write is finished. It waits only if others cast all strips for which
+    /// there is room.</summary>
     private long NextFor(long band)
     {
         lock (gate)
@@ -144,7 +134,7 @@ internal sealed class BandQueue
                 if (failure is not null) throw failure;
                 if (stripsMissing[band % buffers.Length] == 0) return -1;
                 if (nextStrip < bandCount * stripsAcross && HasRoom) return nextStrip++;
-                Monitor.Wait(gate, TimeSpan.FromMilliseconds(50)); // and then looks whether it is cancelled
+                Monitor.Wait(gate, TimeSpan.FromMilliseconds(50)); // then tests for cancellation
             }
         }
     }

@@ -2,50 +2,40 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>What all threads share that work on one picture.</summary>
+/// <summary>What all threads share that draw one picture.</summary>
 internal abstract class Frame : IDisposable
 {
-    /// <summary>
-    /// Kernels that are made for one kind of shape each spare half of the time, but compiling them takes as long as casting some ten million rays.
-    /// They are used for a
-    /// picture of at least so many pixels, or where many pictures follow each other.
-    /// </summary>
+    /// <summary>Kernels for single kinds of shape save half of the time, but compiling them takes as long as casting some ten million rays. They are
+    /// used for a picture of at least so many pixels, or if many pictures follow each other.</summary>
     private const long PixelsOfLongWork = 1 << 24;
 
-    private readonly bool isLong;
+    private readonly int threads;
 
-    /// <param name="scene">The scene.</param>
-    /// <param name="manyFrames">Whether many pictures follow each other.</param>
-    protected Frame(Scene scene, bool manyFrames)
+    protected Frame(Scene scene, int threads, bool manyFrames)
     {
-        Scene = scene;
-        isLong = manyFrames || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
+        (Scene, this.threads) = (scene, threads);
+        IsLong = manyFrames || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
     }
 
     /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>
-    public bool IsLong => isLong;
+    public bool IsLong { get; }
 
-    /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
-    /// <summary>Turns hits into bytes; made when it is first needed.</summary>
-    public HitShader Shader => field ??= new(Scene, IsLong);
+    /// <summary>Turns hits into bytes; made on first use.</summary>
+    public HitShader Shader => field ??= new(Scene, IsLong, threads);
 
-    /// <summary>A frame that computes with the widest packets that the machine has: everything above and below follows this choice.</summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="threads">How many threads may prepare what a model needs.</param>
-    /// <param name="manyFrames">Whether many pictures follow each other.</param>
+    /// <summary>A frame for the widest packets of the machine; everything else is generic over this choice.</summary>
     public static Frame Of(Scene scene, int threads, bool manyFrames) => Vector512.IsHardwareAccelerated
         ? new Frame<WidePacket>(scene, threads, manyFrames)
         : new Frame<Packet>(scene, threads, manyFrames);
 
     /// <summary>A thread's caster.</summary>
-    /// <param name="isPlain">Whether every ray may as well meet every model that may show near its pixel.</param>
+    /// <param name="isPlain">Whether each ray is simply intersected with each model near its pixel.</param>
     public abstract IStripCaster NewCaster(bool isPlain);
 
-    /// <summary>A thread's consumer that writes hits into a map.</summary>
     public abstract IHitConsumer HitsInto(HitMap map);
 
-    /// <summary>Gives rented memory back when the picture is done.</summary>
+    /// <summary>Returns rented memory when the picture is done.</summary>
     public abstract void Dispose();
 }

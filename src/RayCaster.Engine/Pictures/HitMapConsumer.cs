@@ -1,14 +1,10 @@
 namespace RayCaster.Engine;
 
 /// <summary>One thread's consumer of hits that writes them into a map.</summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
-/// <param name="map">The map.</param>
-/// <param name="camera">Where the rays start.</param>
 internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsumer where N : struct, IPacket<N>
 {
     private readonly CoveredHits<N> coveredHits = new(camera);
 
-    /// <inheritdoc/>
     public void Take(RayStream rays)
     {
         for (var i = 0; i < rays.Rows; i++)
@@ -19,23 +15,20 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
         }
     }
 
-    /// <inheritdoc/>
     public void TakeMiss(in Tile part)
     {
         for (var row = part.Row; row < part.EndRow; row++) map.T.AsSpan(PlaceOf(part.Column, row), part.Width).Fill(double.PositiveInfinity);
         FillModels(part, -1);
     }
 
-    /// <inheritdoc/>
-    public bool TryTake(CoveredTile covered)
+    public bool TryTake(in CoveredTile covered)
     {
         if (!coveredHits.Write(covered, map.T, PlaceOf(covered.Part.Column, covered.Part.Row), -map.Width)) return false;
-        FillModels(covered.Part, covered.Shapes[0].Index);
+        FillModels(covered.Part, covered.Index);
         return true;
     }
 
-    /// <inheritdoc/>
-    public bool TryTake(in Tile tile, ITileView view, int index) => false; // what a view can paint without exact hits is no use here
+    public bool TryTake(in Tile tile, ITileView view, int index) => false; // bytes without exact hits are of no use here
 
     private void FillModels(in Tile part, int index)
     {

@@ -1,8 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>One thread's consumer of hits that writes the pixels of some lines of a picture.</summary>
-/// <param name="shader">Turns hits into bytes.</param>
-/// <param name="width">Pixels in a line.</param>
 internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsumer
 {
     private byte[] rgb = [];
@@ -11,25 +9,21 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
     /// <summary>Paints covered parts without exact hits; made when it is first needed.</summary>
     private FloatPainter Painter => field ??= new(shader.Scene);
 
-    /// <summary>Goes to other lines.</summary>
+    /// <summary>Goes to other lines of the picture.</summary>
     /// <param name="rgb">Room for the lines, three bytes a pixel.</param>
     /// <param name="topRow">The row, from the bottom, that is the first of the lines.</param>
     public void Enter(byte[] rgb, int topRow) => (this.rgb, this.topRow) = (rgb, topRow);
 
-    /// <inheritdoc/>
     public void Take(RayStream rays) => shader.Shade(rays, rgb, PlaceOf(rays.Column, rays.Row), -3 * width);
 
-    /// <inheritdoc/>
     public void TakeMiss(in Tile part)
     {
         for (var row = part.Row; row < part.EndRow; row++) shader.ShadeMiss(rgb.AsSpan(PlaceOf(part.Column, row), 3 * part.Width));
     }
 
-    /// <inheritdoc/>
-    public bool TryTake(CoveredTile covered) =>
+    public bool TryTake(in CoveredTile covered) =>
         FloatBytes.IsSupported && Painter.Paint(covered, rgb, PlaceOf(covered.Part.Column, covered.Part.Row), -3 * width);
 
-    /// <inheritdoc/>
     public bool TryTake(in Tile tile, ITileView view, int index) => view.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
 
     private int PlaceOf(int column, int row) => 3 * ((topRow - row) * width + column);

@@ -1,19 +1,14 @@
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool for scenes of few models: every ray meets every model that may show near its pixel. What a <see cref="TileCaster{N}"/> does to
-/// spare work would take longer to compile than
-/// all of that work takes.
-/// </summary>
+/// <summary>Casts small pictures of few models; each thread has its own. Each ray is intersected with each model that may show near its pixel:
+/// compiling <see cref="TileCaster{N}"/> would take longer than all of that.</summary>
 /// <param name="frame">All models as the camera sees them, in the scene's order.</param>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
 internal sealed class PlainCaster<N>(Frame<N> frame) : IStripCaster where N : struct, IPacket<N>
 {
     private readonly ModelView<N>[] views = Array.ConvertAll(frame.Views, view => view.ForThread());
     private readonly RayStream rays = new(frame.Scene.Camera);
-    private readonly List<int> near = []; // the models whose extents have pixels of the part
+    private readonly List<int> near = []; // the models that may show in the part
 
-    /// <inheritdoc/>
     /// <remarks>Here a strip may have any place and size.</remarks>
     public void Cast(in Tile strip, IHitConsumer consumer)
     {

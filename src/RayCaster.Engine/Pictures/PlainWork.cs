@@ -1,19 +1,16 @@
 namespace RayCaster.Engine;
 
-/// <summary>Says when a picture is so little work that what spares work would cost more than it spares.</summary>
+/// <summary>Says when a picture is so little work that saving work would cost more than it saves.</summary>
 internal static class PlainWork
 {
-    /// <summary>
-    /// How many rays times models make a picture so large that it pays to find out which models show where. A million take a millisecond; tiles and
-    /// intervals cost 30
-    /// milliseconds of processor time before the first ray, most of it for the compiler.
-    /// </summary>
+    /// <summary>From so many rays times models on it pays to find out which models show where. Tiles and intervals cost as much processor time
+    /// before the first ray as 30 million crossings; most of it is compilation.</summary>
     private const long Large = 32_000_000;
 
-    /// <summary>How many pixels make it worth while to start another thread.</summary>
+    /// <summary>From so many pixels on another thread pays.</summary>
     private const long ManyPixels = 1 << 20;
 
-    /// <summary>Whether every ray of these lines may as well meet every model that may show near its pixel. A mesh is always prepared tile by
+    /// <summary>Whether each ray of these lines is simply intersected with each model near its pixel. A mesh is always prepared tile by
     /// tile.</summary>
     public static bool IsPlain(Scene scene, int lines)
     {
@@ -24,7 +21,7 @@ internal static class PlainWork
         return true;
     }
 
-    /// <summary>Whether they are so few, too, that one thread does it all.</summary>
+    /// <summary>Whether one thread is enough for these lines.</summary>
     public static bool IsSmall(Scene scene, int lines) => RaysOf(scene, lines) < ManyPixels;
 
     private static long RaysOf(Scene scene, int lines) => (long)scene.Camera.Width * lines;

@@ -1,18 +1,15 @@
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool: finds for the pixels of a tile the nearest hits. A strip is cut into tiles, and a tile in which several models may show into
-/// small parts; each drops the models that cannot show in it, and what is left meets the rays.
-/// </summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
+/// <summary>Finds the nearest hits for the pixels of a tile; each thread has its own. A strip is cut into tiles, and a tile in which several models
+/// may show into small parts. Each step drops the models that cannot show; the rays are intersected with the rest.</summary>
 internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 {
-    /// <summary>The side of the small parts: a row of one is a few packets, for which a call is still cheap.</summary>
+    /// <summary>The side of a small part: a row of it is a few packets, for which a call is still cheap.</summary>
     private const int PartSide = 16;
 
     private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = EightParts.Count / PartsAcross;
 
-    /// <summary>With more models than this a look at what is hidden pays.</summary>
+    /// <summary>With more models than this it pays to look for hidden ones.</summary>
     private const int Few = 4;
 
     private readonly Frame<N> frame;
@@ -21,14 +18,12 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private readonly int[] places; // of the views' models in the scene
     private readonly BatchCaster<N>? batch;
     private readonly RayStream rays;
-    private readonly CoveredTile covered = new();
-    private readonly Predicate<Candidate> isPrimitive, isCovering;
+    private readonly Predicate<Candidate> isPrimitive;
     private IHitConsumer consumer = null!;
     private readonly List<Candidate> candidates = []; // of the strip
     private readonly EightParts tiles, parts;         // the strip's, and some of a tile
     private readonly List<Candidate>[] ofTiles = [[], [], [], [], [], [], [], []], ofParts = [[], [], [], [], [], [], [], []];
 
-    /// <param name="frame">What all threads share.</param>
     public TileCaster(Frame<N> frame)
     {
         this.frame = frame;
@@ -39,10 +34,8 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         rays = new(frame.Scene.Camera, RayStream.MaxArea);
         (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
         isPrimitive = candidate => views[candidate.Index] is ICoveringView;
-        isCovering = candidate => frame.IsLong && candidate.Range.Cover < double.PositiveInfinity && isPrimitive(candidate);
     }
 
-    /// <inheritdoc/>
     public void Cast(in Tile strip, IHitConsumer consumer)
     {
         this.consumer = consumer;
@@ -61,7 +54,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Casts a tile.</summary>
     private void Cast(in Tile tile, List<Candidate> list)
     {
         var cover = double.PositiveInfinity;
@@ -87,13 +79,12 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Casts a tile in which one model alone may show, of which cutting the tile would tell no more.</summary>
+    /// <summary>Casts a tile in which only one model may show; cutting it would tell no more.</summary>
     private void CastAlone(in Tile tile, List<Candidate> list, ITileView alone)
     {
         if (!(frame.IsLong && consumer.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);
     }
 
-    /// <summary>Casts a tile part by part.</summary>
     private void Cut(in Tile tile, List<Candidate> list)
     {
         if (list.Count == 0 || IsCovered(list) || Math.Max(tile.Width, tile.Height) <= PartSide) CastPart(tile, list);
@@ -111,11 +102,11 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
             }
     }
 
-    /// <summary>Casts a part whose models are known.</summary>
+    /// <summary>Casts a part with the models that may show in it.</summary>
     private void CastPart(in Tile part, List<Candidate> list)
     {
         if (list.Count == 0) consumer.TakeMiss(part);
-        else if (!TryLayers(part, list)) CastRows(part, list);
+        else CastRows(part, list);
     }
 
     /// <summary>Finds out which models may show in which part.</summary>
@@ -139,15 +130,12 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         for (var i = 0; i < EightParts.Count; i++) DropHidden(lists[i], covers[i]);
     }
 
-    /// <summary>Whether one model, which knows the short way, surely covers the part.</summary>
-    private bool IsCovered(List<Candidate> list) => list.Count == 1 && isCovering(list[0]);
+    /// <summary>Whether one model certainly covers the part.</summary>
+    private bool IsCovered(List<Candidate> list) => list.Count == 1 && frame.IsLong && list[0].Range.Cover < double.PositiveInfinity && isPrimitive(list[0]);
 
-    /// <summary>Casts at once parts side by side in all of which nothing shows, or all of which one model covers: memory takes long rows sooner than
-    /// short ones.</summary>
-    /// <param name="parts">The parts.</param>
-    /// <param name="lists">The models that may show in them.</param>
-    /// <param name="first">The first part.</param>
-    /// <returns>How many are done, from the first on.</returns>
+    /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
+    /// ones.</summary>
+    /// <returns>How many parts are done, from the first on.</returns>
     private int TakeAlike(EightParts parts, List<Candidate>[] lists, int first)
     {
         var isMiss = lists[first].Count == 0;
@@ -166,27 +154,10 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         return end - first;
     }
 
-    /// <summary>Offers the consumer a part that one model covers.</summary>
-    private bool TryCover(in Tile part, Candidate only)
-    {
-        covered.Enter(part);
-        AddShape(only);
-        return consumer.TryTake(covered);
-    }
+    private bool TryCover(in Tile part, Candidate only) =>
+        consumer.TryTake(new CoveredTile(part, (ICoveringView)views[only.Index], places[only.Index], only.Range.IsNear));
 
-    /// <summary>Offers the consumer a small part that several models cover.</summary>
-    private bool TryLayers(in Tile part, List<Candidate> list)
-    {
-        if (list.Count is < 2 or > Few || part.Area > RayStream.MaxArea || !list.TrueForAll(isCovering)) return false;
-        covered.Enter(part);
-        foreach (var candidate in list) AddShape(candidate);
-        return consumer.TryTake(covered);
-    }
-
-    private void AddShape(Candidate candidate) =>
-        covered.Shapes.Add(new((ICoveringView)views[candidate.Index], places[candidate.Index], candidate.Range.IsNear));
-
-    /// <summary>Drops what does not show, or lies behind what covers all.</summary>
+    /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
     private static void DropHidden(List<Candidate> list, double cover)
     {
         var kept = 0;
@@ -196,8 +167,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         list.RemoveRange(kept, list.Count - kept);
     }
 
-    /// <summary>Casts the rays of a part: row by row, or all rows at once where few models, all of them single shapes, may show in a small
-    /// part.</summary>
+    /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part with few models that are all single shapes.</summary>
     private void CastRows(in Tile part, List<Candidate> list)
     {
         var isSmall = list.Count <= Few && part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
@@ -213,6 +183,4 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 }
 
 /// <summary>A model that may show in a tile.</summary>
-/// <param name="Index">The place of its view.</param>
-/// <param name="Range">Where its hits lie.</param>
 internal readonly record struct Candidate(int Index, HitRange Range);

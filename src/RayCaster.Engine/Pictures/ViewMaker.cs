@@ -1,29 +1,27 @@
 namespace RayCaster.Engine;
 
-/// <summary>Makes of each kind of model the view that suits it.</summary>
-/// <typeparam name="N">The kind of packet that the views compute with.</typeparam>
+/// <summary>Makes the view of a model.</summary>
 internal sealed class ViewMaker<N> : IModelVisitor where N : struct, IPacket<N>
 {
     private readonly Camera camera;
+    private readonly bool isKept;
     private readonly int threads;
     private ModelView<N> view = null!; // set by Accept, which calls one of the three methods
 
-    private ViewMaker(Camera camera, int threads) => (this.camera, this.threads) = (camera, threads);
+    private ViewMaker(Camera camera, bool isKept, int threads) => (this.camera, this.isKept, this.threads) = (camera, isKept, threads);
 
-    /// <summary>The model as a camera sees it; ray by ray where a model knows only single rays.</summary>
-    /// <param name="model">The model.</param>
-    /// <param name="camera">The camera.</param>
-    /// <param name="threads">How many threads may prepare it.</param>
-    public static ModelView<N> See(Model model, Camera camera, int threads)
+    /// <summary>The view of a model for a camera.</summary>
+    /// <param name="isKept">Whether what depends only on the model stays in memory for the next picture.</param>
+    public static ModelView<N> See(Model model, Camera camera, bool isKept, int threads)
     {
-        var maker = new ViewMaker<N>(camera, threads);
+        var maker = new ViewMaker<N>(camera, isKept, threads);
         model.Accept(maker);
         return maker.view;
     }
 
     void IModelVisitor.Visit<P>(Model<P> model) => view = new PrimitiveView<P, N>(model.Primitive, camera);
 
-    void IModelVisitor.Visit(Mesh mesh) => view = new MeshView<N>(mesh.Vertices, mesh.Indices, new(camera), threads);
+    void IModelVisitor.Visit(Mesh mesh) => view = new MeshView<N>(mesh, new(camera), isKept, threads);
 
     void IModelVisitor.VisitOther(Model model) => view = new SingleRayView<N>(model);
 }

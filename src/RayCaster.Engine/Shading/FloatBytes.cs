@@ -4,18 +4,14 @@ using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
 
-/// <summary>From channels' levels in floats to bytes. A byte is sure where both ends of the range in which the level lies have the same whole
-/// part.</summary>
+/// <summary>Converts channels' levels from floats to bytes. A byte is certain where both ends of a level's range have the same whole part.</summary>
 internal static class FloatBytes
 {
-    /// <summary>What a level's ends may be off by when it is moved by its error: levels are below 256, so half a float's unit is 2⁻¹⁷.</summary>
+    /// <summary>The rounding error of a range's ends: levels are below 256, so half a float's unit is 2⁻¹⁷.</summary>
     public const double RoundingOfTheEnds = 7.7e-6;
 
-    /// <summary>
-    /// The same, for a level computed from t, a slope and the level at 0: rounding this one and the sum moves it by 2⁻¹⁷ each, rounding the slope by
-    /// 2⁻²⁴ of what the light
-    /// takes away, less than 256, which is 2⁻¹⁶.
-    /// </summary>
+    /// <summary>The same for a level that is computed from t, a slope and the level at 0: rounding the latter and the sum adds 2⁻¹⁷ each, rounding
+    /// the slope 2⁻²⁴ of less than 256, which is 2⁻¹⁶.</summary>
     public const double RoundingOfALine = 3.1e-5;
 
     /// <summary>A bit for each of sixteen pixels.</summary>
@@ -24,14 +20,14 @@ internal static class FloatBytes
     /// <summary>Whether this machine computes with sixteen floats at once.</summary>
     public static bool IsSupported => Avx512BW.IsSupported;
 
-    /// <summary>The whole parts of three channels in one int.</summary>
+    /// <summary>The whole parts of three channels, packed into one int.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector512<int> Packed(Vector512<float> r, Vector512<float> g, Vector512<float> b) =>
         Avx512F.ConvertToVector512Int32WithTruncation(r)
         | (Avx512F.ConvertToVector512Int32WithTruncation(g) << 8)
         | (Avx512F.ConvertToVector512Int32WithTruncation(b) << 16);
 
-    /// <summary>Writes 48 bytes of 16 pixels from a place on.</summary>
+    /// <summary>Writes the 48 bytes of 16 pixels.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void Store(Vector512<int> pixels, byte[] rgb, int place)
     {
@@ -40,7 +36,7 @@ internal static class FloatBytes
         bytes.GetUpper().GetLower().StoreTo(rgb, place + Vector256<byte>.Count);
     }
 
-    /// <summary>Writes the bytes of the first pixels only, as many as there is room for.</summary>
+    /// <summary>Writes as many bytes of the first pixels as there is room for.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void StoreFew(in Vector512<int> pixels, Span<byte> to)
     {
@@ -48,7 +44,7 @@ internal static class FloatBytes
         for (var i = 0; i < to.Length; i++) to[i] = bytes[i];
     }
 
-    /// <summary>Three bytes of each of 16 pixels, without the fourth between them; what follows the 48 means nothing.</summary>
+    /// <summary>Three bytes of each of 16 pixels, without the fourth; those after the 48 are meaningless.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<byte> InARow(Vector512<int> pixels)
     {

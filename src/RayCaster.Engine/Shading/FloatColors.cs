@@ -4,11 +4,10 @@ using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
 
-/// <summary>The colours of a scene as whole numbers of small steps, which sixteen lanes look up at once.</summary>
+/// <summary>The colours of a scene as integers, in small steps; sixteen lanes look them up at once.</summary>
 internal sealed class FloatColors
 {
-    /// <summary>Up to so many colours lie in vectors, from which lanes take them without a look at memory; more are packed, three channels to a
-    /// long.</summary>
+    /// <summary>Up to so many colours are held in vectors; more are packed into an array, three channels in a long.</summary>
     private const int Few = 32;
 
     private const int ChannelBits = 21;
@@ -18,35 +17,43 @@ internal sealed class FloatColors
     private readonly long[] packed = [];
 
     /// <param name="light">Red, green and blue of the background, then of the models.</param>
-    public FloatColors(double[] light)
+    public FloatColors(double[] light, int threads = 1)
     {
-        var (most, count) = (0.0, light.Length / 3);
-        foreach (var channel in light) most = Math.Max(most, channel);
-        MostSteps = count <= Few ? 1 << 24 : ChannelMask; // floats are exact up to 2²⁴
-        Step = Math.Max(most, double.Epsilon * MostSteps) / MostSteps;
-        if (count > Few) packed = new long[count];
-        for (var i = 0; i < count; i++)
+        var (count, shares) = (light.Length / 3, ThreadTeam.SharesOf(light.Length / 3, threads));
+        var most = new double[shares];
+        ThreadTeam.Shares(shares, light.Length, (share, first, end) =>
         {
-            var (r, g, b) = (Steps(light[3 * i]), Steps(light[3 * i + 1]), Steps(light[3 * i + 2]));
-            if (packed.Length > 0) packed[i] = r | (g << ChannelBits) | (b << (2 * ChannelBits));
-            else (reds[i], greens[i], blues[i]) = (r, g, b);
-        }
+            var greatest = 0.0;
+            foreach (var channel in light.AsSpan(first..end)) greatest = Math.Max(greatest, channel);
+            most[share] = greatest;
+        });
+        MostSteps = count <= Few ? 1 << 24 : ChannelMask; // floats are exact up to 2²⁴
+        Step = Math.Max(most.Max(), double.Epsilon * MostSteps) / MostSteps;
+        if (count > Few) packed = new long[count];
+        ThreadTeam.Shares(shares, count, (_, first, end) =>
+        {
+            for (var i = first; i < end; i++)
+            {
+                var (r, g, b) = (Steps(light[3 * i]), Steps(light[3 * i + 1]), Steps(light[3 * i + 2]));
+                if (packed.Length > 0) packed[i] = r | (g << ChannelBits) | (b << (2 * ChannelBits));
+                else (reds[i], greens[i], blues[i]) = (r, g, b);
+            }
+        });
 
         long Steps(double channel) => Math.Min((long)(channel / Step + 0.5), MostSteps);
     }
 
-    /// <summary>How much light one step is.</summary>
+    /// <summary>The light of one step.</summary>
     public double Step { get; }
 
-    /// <summary>No channel has more steps.</summary>
+    /// <summary>The most steps of a channel.</summary>
     public int MostSteps { get; }
 
-    /// <summary>Colours that do not lie in vectors; empty where all do.</summary>
+    /// <summary>The packed colours; empty if vectors hold all of them.</summary>
     public ReadOnlySpan<long> Packed => packed;
 
     /// <summary>The channels of sixteen pixels, in steps.</summary>
     /// <param name="packed">The first of <see cref="Packed"/>, or null.</param>
-    /// <param name="places">The places of the pixels' colours.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public unsafe (Vector512<float> R, Vector512<float> G, Vector512<float> B) At(long* packed, Vector512<int> places)
     {

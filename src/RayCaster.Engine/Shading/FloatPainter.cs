@@ -5,18 +5,16 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>
-/// One thread's tool: paints a part of the picture that one shape covers, or several, in floats. Each channel's level is known up to an error
-/// that is
-/// the same for the
-/// whole part (<see cref="ErrorBound"/>). Where both ends of that range have the same whole part, that is the byte; the few other pixels are cast in
+/// Paints a part of the picture that one shape covers, in floats; each thread has its own. The error of the levels has one bound for the whole part
+/// (<see cref="ErrorBound"/>). Where both ends of a level's range have the same whole part, that is the byte; the few other pixels are cast in
 /// doubles.
 /// </summary>
 internal sealed class FloatPainter : IShapeVisitor
 {
-    /// <summary>With a greater error too many pixels would be in doubt.</summary>
+    /// <summary>With a greater error, too many bytes would be uncertain.</summary>
     private const double MostError = 0.02;
 
-    /// <summary>With a smaller error so few pixels are in doubt that a closer look is not worth it.</summary>
+    /// <summary>With a smaller error, so few bytes are uncertain that a tighter bound does not pay.</summary>
     private const double GoodError = 0.002;
 
     private readonly Scene scene;
@@ -24,38 +22,25 @@ internal sealed class FloatPainter : IShapeVisitor
     private readonly FloatRays rays;
     private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
     private readonly ushort[] doubts; // a bit for each pixel of each packet
-    private readonly FloatLayers layers;
+    private CoveredTile covered;
     private Tile part;
-    private FloatPixels pixels;
-    private CoveringShape current; // the shape that is painted
-    private bool isOnly;           // one shape covers the part
+    private byte[] rgb = [];
+    private int first, step;
 
-    /// <param name="scene">What is drawn.</param>
     public FloatPainter(Scene scene)
     {
         (this.scene, camera) = (scene, scene.Camera);
         rays = new(camera);
         doubts = new ushort[Tile.MaxStrip * Tile.MaxSide / FloatPacket.Count];
-        layers = new(doubts);
     }
 
-    /// <summary>Writes a part's bytes, if its width is one of whole packets and all errors are small enough.</summary>
-    /// <param name="covered">The part and its shapes; several only in a small part.</param>
-    /// <param name="rgb">Room for the bytes.</param>
-    /// <param name="first">The place of the lowest row's first pixel.</param>
-    /// <param name="step">From a pixel's place to that of the one above it.</param>
-    public bool Paint(CoveredTile covered, byte[] rgb, int first, int step)
+    /// <summary>Writes a part's bytes, if its width is a multiple of a packet's and the error is small enough.</summary>
+    /// <param name="first">The position of the lowest row's first pixel.</param>
+    /// <param name="step">The distance from a pixel to the one above it.</param>
+    public bool Paint(in CoveredTile covered, byte[] rgb, int first, int step)
     {
-        (part, pixels) = (covered.Part, new(rgb, first, step, doubts, covered.Part.Width / FloatPacket.Count));
-        if (part.Width % FloatPacket.Count != 0) return false;
-        isOnly = covered.Shapes.Count == 1;
-        if (!isOnly) layers.Clear();
-        foreach (var shape in covered.Shapes)
-        {
-            current = shape;
-            if (!shape.View.Accept(this)) return false;
-        }
-        if (!isOnly) layers.Write(part, rgb, first, step);
+        (this.covered, part, this.rgb, this.first, this.step) = (covered, covered.Part, rgb, first, step);
+        if (part.Width % FloatPacket.Count != 0 || !covered.View.Accept(this)) return false;
 
         var packets = part.Width / FloatPacket.Count;
         var some = doubts.AsSpan(0, packets * part.Height);
@@ -65,37 +50,36 @@ internal sealed class FloatPainter : IShapeVisitor
             for (uint left = some[next]; left != 0; left &= left - 1)
             {
                 var (row, column) = (place / packets, place % packets * FloatPacket.Count + BitOperations.TrailingZeroCount(left));
-                Write(column, row, covered.Shapes, rgb.AsSpan(first + row * step + 3 * column, 3));
+                Write(column, row, rgb.AsSpan(first + row * step + 3 * column, 3));
             }
         }
         return true;
     }
 
     /// <summary>Writes a pixel by the definition.</summary>
-    private void Write(int column, int row, List<CoveringShape> shapes, Span<byte> rgb)
+    private void Write(int column, int row, Span<byte> rgb)
     {
         var ray = camera.CastRay(part.Column + column, part.Row + row);
-        foreach (var shape in shapes) ray.Meet(scene.Models[shape.Index]);
+        ray.Meet(scene.Models[covered.Index]);
         (rgb[0], rgb[1], rgb[2]) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
     }
 
-    /// <summary>Paints one of the shapes, if its error is small enough.</summary>
+    /// <summary>Paints the shape, if its error is small enough.</summary>
     public bool Visit<P>(P shape) where P : struct, IPrimitive
     {
-        var (index, isNear) = (current.Index, current.IsNear);
+        var index = covered.Index;
         var color = scene.Models[index].Color;
         var brightest = Math.Max(color.R, Math.Max(color.G, color.B));
         if (brightest > 1) return false;
         var steepest = -FloatLevel.SlopeOf(brightest, camera.Reach);
         var error = Error(shape, index, GoodError / steepest);
         if (!(error * steepest < MostError)) return false;
-        if (isOnly) Paint(shape, isNear, color, error, pixels);
-        else Paint(shape, isNear, color, error, layers.Add(error, part.Width / FloatPacket.Count));
+        Paint(shape, color, error);
         return true;
     }
 
-    /// <summary>How far the t of any pixel of a part may be from the one that doubles give.</summary>
-    /// <remarks>A bound for the whole strip is mostly good enough, and then serves other parts of it, too.</remarks>
+    /// <summary>The greatest difference between t in floats and in doubles, of all pixels of a part.</summary>
+    /// <remarks>A bound for the whole strip is usually good enough, and serves its other parts, too.</remarks>
     private double Error<P>(in P shape, int index, double goodError) where P : struct, IPrimitive
     {
         if (rays.Enter(part)) Array.Fill(knownErrors, (-1, 0));
@@ -112,12 +96,12 @@ internal sealed class FloatPainter : IShapeVisitor
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private void Paint<P, T>(P shape, bool isNear, Color color, double error, T target) where P : struct, IPrimitive where T : struct, IFloatTarget
+    private void Paint<P>(P shape, Color color, double error) where P : struct, IPrimitive
     {
         Vector3<FloatPacket> origin = camera.Position;
         var (red, green, blue) = (new FloatLevel(color.R, camera.Reach, error), new FloatLevel(color.G, camera.Reach, error),
             new FloatLevel(color.B, camera.Reach, error));
-        // locals stay in registers
+        var isNear = covered.IsNear; // a local stays in a register
         var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / FloatPacket.Count);
         for (var row = 0; row < part.Height; row += 2)
         {
@@ -127,18 +111,18 @@ internal sealed class FloatPainter : IShapeVisitor
                 var direction = camera.Direction(columns.From(firstColumn + packet * FloatPacket.Count), upwards);
                 var crossings = shape.Intersect(new Ray<FloatPacket>(origin, direction));
                 var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
-                target.Take(row, packet, hit.Lower, Least(hit.Lower, red, green, blue), Most(hit.Lower, red, green, blue));
-                if (row + 1 < part.Height)
-                    target.Take(row + 1, packet, hit.Upper, Least(hit.Upper, red, green, blue), Most(hit.Upper, red, green, blue));
+                Write(row, packet, hit.Lower);
+                if (row + 1 < part.Height) Write(row + 1, packet, hit.Upper);
             }
         }
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static Vector512<int> Least(Vector512<float> t, FloatLevel r, FloatLevel g, FloatLevel b) =>
-            FloatBytes.Packed(r.Least(t), g.Least(t), b.Least(t));
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        static Vector512<int> Most(Vector512<float> t, FloatLevel r, FloatLevel g, FloatLevel b) =>
-            FloatBytes.Packed(r.Most(t), g.Most(t), b.Most(t));
+        void Write(int row, int packet, Vector512<float> t)
+        {
+            var least = FloatBytes.Packed(red.Least(t), green.Least(t), blue.Least(t));
+            var most = FloatBytes.Packed(red.Most(t), green.Most(t), blue.Most(t));
+            doubts[row * packets + packet] = (ushort)~Vector512.Equals(least, most).ExtractMostSignificantBits();
+            FloatBytes.Store(least, rgb, first + row * step + packet * 3 * FloatPacket.Count);
+        }
     }
 }

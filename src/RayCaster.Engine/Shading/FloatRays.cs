@@ -3,19 +3,18 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>One thread's tool: the rays of a strip in floats, and how far from those in doubles they may be.</summary>
+/// <summary>The rays of a strip in floats, and their error; each thread has its own.</summary>
 internal sealed class FloatRays(Camera camera)
 {
-    /// <summary>The strip.</summary>
     public Tile Strip { get; private set; }
 
-    /// <summary>What the directions of each column have in common, from the strip's left side.</summary>
+    /// <summary>What the directions of each column have in common.</summary>
     public Floats Across { get; } = new(Tile.MaxStrip);
 
-    /// <summary>What the directions of each row have in common, from the strip's lowest.</summary>
-    public Floats Upwards { get; } = new(Tile.MaxSide + FloatPacket.Count); // one row more than there are is asked for
+    /// <summary>What the directions of each row have in common, from the lowest row.</summary>
+    public Floats Upwards { get; } = new(Tile.MaxSide + FloatPacket.Count); // one row more than the strip has is read
 
-    /// <summary>Goes to the strip in which a part lies, and returns whether it is another one than before.</summary>
+    /// <summary>Goes to the strip of a part; returns whether it is a new one.</summary>
     public bool Enter(in Tile part)
     {
         var strip = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);

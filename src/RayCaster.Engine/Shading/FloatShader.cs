@@ -3,46 +3,44 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>Turns the hits of streams into bytes, sixteen pixels at once, in floats; the pixels that are in doubt go to
-/// <see cref="HitShader"/>.</summary>
+/// <summary>Turns the hits of streams into bytes, sixteen pixels at once, in floats; <see cref="HitShader"/> computes uncertain bytes.</summary>
 internal sealed class FloatShader
 {
-    /// <summary>With a greater error too many pixels would be in doubt.</summary>
+    /// <summary>With a greater error, too many bytes would be uncertain.</summary>
     private const double MostError = 0.001;
 
     private readonly Scene scene;
     private readonly FloatColors colors;
     private readonly double error;
 
-    private FloatShader(Scene scene, double[] light)
+    private FloatShader(Scene scene, double[] light, int threads)
     {
         this.scene = scene;
-        colors = new(light);
-        // Beyond this t there is no light, whatever the rounding.
+        colors = new(light, threads);
+        // Beyond this t there is no light, even after rounding.
         var t = ErrorBound.From(0, 2 * scene.Camera.Reach);
-        var steps = new ErrorBound(0, colors.MostSteps, 0); // floats know whole numbers exactly
+        var steps = new ErrorBound(0, colors.MostSteps, 0); // floats represent integers exactly
         var level = Color.Level(scene.Attenuation(t) * colors.Step * steps);
-        error = level.Error + 255 * colors.Step / 2 + FloatBytes.RoundingOfTheEnds; // a colour is off by half a step
+        error = level.Error + 255 * colors.Step / 2 + FloatBytes.RoundingOfTheEnds; // a colour's error is half a step
     }
 
-    /// <summary>A shader for a scene; null where the machine or the scene does not suit it.</summary>
-    /// <param name="scene">The scene.</param>
+    /// <summary>A shader for a scene; null if the machine or the scene does not allow it.</summary>
     /// <param name="light">Red, green and blue of its background, then of its models.</param>
-    public static FloatShader? For(Scene scene, double[] light) =>
-        FloatBytes.IsSupported && new FloatShader(scene, light) is { error: < MostError } shader ? shader : null;
+    public static FloatShader? For(Scene scene, double[] light, int threads) =>
+        FloatBytes.IsSupported && new FloatShader(scene, light, threads) is { error: < MostError } shader ? shader : null;
 
-    /// <summary>Whether a stream is of a form that it can shade.</summary>
+    /// <summary>Whether it can shade a stream of this form.</summary>
     public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % FloatPacket.Count == 0;
 
     /// <inheritdoc cref="HitShader.Shade(RayStream, byte[], int, int)"/>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public unsafe void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
     {
         fixed (long* packed = colors.Packed)
         {
             for (var i = 0; i < rays.Length; i += 2 * FloatPacket.Count)
             {
-                var j = Math.Min(i + FloatPacket.Count, rays.Length - FloatPacket.Count); // the last sixteen twice, if they have no partner
+                var j = Math.Min(i + FloatPacket.Count, rays.Length - FloatPacket.Count); // the last sixteen are done twice if they have no partner
                 var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
                 var isMiss = new FloatPacket(
                     Vector512.Equals(lower, Vector512<int>.Zero).AsSingle(), Vector512.Equals(upper, Vector512<int>.Zero).AsSingle());

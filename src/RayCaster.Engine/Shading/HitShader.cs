@@ -11,25 +11,21 @@ internal sealed class HitShader
     private readonly byte[] missed = new byte[3 * Tile.MaxStrip]; // pixels that show the background
     private readonly FloatShader? floats;
 
-    /// <param name="scene">What is drawn.</param>
-    /// <param name="isLong">Whether there are pixels enough that floats kernels pay.</param>
-    public HitShader(Scene scene, bool isLong)
+    /// <param name="isLong">Whether there are enough pixels for the float path to pay.</param>
+    public HitShader(Scene scene, bool isLong, int threads)
     {
         Scene = scene;
         var (r, g, b) = scene.Background.ToBytes();
         for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
-        colors = ColorsOf(scene);
-        floats = isLong ? FloatShader.For(scene, colors) : null;
+        colors = ColorsOf(scene, threads);
+        floats = isLong ? FloatShader.For(scene, colors, threads) : null;
     }
 
-    /// <summary>What is drawn.</summary>
     public Scene Scene { get; }
 
     /// <summary>Writes the pixels of a stream.</summary>
-    /// <param name="rays">The hits.</param>
-    /// <param name="rgb">Room for three bytes a pixel.</param>
-    /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
-    /// <param name="step">From a pixel's place to that of the one above it.</param>
+    /// <param name="first">The position of the lowest row's first pixel.</param>
+    /// <param name="step">The distance from a pixel to the one above it.</param>
     public void Shade(RayStream rays, byte[] rgb, int first, int step)
     {
         if (floats is not null && FloatShader.Takes(rays)) floats.Shade(rays, this, rgb, first, step);
@@ -39,10 +35,7 @@ internal sealed class HitShader
     }
 
     /// <summary>Writes some pixels.</summary>
-    /// <param name="rays">The hits.</param>
-    /// <param name="first">The first of the pixels in the stream.</param>
-    /// <param name="rgb">Three bytes for each of the pixels.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, int first, Span<byte> rgb)
     {
         var packed = Vector128.Create((byte)0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
@@ -59,7 +52,7 @@ internal sealed class HitShader
             }
             var bytes = Vector128.Shuffle(pixels.AsByte(), packed);
 
-            // Twelve bytes; the four zeros after them fall on pixels that come next, but not beyond the span, where another thread may be at work.
+            // Twelve bytes. The four zeros after them fall on pixels that follow, but not beyond the span, where another thread may write.
             if (j + 16 <= rgb.Length) bytes.CopyTo(rgb[j..]);
             else
                 for (var k = j; k < Math.Min(j + 12, rgb.Length); k++) rgb[k] = bytes[k - j];
@@ -67,26 +60,29 @@ internal sealed class HitShader
     }
 
     /// <summary>Writes pixels that show the background.</summary>
-    /// <param name="rgb">Room for three bytes a pixel.</param>
     public void ShadeMiss(Span<byte> rgb)
     {
         for (; rgb.Length > missed.Length; rgb = rgb[missed.Length..]) missed.CopyTo(rgb);
         missed.AsSpan(0, rgb.Length).CopyTo(rgb);
     }
 
-    /// <summary>Where a model's colour begins; that of the background for −1.</summary>
+    /// <summary>The position of a model's colour; the background's for −1.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int PlaceOf(double model) => 3 * (int)model + 3;
 
-    private static double[] ColorsOf(Scene scene)
+    private static double[] ColorsOf(Scene scene, int threads)
     {
         var models = scene.Models;
         var colors = new double[3 * models.Count + 3];
-        for (var i = 0; i < colors.Length; i += 3)
+        (colors[0], colors[1], colors[2]) = (scene.Background.R, scene.Background.G, scene.Background.B);
+        ThreadTeam.Shares(ThreadTeam.SharesOf(models.Count, threads), models.Count, (_, first, end) =>
         {
-            var color = i == 0 ? scene.Background : models[i / 3 - 1].Color;
-            (colors[i], colors[i + 1], colors[i + 2]) = (color.R, color.G, color.B);
-        }
+            for (var i = first; i < end; i++)
+            {
+                var color = models[i].Color;
+                (colors[3 * i + 3], colors[3 * i + 4], colors[3 * i + 5]) = (color.R, color.G, color.B);
+            }
+        });
         return colors;
     }
 }

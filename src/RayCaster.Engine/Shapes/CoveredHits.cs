@@ -2,12 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// One thread's tool: finds where the rays of a part hit the one shape that covers it. Each ray meets the shape as soon as it is aimed, and nothing
-/// but t is kept.
-/// </summary>
-/// <typeparam name="N">The kind of packet to compute with.</typeparam>
-/// <param name="camera">Where the rays start.</param>
+/// <summary>Finds where the rays of a part hit the one shape that covers it; each thread has its own. Only t is stored.</summary>
 internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : struct, IPacket<N>
 {
     private readonly Columns columns = new(camera, Tile.MaxStrip);
@@ -16,34 +11,32 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
     private double[] t = [];
     private int first, step;
 
-    /// <summary>Writes where the rays hit; returns false for a part that is narrower than a packet, or that several shapes cover.</summary>
-    /// <param name="covered">The part.</param>
+    /// <summary>Writes where the rays hit; returns false for a part that is narrower than a packet.</summary>
     /// <param name="t">Room for the ray parameters.</param>
-    /// <param name="first">The place of the lowest row's first pixel; the others of the row follow.</param>
-    /// <param name="step">From a pixel's place to that of the one above it.</param>
-    public bool Write(CoveredTile covered, double[] t, int first, int step)
+    /// <param name="first">The position of the lowest row's first pixel.</param>
+    /// <param name="step">The distance from a pixel to the one above it.</param>
+    public bool Write(in CoveredTile covered, double[] t, int first, int step)
     {
-        if (covered.Shapes is not [var only] || covered.Part.Width < N.Count) return false;
-        (part, isNear) = (covered.Part, only.IsNear);
+        if (covered.Part.Width < N.Count) return false;
+        (part, isNear) = (covered.Part, covered.IsNear);
         (this.t, this.first, this.step) = (t, first, step);
-        return only.View.Accept(this);
+        return covered.View.Accept(this);
     }
 
-    /// <inheritdoc/>
-    // a picture is often drawn before the runtime would optimise by itself
+    // many pictures are done before the runtime optimises by itself
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public bool Visit<P>(P shape) where P : struct, IPrimitive
     {
         columns.Enter<N>(part.Column, part.Width);
         Vector3<N> origin = camera.Position;
-        var (t, to, isNear) = (this.t, first, this.isNear); // locals stay in registers
+        var (t, to, isNear) = (this.t, first, this.isNear); // a local stays in a register
         var (width, end) = (part.Width, part.EndRow);
         for (var row = part.Row; row < end; row++, to += step)
         {
             var upwards = camera.Upwards(Lanes.Broadcast<N>(row));
             for (var next = 0; next < width; next += N.Count)
             {
-                // the last packet may overlap the one before: a call for what is left would cost the loop its registers
+                // the last packet may overlap the one before: a call for the rest would spill the loop's registers
                 var i = Math.Min(next, width - N.Count);
                 var direction = camera.Direction(columns.At<N>(i), upwards);
                 var crossings = shape.Intersect(new Ray<N>(origin, direction));

@@ -3,19 +3,14 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>A primitive: its own formula over intervals tells what a tile may hit, and over packets what each pixel hits.</summary>
-/// <typeparam name="P">The kind of shape.</typeparam>
-/// <typeparam name="N">The kind of packet.</typeparam>
 internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeView<N>((primitive as IBounded)?.Bounds, camera), ICoveringView
     where P : struct, IPrimitive where N : struct, IPacket<N>
 {
-    /// <inheritdoc/>
     public bool Accept(IShapeVisitor visitor) => visitor.Visit(primitive);
 
-    /// <inheritdoc/>
     protected override void Intersect(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Intersect(parts.Rays);
 
-    /// <inheritdoc/>
-    // a picture is often drawn before the runtime would optimise by itself
+    // many pictures are done before the runtime optimises by itself
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     protected override void Intersect(RayStream rays, int first, int end)
     {

@@ -1,13 +1,10 @@
 namespace RayCaster.Engine;
 
-/// <summary>What the views of all kinds of shape have in common, so that only a shape's formula is compiled for each kind.</summary>
-/// <typeparam name="N">The kind of packet.</typeparam>
+/// <summary>What views of all kinds of shape share; only a shape's formula is compiled for each kind.</summary>
 internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
 {
     private readonly ClipRange clip;
 
-    /// <param name="bounds">The shape's, if it has any.</param>
-    /// <param name="camera">Where it is seen from.</param>
     protected ShapeView(Bounds? bounds, Camera camera)
     {
         (clip, Extent) = (camera.ClipRange, Tile.Everywhere);
@@ -16,30 +13,26 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
         (Extent, Nearest) = (Tile.Of(padded, camera), padded.LeastT);
     }
 
-    /// <inheritdoc/>
     public sealed override Tile Extent { get; }
 
-    /// <inheritdoc/>
     public sealed override double Nearest { get; }
 
-    /// <inheritdoc/>
     public sealed override HitRanges Narrow(EightParts parts, HitRange whole)
     {
         Intersect(parts, out var crossings);
         var nearCounts = clip.Counts(crossings.Near, parts.ZPerT);
         var hit = clip.First(crossings, parts.ZPerT, nearCounts);
         return new(
-            // a hit that counts is not behind the eye
+            // a hit that counts is not behind the camera
             WidePacket.Select(hit.IsNothing, double.PositiveInfinity, WidePacket.Greater(hit.Lo, hit.Gap)),
             WidePacket.Select(hit.MayBeNaN, double.PositiveInfinity, hit.Hi),
             nearCounts.Lo);
     }
 
-    /// <inheritdoc/>
     public sealed override void Meet(RayStream rays, int index)
     {
         var (first, end) = (0, rays.Length);
-        if (Extent.IsSmall && rays.Rows == 1) // its extent spares most of the span, at a cost that a large model would not win back
+        if (Extent.IsSmall && rays.Rows == 1) // the extent rejects most of the row; for a large model it would not pay
         {
             first = Math.Max(0, Extent.Column - rays.Column);
             end = Math.Min(end, Extent.EndColumn - rays.Column);
@@ -50,12 +43,9 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
         rays.KeepNoted<N>(first, end, index);
     }
 
-    /// <summary>Finds out where all the rays of some parts may cross the shape.</summary>
+    /// <summary>Finds where the rays of some parts may cross the shape.</summary>
     protected abstract void Intersect(EightParts parts, out Crossings<Interval> crossings);
 
-    /// <summary>Notes where the rays of some pixels cross the shape.</summary>
-    /// <param name="rays">Their stream.</param>
-    /// <param name="first">The first pixel, where a packet begins.</param>
-    /// <param name="end">The pixel after the last.</param>
+    /// <summary>Stores where the rays of some pixels cross the shape.</summary>
     protected abstract void Intersect(RayStream rays, int first, int end);
 }

@@ -1,9 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>A model in plain doubles and ifs, which meets rays one by one.</summary>
-/// <typeparam name="N">The kind of packet that the other views use.</typeparam>
+/// <summary>A model in plain doubles and ifs, which is intersected ray by ray.</summary>
 internal sealed class SingleRayView<N>(Model model) : ModelView<N> where N : struct, IPacket<N>
 {
-    /// <inheritdoc/>
     public override void Meet(RayStream rays, int index) => rays.MeetOneByOne(model, index);
 }

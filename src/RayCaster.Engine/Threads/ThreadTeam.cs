@@ -3,27 +3,24 @@ using System.Runtime.ExceptionServices;
 
 namespace RayCaster.Engine;
 
-/// <summary>
-/// Work in pieces, side by side, on threads that then wait for the next: to start a thread takes as long as to cast some ten thousand rays.
-/// </summary>
-/// <remarks>Not the runtime's pool: its first use takes milliseconds, and often it begins a piece a picture later.</remarks>
+/// <summary>Does work in pieces, in parallel. Its threads then wait for more work: starting a thread takes as long as casting some ten thousand
+/// rays.</summary>
+/// <remarks>The runtime's pool is slower: its first use takes as long as a small picture, and it often starts a piece one picture too
+/// late.</remarks>
 internal static class ThreadTeam
 {
-    /// <summary>
-    /// How long a thread that waits stays awake: a tenth of a millisecond, in which mostly the next picture has come, or the last of the others has
-    /// ended. To be woken takes
-    /// up to half of that, and now and then much longer on a machine that shares its cores.
-    /// </summary>
+    /// <summary>How long a waiting thread spins: usually the next picture comes, or the last thread ends, within that time. Waking a thread takes up
+    /// to half of it, and sometimes much longer on a machine that shares its cores.</summary>
     private static readonly long awake = Stopwatch.Frequency / 10_000;
 
-    private static readonly Queue<Job> offers = new(); // a place in a job for each thread that is to help
-    private static int offered;                        // how many there are, for a look without the lock
-    private static int free;                           // threads that take offers, now or as soon as they have begun
+    private static readonly Queue<Job> offers = new(); // one entry for each thread that is to help
+    private static int offered;                        // the number of entries, to be read without the lock
+    private static int free;                           // threads that take offers, now or once they have started
 
-    /// <summary>Does some pieces of work, 0 to count − 1, in any order; in order and without another thread where one is enough.</summary>
-    /// <param name="count">How many pieces.</param>
-    /// <param name="threads">On how many threads at most, the caller's included.</param>
-    /// <param name="work">Does a piece. After an exception no other piece is begun, and it comes out when those begun have ended.</param>
+    /// <summary>Does pieces 0 to count − 1 of some work, in any order; in order if there is only one thread.</summary>
+    /// <param name="count">The number of pieces.</param>
+    /// <param name="threads">The most threads, including the caller's.</param>
+    /// <param name="work">Does a piece. After an exception no other piece starts; it is thrown when all running pieces have ended.</param>
     public static void Each(int count, int threads, Action<int> work)
     {
         var job = new Job(count, work);
@@ -32,10 +29,17 @@ internal static class ThreadTeam
         job.End();
     }
 
-    /// <summary>Does work on this thread while others help; none may come, or some late. Returns when all of them have ended.</summary>
-    /// <param name="helpers">How many threads help at most.</param>
-    /// <param name="help">What each of them does. It must end soon after the work has ended, by an exception, too.</param>
-    /// <param name="work">What this thread does; its exception comes out.</param>
+    /// <summary>Into how many shares to divide so many models: with few for each thread, one thread ends before the others start.</summary>
+    public static int SharesOf(int models, int threads) => models >> 13 >= threads ? threads : 1;
+
+    /// <summary>Divides items into equal shares and processes each on a thread: <c>work(share, first, end)</c>.</summary>
+    public static void Shares(int shares, int count, Action<int, int, int> work) => Each(shares, shares, share =>
+        work(share, (int)((long)count * share / shares), (int)((long)count * (share + 1) / shares)));
+
+    /// <summary>Does work on this thread while others help; perhaps none comes, or some late. Returns when all of them have ended.</summary>
+    /// <param name="helpers">The most threads that help.</param>
+    /// <param name="help">What each of them does. It must end soon after the work has ended, also by an exception.</param>
+    /// <param name="work">What this thread does; its exception is thrown.</param>
     public static void Help(int helpers, Action help, Action work)
     {
         var job = new Job(helpers, _ => help());
@@ -61,7 +65,7 @@ internal static class ThreadTeam
         }
     }
 
-    /// <summary>Starts a thread; false where the system gives no more, so that those who are there do the work.</summary>
+    /// <summary>Starts a thread; false if the system allows no more, so that the existing ones do the work.</summary>
     private static bool TryStart()
     {
         try
@@ -85,7 +89,7 @@ internal static class ThreadTeam
         }
     }
 
-    /// <summary>Takes part in a job; afterwards nothing of it is kept in memory.</summary>
+    /// <summary>Takes part in a job. As a method of its own, so that nothing of the job stays in memory.</summary>
     private static void HelpOnce()
     {
         Job job;
@@ -111,10 +115,9 @@ internal static class ThreadTeam
     {
         private readonly object gate = new();
         private int next = -1, helpers;
-        private bool isOver; // guarded by the lock, as the number of helpers is
+        private bool isOver; // guarded by the lock, like the number of helpers
         private ExceptionDispatchInfo? failure;
 
-        /// <summary>Does pieces until none is left.</summary>
         public void Work()
         {
             try
@@ -127,7 +130,7 @@ internal static class ThreadTeam
             }
         }
 
-        /// <summary>The same on another thread, if it does not come too late.</summary>
+        /// <summary>The same on another thread, unless the job is over.</summary>
         public void Help()
         {
             lock (gate)
@@ -143,7 +146,7 @@ internal static class ThreadTeam
             }
         }
 
-        /// <summary>Waits for those who help, but not for those who have not come.</summary>
+        /// <summary>Waits for the helpers that have started.</summary>
         public void End()
         {
             StayAwakeWhile(ref helpers, isZero: false);

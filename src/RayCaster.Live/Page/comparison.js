@@ -1,4 +1,4 @@
-// The user's own picture beside the scene's: dropped, chosen, or a file that the program watches.
+// The user's own picture beside the scene's: one that was dropped or chosen, or a file that the program watches.
 import { $, show } from "./dom.js";
 import { lay } from "./picture.js";
 import { explain } from "./pixel.js";
@@ -16,7 +16,8 @@ on("comparison", message => {
   show($("mine-worst"), middle !== null && middle !== undefined);
   for (const option of $("mine-show").options) option.disabled = !message.hasLayers && option.value !== "none";
   if (!message.hasLayers) $("mine-show").value = "none";
-  lie();
+  $("diagnose").disabled = false;
+  arrange();
 });
 
 on("diagnosis", message => {
@@ -25,31 +26,36 @@ on("diagnosis", message => {
   $("diagnose").disabled = false;
 });
 
-on("frame", () => lie());
+on("frame", () => arrange());
 on("closed", () => { $("diagnose").disabled = false; });
 
-$("mine-show").addEventListener("change", lie);
-$("mine-split").addEventListener("input", lie);
+$("mine-show").addEventListener("change", arrange);
+$("mine-split").addEventListener("input", arrange);
 $("mine-flip").addEventListener("click", () => {
   if ($("mine-show").value === "mine") $("mine-show").value = "none";
   else $("mine-show").value = "mine";
-  lie();
+  arrange();
 });
 $("mine-forget").addEventListener("click", () => ask({ forgetMine: true }));
 $("mine-worst").addEventListener("click", () => {
   explain(middle);
   $("pixel").focus();
 });
-$("diagnose").addEventListener("click", () => {
+$("diagnose").addEventListener("click", diagnose);
+$("hint").addEventListener("change", event => {
+  ask({ hint: event.target.value });
+  if (!$("diagnosis-text").hidden) diagnose();
+});
+
+function diagnose() {
   $("diagnose").disabled = true;
   $("diagnosis-text").textContent = "Drawing the scene with each known mistake …";
   show($("diagnosis-text"), true);
   ask({ diagnose: true });
-});
-$("hint").addEventListener("change", event => ask({ hint: event.target.value }));
+}
 
-/** Lays what is chosen over the scene's picture, up to the border where there is one. */
-function lie() {
+/** Lays the chosen picture over the scene's; with the slider, only the part to the right of the border. */
+function arrange() {
   const shown = $("mine-show").value;
   const slides = shown === "slider";
   lay({ none: null, slider: "mine", mine: "mine", difference: "difference", objects: "objects" }[shown]);

@@ -1,4 +1,4 @@
-// Small helpers to build the page. Text only ever becomes text, never markup.
+// Small helpers to build the page. Text becomes text nodes, never markup.
 
 export const $ = id => document.getElementById(id);
 
@@ -14,14 +14,14 @@ export function make(name, attributes = {}, ...children) {
   return element;
 }
 
-/** Shows or hides, and touches the page only where that changes something. */
+/** Shows or hides an element; changes the page only if necessary. */
 export function show(element, visible) {
   if (element.hidden === visible) element.hidden = !visible;
 }
 
 /** A number for people: six significant digits and a true minus sign, as the explanations write it. */
 export function digits(value, significant = 6) {
-  if (typeof value === "string") return { Infinity: "∞", "-Infinity": "−∞" }[value] ?? value; // what JSON has no number for
+  if (typeof value === "string") return { Infinity: "∞", "-Infinity": "−∞" }[value] ?? value; // JSON has no numbers for these
   if (Array.isArray(value)) return `(${value.map(each => digits(each, significant)).join(", ")})`;
   return String(Number(value.toPrecision(significant))).replace("-", "−");
 }

@@ -1,25 +1,25 @@
-// Drag, wheel, keys and touch. Only by how much the hand has moved is said; where the camera then is, the server computes.
+// Drag, wheel, keys and touch. The page sends how far the hand has moved; the server computes the camera.
 import { $ } from "./dom.js";
 import { pixelAt, size } from "./picture.js";
 import { ask } from "./server.js";
 
 const restAfter = 100;        // milliseconds without a move
-const click = 4;              // pixels that a click may wander
+const click = 4;              // pixels that the pointer may move during a click
 const turnOfPicture = 2.5;    // radians for a drag over the picture's height
 const stepOfKey = 0.06;       // of the picture's height
 const stage = $("stage");
-const pointers = new Map();   // those that are down: where they were last
+const pointers = new Map();   // the last place of each pointer that is down
 let travelled = 0, wasMany = false;
-let pending = null;           // moves that wait for the next frame of the screen
+let pending = null;           // moves that are not sent yet
 let timer = 0;
-let asked = 0;                // when the frame was asked for that has not come yet; 0 for none
+let asked = 0;                // the time of the request whose frame has not come yet; 0 for none
 let divisor = 1, took = 16, taken = 0;
-const glide = 0.5;            // the part of a move that goes out with the next frame
-const longest = 250;          // milliseconds after which a frame is not waited for
+const glide = 0.5;            // the part of the pending moves that is sent with the next frame
+const longest = 250;          // milliseconds to wait for a frame at most
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
-/** Calls back where somebody clicks, points, or presses a key that steps. */
-export const hand = { onPoint: () => {}, onClick: () => {}, onStep: () => false, onLeave: () => {} };
+/** What to do when somebody points, clicks, or presses an arrow key. */
+export const hand = { onPoint: () => {}, onClick: () => {}, onStep: () => false };
 
 stage.addEventListener("pointerdown", event => {
   if (event.button > 2) return;
@@ -43,7 +43,7 @@ stage.addEventListener("pointermove", event => {
   pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
 });
 
-/** Two fingers: apart is nearer, side by side pans. */
+/** Two fingers: spreading them moves the camera nearer, moving both pans. */
 function pinch(event, before, height) {
   const other = [...pointers].find(([id]) => id !== event.pointerId)[1];
   const distance = p => Math.max(1, Math.hypot(p.x - other.x, p.y - other.y));
@@ -60,7 +60,6 @@ for (const name of ["pointerup", "pointercancel"])
     } else if (travelled > click) rest();
   });
 
-stage.addEventListener("pointerleave", () => hand.onLeave());
 stage.addEventListener("contextmenu", event => event.preventDefault());
 stage.addEventListener("wheel", event => {
   event.preventDefault();
@@ -72,7 +71,7 @@ stage.addEventListener("keydown", event => {
   if (event.ctrlKey || event.altKey || event.metaKey) return;
   const arrow = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
   if (arrow && event.shiftKey) move({ shift: [arrow[0] * stepOfKey, arrow[1] * stepOfKey] });
-  else if (arrow && hand.onStep(arrow)) { /* the pixel has moved, not the camera */ }
+  else if (arrow && hand.onStep(arrow)) { /* the explained pixel has moved, not the camera */ }
   else if (arrow) move({ turn: [arrow[0] * stepOfKey * turnOfPicture / 2, arrow[1] * stepOfKey * turnOfPicture / 2] });
   else if (event.key === "+" || event.key === "=") move({ approach: 1 / 1.1 });
   else if (event.key === "-" || event.key === "−") move({ approach: 1.1 });
@@ -82,22 +81,22 @@ stage.addEventListener("keydown", event => {
   event.preventDefault();
 });
 
-/** Adds a move to those that wait. */
-function move(wish) {
+/** Adds to the pending moves. */
+function move(request) {
   if (!pending) {
     pending = { turn: [0, 0], shift: [0, 0], approach: 0 };
     requestAnimationFrame(send);
   }
   for (const name of ["turn", "shift"])
-    if (wish[name]) pending[name] = pending[name].map((value, i) => value + wish[name][i]);
-  if (wish.approach) pending.approach += Math.log(wish.approach);
+    if (request[name]) pending[name] = pending[name].map((value, i) => value + request[name][i]);
+  if (request.approach) pending.approach += Math.log(request.approach);
   clearTimeout(timer);
   timer = setTimeout(rest, restAfter);
 }
 
 /**
- * Sends a part of what waits, with each frame of the screen, once the frame before has come: so the camera glides from one event of the mouse to the
- * next. All at once where nothing is to glide.
+ * Sends a part of the pending moves after each frame, so that the camera glides from one event of the mouse to the next. With reduced motion, and at
+ * the end, it sends them all.
  */
 function send(isLast = false) {
   if (!pending) return;
@@ -106,15 +105,16 @@ function send(isLast = false) {
   const left = Math.max(...pending.turn.map(Math.abs), ...pending.shift.map(Math.abs), Math.abs(pending.approach));
   const part = isLast === true || left < 0.004 || still.matches ? 1 : glide;
   const [turn, shift, approach] = [pending.turn.map(value => value * part), pending.shift.map(value => value * part), pending.approach * part];
-  const wishes = { divisor };
-  if (turn.some(Boolean)) wishes.turn = turn;
-  if (shift.some(Boolean)) wishes.shift = shift;
-  if (approach !== 0) wishes.approach = Math.exp(approach);
+  const requests = { divisor };
+  if (turn.some(Boolean)) requests.turn = turn;
+  if (shift.some(Boolean)) requests.shift = shift;
+  if (approach !== 0) requests.approach = Math.exp(approach);
   asked = now;
-  ask(wishes);
+  ask(requests);
   if (part === 1) pending = null;
   else {
-    pending = { turn: pending.turn.map(value => value * (1 - part)), shift: pending.shift.map(value => value * (1 - part)), approach: pending.approach * (1 - part) };
+    const rest = 1 - part;
+    pending = { turn: pending.turn.map(value => value * rest), shift: pending.shift.map(value => value * rest), approach: pending.approach * rest };
     requestAnimationFrame(send);
   }
 }
@@ -125,10 +125,10 @@ function rest() {
   ask({ rest: true });
 }
 
-/** Chooses how small the frames are while the camera moves: as large as lets thirty come in a second. */
+/** Chooses the size of the frames while the camera moves: as large as thirty frames a second allow. */
 stage.addEventListener("frame", event => {
   if (event.detail.isFinal || asked === 0) return;
-  took += (performance.now() - asked - took) / 4; // of the last frames, the newest most
+  took += (performance.now() - asked - took) / 4; // a mean of the last frames in which the newest weighs most
   asked = 0;
   if (++taken < 4) return;
   if (took > 26 && divisor < 4) [divisor, taken] = [divisor + 1, 0];

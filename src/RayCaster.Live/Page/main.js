@@ -1,4 +1,4 @@
-// Puts the page together: the picture, what is said of it, and the camera.
+// Connects the parts of the page: the picture, its status, the camera, the maps.
 import { $, digits, show } from "./dom.js";
 import { hand } from "./hand.js";
 import { explain, step } from "./pixel.js";
@@ -10,12 +10,13 @@ import "./models.js";
 
 let scene = null, camera = null;
 
-if (location.search) history.replaceState(null, "", location.pathname + location.hash); // the token is a cookie by now
+if (location.search) history.replaceState(null, "", location.pathname + location.hash); // the token has become a cookie
 
 on("open", () => say("Connected."));
 on("closed", () => {
   document.body.classList.add("apart");
-  say("The program has ended, or is being built again. This page goes on as soon as it is there; if it has another address by then, the terminal says which.");
+  say("The program has ended or is being built again. This page continues by itself when the program runs again under the same address; " +
+    "otherwise open the address that the terminal shows.");
 });
 
 on("scene", message => {
@@ -30,7 +31,8 @@ on("scene", message => {
   say(scene.good
     ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`
     : `${count(errors, "mistake")} in ${scene.path}: ${scene.problems.find(problem => problem.isError)?.message ?? ""}`);
-  const picture = `The picture of ${scene.path}, ${scene.width} by ${scene.height} pixels, ${count(scene.modelCount, "model")}${scene.good ? "" : "; it is the last good one"}`;
+  const picture = `The picture of ${scene.path}, ${scene.width} by ${scene.height} pixels, ${count(scene.modelCount, "model")}` +
+    (scene.good ? "" : "; it is the last good one");
   for (const id of ["picture", "stage"]) $(id).setAttribute("aria-label", picture);
 });
 
@@ -52,16 +54,20 @@ $("camera-copy").addEventListener("click", async () => {
     $("camera-said").textContent = "Copied.";
   } catch {
     getSelection().selectAllChildren($("camera-json"));
-    $("camera-said").textContent = "The browser does not let the page copy: the text is marked, copy it by Ctrl + C.";
+    $("camera-said").textContent = "The browser does not allow the page to copy. The text is selected; press Ctrl + C.";
   }
 });
 $("camera-write").addEventListener("click", () => ask({ write: scene.version }));
 $("camera-reset").addEventListener("click", () => ask({ camera: null }));
 
 on("hover", at => {
-  $("hover").textContent = `column ${at.column}, line ${at.line} (row ${at.row}): ${at.model}, t = ${digits(at.t)}, depth z = ${digits(at.depth)}, bytes ${at.bytes.join(" ")}`;
+  $("hover").textContent = `column ${at.column}, line ${at.line} (row ${at.row}): ` +
+    `${at.model}, t = ${digits(at.t)}, depth z = ${digits(at.depth)}, bytes ${at.bytes.join(" ")}`;
 });
-hand.onPoint = pixel => pixel && ask({ hover: pixel });
+hand.onPoint = pixel => {
+  $("hover").setAttribute("aria-live", "off"); // a screen reader would read without end while the pointer moves
+  if (pixel) ask({ hover: pixel });
+};
 hand.onClick = explain;
 hand.onStep = ([right, up]) => $("arrows-step").checked && step(right, -up);
 
@@ -69,13 +75,22 @@ $("map-kind").addEventListener("change", event => {
   const kind = event.target.value;
   ask({ map: kind || null });
   $("map-strength").disabled = !kind;
-  if (!kind) [$("map"), $("legend")].forEach(element => show(element, false));
+  if (!kind) ["map", "legend", "legend-words"].forEach(id => show($(id), false));
 });
 $("map-strength").addEventListener("input", event => { $("map").style.opacity = event.target.value / 100; });
 
+const meanings = {
+  normal: "Red, green and blue are (n + 1) / 2 of the three coordinates.",
+  model: "Each model has the colour beside its name.",
+  uv: "Red is u and green is v, without their whole parts.",
+};
+
 on("legend", legend => {
-  show($("legend"), legend.colors.length > 0 && legend.map !== "model");
-  if (legend.map === "model" || legend.colors.length === 0) return;
+  const isRamp = legend.colors.length > 0 && legend.map !== "model";
+  $("legend-words").textContent = `${meanings[legend.map] ?? ""} Black: the ray hits nothing.`;
+  show($("legend-words"), true);
+  show($("legend"), isRamp);
+  if (!isRamp) return;
   $("legend-from").textContent = `${legend.map} = ${digits(legend.least)}`;
   $("legend-to").textContent = digits(legend.greatest);
   $("legend-bar").style.background = `linear-gradient(to right, ${legend.colors.join(", ")})`;
@@ -88,7 +103,7 @@ function say(text) {
 /** A link that leads to a pixel: #pixel=250,350. */
 function followLink() {
   const [, column, line] = /^#pixel=(\d+),(\d+)$/.exec(location.hash) ?? [];
-  if (column !== undefined && size.width > 1) explain([Math.min(Number(column), size.width - 1), Math.min(Number(line), size.height - 1)]);
+  if (column !== undefined) explain([Math.min(Number(column), size.width - 1), Math.min(Number(line), size.height - 1)]);
 }
 addEventListener("hashchange", followLink);
 $("stage").addEventListener("frame", followLink, { once: true });

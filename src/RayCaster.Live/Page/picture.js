@@ -1,16 +1,17 @@
-// Shows the frames, and knows which pixel is where on the page.
+// Shows the frames, and finds the pixel at a place of the page.
 import { $, show } from "./dom.js";
 import { ask, on } from "./server.js";
 
 const layers = ["picture", "map", "mine", "difference", "objects"];
-const kept = {};                                  // the frames over the picture, by their names
+const kept = {};                                  // the last frame of each layer over the picture
 const canvases = { picture: $("picture"), map: $("map"), mine: $("mine") };
-const contexts = Object.fromEntries(Object.entries(canvases).map(([name, canvas]) => [name, canvas.getContext("2d", { willReadFrequently: true })]));
+const contexts = Object.fromEntries(Object.entries(canvases).map(([name, canvas]) =>
+  [name, canvas.getContext("2d", { willReadFrequently: true })])); // pixels in memory: putImageData is then a plain copy
 
 /** The size at which the scene is shown, in pixels of the picture. */
 export const size = { width: 1, height: 1 };
 
-let count = 0; // of the frames so far
+let count = 0; // frames so far
 
 on("frame", frame => {
   const name = layers[frame.layer];
@@ -21,7 +22,7 @@ on("frame", frame => {
     canvas.dataset.version = frame.version;
     canvas.dataset.frames = ++count;
     canvas.dataset.final = frame.isFinal;
-    if (!frame.isFinal) show(canvases.map, false); // it is of another camera
+    if (!frame.isFinal) show(canvases.map, false); // it belongs to another camera
     $("stage").dispatchEvent(new CustomEvent("frame", { detail: frame }));
   } else {
     kept[name] = frame;
@@ -32,7 +33,7 @@ on("frame", frame => {
   }
 });
 
-let overlay = null; // which of the frames lies on the canvas "mine"
+let overlay = null; // the layer on the canvas "mine"
 
 /** Lays the user's picture, the difference or nothing over the scene's picture. */
 export function lay(name) {
@@ -50,7 +51,7 @@ export function setSize(width, height) {
   stage.style.setProperty("--ratio", width / height);
 }
 
-/** The pixel at a place of the window; null beside the picture. */
+/** The pixel at a place of the window; null outside of the picture. */
 export function pixelAt(clientX, clientY) {
   const box = canvases.picture.getBoundingClientRect();
   const [column, line] = [Math.floor((clientX - box.left) / box.width * size.width), Math.floor((clientY - box.top) / box.height * size.height)];

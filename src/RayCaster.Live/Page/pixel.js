@@ -1,4 +1,4 @@
-// How one pixel got its colour, laid out to be read. All of it is what "explain" says; nothing is computed here.
+// Shows how one pixel got its colour: the words and numbers of "explain". The page computes nothing.
 import { $, digits, make, show, swatch } from "./dom.js";
 import { mark, size } from "./picture.js";
 import { section } from "./section.js";
@@ -6,12 +6,13 @@ import { ask, on } from "./server.js";
 
 const verdicts = { shows: "shows", hidden: "is hidden", notNeeded: "is not needed", refused: "does not count", missed: "is missed" };
 let chosen = null;
-const opened = new Map(); // which parts somebody has opened or closed
+const opened = new Map(); // the parts that somebody has opened or closed
 
-/** Explains a pixel; null takes the marker away. */
+/** Explains a pixel; null ends that. */
 export function explain(pixel) {
   chosen = pixel;
-  ask({ explain: pixel });
+  ask(pixel ? { explain: pixel, hover: pixel } : { explain: null });
+  $("hover").setAttribute("aria-live", "polite");
   mark(pixel);
   $(pixel ? "arrows-step" : "arrows-turn").checked = true;
   show($("pixel-explained"), pixel !== null);
@@ -20,7 +21,7 @@ export function explain(pixel) {
   if (location.hash !== address) history.replaceState(null, "", address);
 }
 
-/** Goes to the pixel beside the one that is explained; false where there is none. */
+/** Goes to the pixel beside the explained one; false if none is explained. */
 export function step(right, down) {
   if (!chosen) return false;
   const to = [Math.min(size.width - 1, Math.max(0, chosen[0] + right)), Math.min(size.height - 1, Math.max(0, chosen[1] + down))];
@@ -30,29 +31,31 @@ export function step(right, down) {
 
 on("explanation", message => {
   const pixel = message.pixel;
-  if (!chosen || pixel.pixel.column !== chosen[0] || pixel.pixel.line !== chosen[1]) return; // of a pixel before this one
+  if (!chosen || pixel.pixel.column !== chosen[0] || pixel.pixel.line !== chosen[1]) return; // it explains a pixel that was chosen before
   mark(chosen);
   const box = $("pixel-explained");
   box.dataset.bytes = pixel.color.bytes.join(" ");
-  box.replaceChildren(...[head(pixel), ...notes(pixel), section(message.section, pixel), 
+  box.replaceChildren(...[head(pixel), ...notes(pixel), section(message.section, pixel),
     part("camera", "Camera, the same for every pixel", pixel.camera.slide, steps(pixel.camera.steps)),
     part("ray", "Ray through this pixel", pixel.ray.slide, steps(pixel.ray.steps), counts(pixel), true),
     ...pixel.models.filter(model => !(model.mesh && model.mesh.triangles === 0)).map(model => modelPart(model)),
-    others(pixel.others), part("colour", "Colour", pixel.color.slide, steps(pixel.color.steps), null, true), reference(pixel.reference)].filter(Boolean));
+    others(pixel.others), part("colour", "Colour", pixel.color.slide, steps(pixel.color.steps), null, true),
+    reference(pixel.reference)].filter(Boolean));
 });
 
 function head({ pixel, hit, color }) {
   const hex = `#${color.bytes.map(byte => byte.toString(16).padStart(2, "0")).join("")}`;
   return make("p", { id: "pixel-head" }, swatch(hex), ` column ${pixel.column}, line ${pixel.line} from the top (row r = ${pixel.row}): `,
     make("strong", { id: "pixel-model" }, hit?.name ?? "the background"), hit ? ` at t = ${digits(hit.t)}` : "", ", bytes ",
-    make("strong", { id: "pixel-bytes" }, color.bytes.join(" ")), ". ", make("a", { href: `#pixel=${pixel.column},${pixel.line}` }, "Link to this pixel"));
+    make("strong", { id: "pixel-bytes" }, color.bytes.join(" ")), ". ",
+    make("a", { href: `#pixel=${pixel.column},${pixel.line}` }, "Link to this pixel"));
 }
 
 function notes(pixel) {
   return pixel.notes.map(note => make("p", { class: "note" }, `Note: ${note}.`));
 }
 
-/** A part that can be opened and closed, and stays so from pixel to pixel. */
+/** A part that can be opened and closed, and keeps that state for the next pixel. */
 function part(key, title, slide, content, more = null, open = false) {
   const details = make("details", { open: opened.get(key) ?? open, "data-part": key },
     make("summary", {}, title, slide ? make("span", { class: "slide" }, ` slide “${slide}”`) : ""), content, more);
@@ -69,16 +72,16 @@ function modelPart(model) {
   return details;
 }
 
-/** Named steps: what is computed, with the numbers of this pixel, and what comes out. */
+/** Named steps: the formula, the formula with this pixel's numbers, the value. */
 function steps(list) {
-  if (list.length === 0) return make("p", {}, "It has no formula in steps.");
-  return make("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Formula with its numbers" }, make("table", {}, make("tbody", {}, ...list.map(step => {
+  if (list.length === 0) return make("p", {}, "Its formula has no named steps.");
+  return make("table", {}, make("tbody", {}, ...list.map(step => {
     const value = typeof step.value === "boolean" ? `is ${step.value}` : `= ${digits(step.value)}`;
     const plain = typeof step.value === "boolean" ? "" : digits(step.value);
     const numbers = step.numbers === step.formula || step.numbers === plain ? null : make("div", { class: "numbers" }, `= ${step.numbers}`);
     return make("tr", {}, make("th", { scope: "row" }, step.name), make("td", {},
       make("div", { class: "formula" }, `= ${step.formula}`), numbers, make("div", { class: "value" }, value)));
-  }))));
+  })));
 }
 
 function slabs(list) {
@@ -86,18 +89,20 @@ function slabs(list) {
   const cells = ["lo", "hi", "t0", "t1", "enters", "leaves"];
   return make("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Slabs" }, make("table", {},
     make("thead", {}, make("tr", {}, ...["slab", ...cells, ""].map(cell => make("th", { scope: "col" }, cell)))),
-    make("tbody", {}, ...list.map(slab => make("tr", {}, make("th", { scope: "row" }, slab.axis), ...cells.map(cell => make("td", {}, digits(slab[cell]))),
+    make("tbody", {}, ...list.map(slab => make("tr", {}, make("th", { scope: "row" }, slab.axis),
+      ...cells.map(cell => make("td", {}, digits(slab[cell]))),
       make("td", {}, [slab.decidesEntry ? "t_min" : null, slab.decidesExit ? "t_max" : null].filter(Boolean).join(", ")))))));
 }
 
 function crossings(model) {
-  return make("ul", {}, ...model.crossings.map(crossing => crossing.t === "NaN"
-    ? make("li", {}, `no crossing${crossing.untested === undefined ? "" : `; the test fails at t = ${digits(crossing.untested)}`}`)
-    : make("li", { class: crossing.verdict }, `t = ${crossing.numbers ? `${crossing.numbers} = ` : ""}${digits(crossing.t)}, z = ${digits(crossing.z)}: ${crossing.reason || verdicts[crossing.verdict]}`)));
+  return make("ul", {}, ...model.crossings.map(({ t, z, numbers, untested, verdict, reason }) => t === "NaN"
+    ? make("li", {}, `no crossing${untested === undefined ? "" : `; the test fails at t = ${digits(untested)}`}`)
+    : make("li", { class: verdict }, `t = ${numbers ? `${numbers} = ` : ""}${digits(t)}, z = ${digits(z)}: ${reason || verdicts[verdict]}`)));
 }
 
 function mesh({ triangles, triangle, missed, behind, underBias, beforeNear, beyondFar, counting }) {
-  const fates = [[missed, "passed by"], [behind, "behind the camera"], [underBias, "under the bias"], [beforeNear, "nearer than zNear"], [beyondFar, "beyond zFar"], [counting, "hit"]];
+  const fates = [[missed, "missed"], [behind, "behind the camera"], [underBias, "under the bias"], [beforeNear, "nearer than zNear"],
+    [beyondFar, "beyond zFar"], [counting, "hit"]];
   const which = triangle === null ? "." : `; number ${triangle}, from 0, is explained:`;
   return `${triangles} triangles tried: ${fates.filter(([number]) => number > 0).map(([number, fate]) => `${number} ${fate}`).join(", ")}${which}`;
 }
@@ -109,8 +114,8 @@ function counts({ camera, ray }) {
 }
 
 function others(other) {
-  return other.count === 0 ? null : make("p", {}, `${other.count} other models: ${other.missed} passed by, ${other.hidden} hidden, ${other.behind} behind the camera, ` +
-    `${other.underBias} under the bias, ${other.beforeNear} nearer than zNear, ${other.beyondFar} beyond zFar.`);
+  return other.count === 0 ? null : make("p", {}, `${other.count} other models: ${other.missed} missed, ${other.hidden} hidden, ` +
+    `${other.behind} behind the camera, ${other.underBias} under the bias, ${other.beforeNear} nearer than zNear, ${other.beyondFar} beyond zFar.`);
 }
 
 function reference(other) {

@@ -1,4 +1,4 @@
-// What is wrong with the scene file and with the code.
+// The mistakes of the scene file and the errors of the code.
 import { $, make, show } from "./dom.js";
 import { on } from "./server.js";
 
@@ -7,27 +7,25 @@ on("scene", scene => {
   list.replaceChildren(...scene.problems.map(entry));
   if (scene.more > 0) list.append(make("li", {}, `and ${scene.more} more`));
   const errors = scene.problems.filter(problem => problem.isError).length;
-  $("problems-title").textContent = errors > 0 ? `The scene file has ${count(errors, "mistake")}` : `The scene file has ${count(scene.problems.length, "warning")}`;
+  $("problems-title").textContent = `The scene file has ${errors > 0 ? count(errors, "mistake") : count(scene.problems.length, "warning")}`;
   $("problems-about").textContent = scene.good ? "" : scene.width > 0 ? "The picture is the last good one." : "There is no picture yet.";
   show($("problems"), scene.problems.length > 0);
   document.body.classList.toggle("stale", !scene.good);
 });
 
-// What keeps the code from being built, under "dotnet watch".
+// Comes under "dotnet watch" only.
 on("code", code => {
-  $("code-list").replaceChildren(...code.errors.map(error => make("li", { class: "error" },
-    make("p", {}, make("strong", {}, "Error: "), error.message),
-    make("p", {}, make("a", { href: error.link }, "Open in VS Code"), " or go to ", make("code", {}, error.place)))));
+  $("code-list").replaceChildren(...code.errors.map(entry));
   if (code.more > 0) $("code-list").append(make("li", {}, `and ${code.more} more`));
   $("code-title").textContent = `The code has ${count(code.errors.length + code.more, "error")}`;
   show($("code"), code.errors.length > 0);
 });
 
-/** A mistake with its line and caret, and two ways to get to its place. */
+/** A mistake with its line and caret, a link to its place, and the place in words. */
 function entry(problem) {
   return make("li", { class: problem.isError ? "error" : "warning" },
     make("p", {}, make("strong", {}, problem.isError ? "Error: " : "Warning: "), problem.message),
-    problem.excerpt ? make("pre", { tabindex: 0, "aria-label": "Where it is" }, problem.excerpt) : null,
+    problem.excerpt ? make("pre", { tabindex: 0, role: "group", "aria-label": "The place in the file" }, problem.excerpt) : null,
     make("p", {}, make("a", { href: problem.link }, "Open in VS Code"), " or go to ", make("code", {}, problem.place)));
 }
 

@@ -1,4 +1,4 @@
-// Draws the plane through the ray and the camera's up: the shapes' sections, the clip planes, the crossings. The server has computed them all.
+// Draws the plane through the ray and the camera's up, with the shapes' sections, the clip planes and the crossings that the server computed.
 import { digits, make } from "./dom.js";
 
 const [width, height, margin] = [640, 300, 24];
@@ -30,12 +30,14 @@ export function section(plane, pixel) {
   if (end) drawing.append(svg("line", { class: "ray", x1: x(0), y1: y(0), x2: x(end.at[0]), y2: y(end.at[1]) }));
   drawing.append(svg("circle", { class: "eye", cx: x(0), cy: y(0), r: 4 }), text(x(0) + 6, y(0) + 14, "P"));
   for (const crossing of plane.crossings) {
-    const mark = svg("circle", { class: `crossing ${crossing.verdict}`, cx: x(crossing.at[0]), cy: y(crossing.at[1]), r: crossing.verdict === "shows" ? 6 : 4 });
+    const r = crossing.verdict === "shows" ? 6 : 4;
+    const mark = svg("circle", { class: `crossing ${crossing.verdict}`, cx: x(crossing.at[0]), cy: y(crossing.at[1]), r });
     mark.append(svg("title", {}, `${crossing.name}: t = ${digits(crossing.t)}, ${crossing.reason}`));
     drawing.append(mark);
   }
   if (end) drawing.append(text(x(end.at[0]) + 8, y(end.at[1]) - 8, `t = ${digits(end.t, 4)}`));
-  box.append(drawing, make("figcaption", {}, "The plane through the ray and the camera's up (V upwards). Filled: the crossing that shows; rings: those that do not."));
+  box.append(drawing, make("figcaption", {},
+    "The plane through the ray and the camera's up (V upwards). The filled dot is the crossing that shows; rings are the others."));
   return box;
 }
 

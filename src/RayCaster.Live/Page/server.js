@@ -1,26 +1,26 @@
-// The line to the server: wishes go out, messages and frames come in. A line that breaks is taken up again.
+// The connection to the server: sends requests, receives messages and frames, and connects again after a break.
 
 const patience = { first: 200, most: 3000 }; // milliseconds between attempts
 const listeners = new Map();
 let socket = null;
 let wait = patience.first;
 let everOpen = false;
-const memory = {}; // what the server must know after a break: the newest wish of each of these kinds
+const memory = {}; // the newest request of each kind that the server must know after a break
 const remembered = new Set(["camera", "hidden", "look", "explain", "map", "hint"]);
 
-/** Calls back for each message of a kind; "frame", "open" and "closed" are kinds, too. */
+/** Registers a function for each message of a kind. "frame", "open" and "closed" are kinds, too. */
 export function on(kind, listener) {
   if (!listeners.has(kind)) listeners.set(kind, []);
   listeners.get(kind).push(listener);
 }
 
-/** Says what the page wants; several wishes at once are taken in order. */
-export function ask(wishes) {
-  for (const [name, value] of Object.entries(wishes)) if (remembered.has(name)) memory[name] = value;
-  if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(wishes));
+/** Sends one or several requests; the server takes them in order. */
+export function ask(requests) {
+  for (const [name, value] of Object.entries(requests)) if (remembered.has(name)) memory[name] = value;
+  if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(requests));
 }
 
-/** Lets the page say after a break which camera it has. */
+/** Notes a request that the server must know after a break. */
 export function remember(name, value) {
   memory[name] = value;
 }
@@ -50,7 +50,7 @@ function tell(kind, message) {
   for (const listener of listeners.get(kind) ?? []) listener(message);
 }
 
-/** Six numbers, then the pixels as a canvas takes them: nothing is copied. */
+/** Six numbers, then the pixels in the format of a canvas: nothing is copied. */
 function asFrame(buffer) {
   const [layer, version, number, isFinal, width, height] = new Int32Array(buffer, 0, 6);
   return { layer, version, number, isFinal: isFinal === 1, image: new ImageData(new Uint8ClampedArray(buffer, 24), width, height), width, height };

@@ -17,6 +17,7 @@ internal static class AxisMistakes
             "Nothing before the camera is in the picture.",
             "W points backwards. With which sign does it go into d?",
             "d = (uc U + ur V − W) normalised.")
+            .Or("d = −(uc U + ur V − W)", lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, ur)))
             .Or("d = uc U + ur V + W, and the depth is measured along +W, too", lab =>
             {
                 lab.AxisW.Becomes(W => (p, t) => -W(p, t)); // turns U about, but not V
@@ -43,18 +44,27 @@ internal static class AxisMistakes
             "The target is a point. Which vector leads from P to it?",
             "W = −(T − P) normalised.")
             .Or("W = P normalised: the camera looks at the origin", lab => lab.AxisW.Becomes(W => (p, t) => W(p, Vector3.Zero)))
-            .Or("W = −(T + P) normalised", lab => lab.AxisW.Becomes(W => (p, t) => W(-p, t))),
+            .Or("W = −(T + P) normalised", lab => lab.AxisW.Becomes(W => (p, t) => W(-p, t)))
+            .Or("d = uc U + ur V + T", Add(lab => lab.W + lab.T))
+            .Or("d = P + uc U + ur V − W: the point of the plane taken for a direction", Add(lab => lab.P))
+            .Or("d = uc U + ur V − W − P", Add(lab => -lab.P)),
         new Mistake("v-up", Concerns.Camera, Slides.Camera, "V = up, which is not perpendicular to W",
             lab => lab.AxisV.Is((w, u) => lab.Unit(lab.Camera.Up)),
             "A tilted camera shows everything stretched upwards, and shifted.",
             "Which angle do V and W have where the camera looks down?",
             "V = W × U.")
+            .Or("V = −up", lab => lab.AxisV.Is((w, u) => -lab.Unit(lab.Camera.Up)))
             .Or("V = up, not normalised", lab => lab.AxisV.Is((w, u) => lab.Camera.Up))
-            .Or("V = (0, 0, 1)", lab => lab.AxisV.Is((w, u) => new(0, 0, 1))),
+            .Or("V = (0, 0, 1)", lab => lab.AxisV.Is((w, u) => new(0, 0, 1)))
+            .Or("V = up × U", lab => lab.AxisV.Is((w, u) => lab.Cross.Do(lab.Camera.Up, u)))
+            .Or("V = U × up", lab => lab.AxisV.Is((w, u) => lab.Cross.Do(u, lab.Camera.Up))),
         new("uv-swap", Concerns.Camera, Slides.PixelTranslation, "U and V swapped: d = uc V + ur U − W",
             lab => lab.Towards.Becomes(towards => (uc, ur) => towards(ur, uc)),
             "The picture is mirrored at its rising diagonal; in a wide picture it is stretched, too.",
             "Columns count to the right. Which of U and V points to the right?",
             "d = (uc U + ur V − W) normalised."),
     ];
+
+    /// <summary>Adds a vector to d before d is normalised.</summary>
+    private static Action<Lab> Add(Func<Lab, Vector3> vector) => lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc, ur) + vector(lab));
 }

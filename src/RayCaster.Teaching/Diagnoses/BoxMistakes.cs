@@ -12,7 +12,10 @@ internal static class BoxMistakes
             "Boxes show from one side and vanish from another.",
             "Where d is negative, which face of a slab comes first?",
             "If t0 > t1, swap them, for each of x, y and z.")
-            .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", Unsorted(axes))),
+            .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", Unsorted(axes)))
+            .Or("box: t0 and t1 always swapped", Each((lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (t1, t0) : default))
+            .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t0 changed where both should be swapped{Of(axis)}", Half(axis, first: true)))
+            .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t1 changed where both should be swapped{Of(axis)}", Half(axis, first: false))),
         new Mistake("slab-minmin", Concerns.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
             lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Min)),
             "Boxes smear over the picture.",
@@ -20,7 +23,9 @@ internal static class BoxMistakes
             "t_min = max of the ways in, t_max = min of the ways out.")
             .Or("box: t_max is the last way out, not the first", lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Max, Math.Max)))
             .Or("box: t_min is the least way in, t_max the last way out",
-                lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Max))),
+                lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Max)))
+            .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
+            .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
             cross(new(box.Min with { Z = double.NegativeInfinity }, box.Max with { Z = double.PositiveInfinity }), d)),
             "Boxes are endless columns.",
@@ -29,7 +34,8 @@ internal static class BoxMistakes
             .Or("box: the slab of x forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
                 cross(new(box.Min with { X = double.NegativeInfinity }, box.Max with { X = double.PositiveInfinity }), d)))
             .Or("box: the slab of y forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
-                cross(new(box.Min with { Y = double.NegativeInfinity }, box.Max with { Y = double.PositiveInfinity }), d))),
+                cross(new(box.Min with { Y = double.NegativeInfinity }, box.Max with { Y = double.PositiveInfinity }), d)))
+            .Or(AxisSlips()),
         new Mistake("slab-tmax", Concerns.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
             lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Far)),
             "Boxes look hollow and too dark: you see their far faces from inside.",
@@ -57,6 +63,67 @@ internal static class BoxMistakes
             .Or("box: the first corner taken for its middle, the second for half its size",
                 Corners(box => new(box.Min - box.Max, box.Min + box.Max))),
     ];
+
+    /// <summary>What may be forgotten of one axis, or stay of another one where its line was copied.</summary>
+    private static IEnumerable<(string, Action<Lab>)> AxisSlips()
+    {
+        const string axes = "xyz";
+        for (var axis = 0; axis < 3; axis++)
+        {
+            var i = axis;
+            yield return ($"box: {axes[i]} alone in t_min and t_max", Alone(i, first: true, last: true));
+            yield return ($"box: {axes[i]} alone in t_min", Alone(i, first: true, last: false));
+            yield return ($"box: {axes[i]} alone in t_max", Alone(i, first: false, last: true));
+            yield return ($"box: {axes[i]} forgotten in t_min", One(i, (_, _, _, slab) => slab with { In = double.NegativeInfinity }));
+            yield return ($"box: {axes[i]} forgotten in t_max", One(i, (_, _, _, slab) => slab with { Out = double.PositiveInfinity }));
+            foreach (var k in (int[])[(i + 1) % 3, (i + 2) % 3])
+            {
+                yield return ($"box: the slab of {axes[i]} divided by the {axes[k]} of d",
+                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(i), d.At(k))));
+                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of P",
+                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(k), d.At(i))));
+                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0",
+                    One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(i), P.At(i), d.At(i))));
+                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B1",
+                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(k), P.At(i), d.At(i))));
+                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0 and B1",
+                    One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(k), P.At(i), d.At(i))));
+            }
+        }
+    }
+
+    /// <summary>Another slab of one axis, from the box, P, d and the right slab.</summary>
+    private static Action<Lab> One(int axis, Func<Aabb, Vector3, Vector3, (double In, double Out), (double In, double Out)> slab) => lab =>
+        lab.Box.Is((box, d) =>
+        {
+            InSlab other = (lo, hi, origin, direction) => slab(box, lab.P, d, Slab(lo, hi, origin, direction));
+            return Slabs(lab, box, d, (axis == 0 ? other : Slab, axis == 1 ? other : Slab, axis == 2 ? other : Slab), Math.Max, Math.Min);
+        });
+
+    /// <summary>t_min or t_max or both are those of one axis, as where each axis overwrites the one before.</summary>
+    private static Action<Lab> Alone(int axis, bool first, bool last) => lab => lab.Box.Is((box, d) =>
+    {
+        InSlab other = (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1)
+            ? (first ? double.NegativeInfinity : t0, last ? double.PositiveInfinity : t1) : default;
+        return Slabs(lab, box, d, (axis == 0 ? Slab : other, axis == 1 ? Slab : other, axis == 2 ? Slab : other), Math.Max, Math.Min);
+    });
+
+    /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays; for one axis, or with −1 for all.</summary>
+    private static Action<Lab> Half(int axis, bool first) => lab => lab.Box.Is((box, d) =>
+    {
+        InSlab half = (lo, hi, origin, direction) => Faces(lo, hi, origin, direction) is var (t0, t1) && t0 <= t1 ? (t0, t1)
+            : first ? (t1, t1) : (t0, t0);
+        return Slabs(lab, box, d, (axis is 0 or -1 ? half : Slab, axis is 1 or -1 ? half : Slab, axis is 2 or -1 ? half : Slab), Math.Max, Math.Min);
+    });
+
+    private static string Of(int axis) => axis < 0 ? "" : $", for {"xyz"[axis]}";
+
+    /// <summary>Another slab of each axis.</summary>
+    private static Action<Lab> Each(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Math.Max, Math.Min));
+
+    /// <summary>Another question about t_min and t_max than t_min ≤ t_max.</summary>
+    private static Action<Lab> Asked(Func<double, double, bool> isHit) => lab => lab.Box.Is((box, d) =>
+        Slabs(lab, box, d, (Slab, Slab, Slab), Math.Max, Math.Min, isHit));
 
     private static Action<Lab> Corners(Func<Aabb, Aabb> other) => lab => lab.Box.Becomes(cross => (box, d) => cross(other(box), d));
 

@@ -16,18 +16,29 @@ internal static class ColorMistakes
             "How bright should the target be?",
             "1 − t / (2 |T − P|): the target has half of its light.")
             .Or("1 − t / (|T − P| / 2)", lab => lab.Attenuation.Becomes(fade => t => fade(4 * t)))
-            .Or("1 − t / (4 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(t / 2))),
+            .Or("1 − t / (4 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(t / 2)))
+            .Or("1 − t / 2 · |T − P|, without brackets", Fade((t, D, _) => 1 - t / 2 * D))
+            .Or("1 − t / |2 T − P|", lab => lab.Reach.Is(() => lab.Length.Do(2 * lab.T - lab.P)))
+            .Or("1 − t / (2 |T + P|)", lab => lab.Reach.Is(() => lab.Length.Do(2 * (lab.T + lab.P)))),
         new Mistake("att-inv", Concerns.Color, Slides.Shading, "t / (2 |T − P|): far is bright",
             lab => lab.Attenuation.Becomes(fade => t => 1 - fade(t)),
             "Far things are brighter than near ones.",
             "How bright should a thing at t = 0 be?",
             "1 − t / (2 |T − P|).")
+            .Or("t / (2 |T − P|) − 1", lab => lab.Attenuation.Becomes(fade => t => -fade(t)))
+            .Or("1 − 2 |T − P| / t", Fade((t, D, _) => 1 - 2 * D / t))
             .Or("1 + t / (2 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(-t))),
-        new("att-none", Concerns.Color, Slides.Shading, "no attenuation: the model's colour as it is",
+        new Mistake("att-none", Concerns.Color, Slides.Shading, "no attenuation: the model's colour as it is",
             lab => lab.Attenuation.Is(_ => 1),
             "Everything is flat: each model has one colour.",
             "What makes a farther hit darker?",
-            "colour = (1 − t / (2 |T − P|)) · the model's colour."),
+            "colour = (1 − t / (2 |T − P|)) · the model's colour.")
+            .Or("only red is attenuated", Lit((light, own) => new(light.R, own.G, own.B)))
+            .Or("only green is attenuated", Lit((light, own) => new(own.R, light.G, own.B)))
+            .Or("only blue is attenuated", Lit((light, own) => new(own.R, own.G, light.B)))
+            .Or("red is not attenuated", Lit((light, own) => new(own.R, light.G, light.B)))
+            .Or("green is not attenuated", Lit((light, own) => new(light.R, own.G, light.B)))
+            .Or("blue is not attenuated", Lit((light, own) => new(light.R, light.G, own.B))),
         new Mistake("att-origin", Concerns.Color, Slides.Shading, "attenuation by the hit's distance from the origin of the world",
             lab => lab.Distance.Is((t, d) => lab.Length.Do(lab.P + t * d)),
             "What is close to the point (0, 0, 0) is bright, wherever the camera is.",
@@ -41,6 +52,7 @@ internal static class ColorMistakes
             "Every model is black.",
             "Of which type is your attenuation, and what is (int)0.7?",
             "Compute in double up to the byte, and only then cast.")
+            .Or("t cut to an integer", lab => lab.Attenuation.Becomes(fade => t => fade(Math.Truncate(t))))
             .Or("t and 2 |T − P| cut to integers, and divided as such", lab => lab.Attenuation.Is(t =>
                 (int)lab.Reach.Do() is var reach and not 0 ? 1 - (int)t / reach : double.NaN)),
         new Mistake("att-square", Concerns.Color, Slides.Shading, "attenuation by the square: 1 − t² / (2 |T − P|)²",
@@ -57,6 +69,8 @@ internal static class ColorMistakes
             "At which t is all light gone on the slide?",
             "1 − t / (2 |T − P|): a straight line from 1 to 0.")
             .Or("1 / (1 + t)", Fade((t, _, _) => 1 / (1 + t)))
+            .Or("1 / (1 + t / |T − P|)", Fade((t, D, _) => 1 / (1 + t / D)))
+            .Or("1 / (1 + t / (2 |T − P|))", Fade((t, D, _) => 1 / (1 + t / (2 * D))))
             .Or("|T − P| / t", Fade((t, D, _) => D / t))
             .Or("2 |T − P| / t", Fade((t, D, _) => 2 * D / t)),
         new Mistake("att-inverse-square", Concerns.Color, Slides.Shading, "attenuation 1 / t²",
@@ -73,6 +87,7 @@ internal static class ColorMistakes
             "How bright should the target be, wherever zFar is?",
             "1 − t / (2 |T − P|).")
             .Or("1 − t / (2 zFar)", Fade((t, _, camera) => 1 - t / (2 * camera.ZFar)))
+            .Or("1 − t² / zFar²", Fade((t, _, camera) => 1 - t * t / (camera.ZFar * camera.ZFar)))
             .Or("1 − depth / zFar", lab =>
             {
                 Fade((t, _, camera) => 1 - t / camera.ZFar)(lab);
@@ -95,6 +110,11 @@ internal static class ColorMistakes
                 lab.Dark.Is(attenuation => attenuation);
                 lab.Clamp.Is(channel => channel);
                 lab.Byte.Is(channel => Wrapped(255 * channel));
+            })
+            .Or("multiplied by 255 twice", lab =>
+            {
+                lab.Clamp.Is(channel => channel);
+                lab.Byte.Is(channel => Wrapped(255 * 255 * channel));
             })
             .Or("only what is less than 0 is not clamped", lab =>
             {
@@ -119,6 +139,8 @@ internal static class ColorMistakes
             "No gamma: the channel between 0 and 1, times 255, rounded.")
             .Or("a gamma of 2.2", Gamma(1 / 2.2))
             .Or("a gamma of 1.8", Gamma(1 / 1.8))
+            .Or("a gamma of 2.4", Gamma(1 / 2.4))
+            .Or("a gamma of 3", Gamma(1 / 3.0))
             .Or("the gamma of sRGB", lab => lab.Clamp.Becomes(clamp => channel =>
                 clamp(channel) is var c and <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(clamp(channel), 1 / 2.4) - 0.055))
             .Or("a gamma of 2 the wrong way: each channel squared", Gamma(2))
@@ -132,6 +154,10 @@ internal static class ColorMistakes
             .Or("255 forgotten: each channel rounded to 0 or 1 of 1",
             lab => lab.Byte.Is(channel => (byte)(255 * (int)(channel + 0.5)))),
     ];
+
+    /// <summary>Another colour, from the attenuated one and the model's own.</summary>
+    private static Action<Lab> Lit(Func<Color, Color, Color> of) => lab =>
+        lab.Lit.Becomes(lit => (attenuation, own) => of(lit(attenuation, own), own));
 
     /// <summary>Another attenuation, from t, |T − P| and the camera.</summary>
     private static Action<Lab> Fade(Func<double, double, Camera, double> attenuation) => lab =>

@@ -22,8 +22,10 @@ public enum Finding
 /// <param name="OtherSample">Whether the picture is also sampled at the other place in its pixels than the scene says: centres for corners.</param>
 /// <param name="Twins">Mistakes that give the same picture of this scene, so that nothing can tell them apart.</param>
 /// <param name="NotYet">What is not drawn yet besides, as in <see cref="Diagnosis.NotYet"/>.</param>
+/// <param name="SamePicture">Whether it draws the same picture of this scene as the first suspect; true of that one, too.</param>
 public sealed record Suspect(
-    IReadOnlyList<Mistake> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet);
+    IReadOnlyList<Mistake> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet,
+    bool SamePicture);
 
 /// <summary>
 /// Finds out what makes a wrong picture: draws some of the scene's pixels as programs do that are not finished, with each mistake of the
@@ -57,11 +59,18 @@ public sealed class Diagnosis
     /// <summary>The share of the wrong pixels that unfinished programs may leave for the rest to be right.</summary>
     private const double Nearly = 0.001;
 
-    /// <summary>The share of the wrong pixels that one mistake may leave before it is taken for chance; of more than one, less.</summary>
-    private const double Foreign = 0.35, ForeignPair = 0.2;
+    /// <summary>The share of the wrong pixels that one mistake may leave before it is taken for chance; of more than one, less. A mistake
+    /// whose pixels may lie anywhere leaves more.</summary>
+    private const double Foreign = 0.15, ForeignPair = 0.1, Scattered = 0.35;
+
+    /// <summary>The share of the wrong pixels that each mistake of several must explain, or it is not named.</summary>
+    private const double Idle = 0.002;
 
     /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all.</summary>
-    private const double Idle = 0.8;
+    private const double Mentioned = 0.8;
+
+    /// <summary>So many of the best are looked at for five to be named.</summary>
+    private const int Looked = 12;
 
     /// <summary>As many models are left out, one at a time, to see whether one is missing.</summary>
     private const int MostMissing = 32;
@@ -154,10 +163,10 @@ public sealed class Diagnosis
     /// <summary>What the trials come to, the best of which stands first.</summary>
     private void Answer(List<WrongProgram> ranked, Picture picture, IReadOnlyCollection<string> done)
     {
-        var best = ranked[0];
+        var best = WithoutIdle(ranked[0]);
         var left = best.Misfit.Unexplained / WrongCount;
         var isNamed = left <= Explained
-            || (MissingModel is null && left <= (best.Wordings.Count + best.Base.Kinds.Count() > 1 ? ForeignPair : Foreign));
+            || (MissingModel is null && left <= MayLeave(best));
         var doubtful = left > (best.Named.Count > 1 ? Nearly : Certain);
         if (doubtful && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
         {
@@ -168,18 +177,36 @@ public sealed class Diagnosis
         if (!isNamed)
         {
             if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
-            else if (left < Idle && Likely.Count == 0) Nearest = AsSuspect(best);
+            else if (Likely.Count == 0 && LikelyCause.OfAnother(prepared.Scene, picture) is { } another) Likely = [another];
+            else if (left < Mentioned && Likely.Count == 0) Nearest = AsSuspect(best, best.Draw(prepared.Scene));
             return;
         }
         NotYet = best.Base.NotYet;
         if (best.Wordings.Count == 0 && best.Base.Kinds.Any() && left > (best.OtherSample ? Certain : Nearly)
             && !IsRestRight([.. best.Base.Kinds], picture, done)) return;
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
-        var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= Foreign * WrongCount);
+        var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount)
+            .DistinctBy(trial => trial.Id).Take(Looked).Select(WithoutIdle).Where(trial => trial.Named.Count > 0);
         if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
             named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
-        WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named)).Take(5)];
-        Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(AsSuspect)];
+        WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named.Select(mistake => mistake.Id).Order())).Take(5)];
+        var likeliest = first.Length > 0 ? first[0].Draw(prepared.Scene) : null;
+        Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => AsSuspect(trial, likeliest!))];
+    }
+
+    private double MayLeave(WrongProgram trial) => trial.Wordings is [{ Id: "tri-area" }] ? Scattered
+        : trial.Wordings.Count + trial.Base.Kinds.Count() > 1 ? ForeignPair : Foreign;
+
+    /// <summary>Leaves out the mistakes beside others without which as much is explained.</summary>
+    private WrongProgram WithoutIdle(WrongProgram trial)
+    {
+        if (trial.Wordings.Count + trial.Base.NotYet.Count < 2) return trial;
+        foreach (var less in trial.Less)
+        {
+            var misfit = evidence.Misfit(less.Draw(prepared.Scene));
+            if (misfit.Unexplained <= trial.Misfit.Unexplained + Idle * WrongCount) return WithoutIdle(less with { Misfit = misfit });
+        }
+        return trial;
     }
 
     /// <summary>Beside shapes that are missing a small mistake counts for little: what is drawn is judged once more by itself.</summary>
@@ -216,7 +243,7 @@ public sealed class Diagnosis
         && mistake.Wordings.Any(wording => ((double[])[0.1, 1]).All(share =>
             strict.Misfit(new Lab(prepared.Scene, wording), share).Unexplained <= Explained * strict.WrongCount));
 
-    private Suspect AsSuspect(WrongProgram trial)
+    private Suspect AsSuspect(WrongProgram trial, Lab likeliest)
     {
         Mistake[] twins = [];
         var own = trial.Draw(prepared.Scene);
@@ -226,6 +253,7 @@ public sealed class Diagnosis
             twins = [.. prepared.Known.Where(other => other != named &&
                 other.Wordings.Any(wording => evidence.AreAlike(own, new WrongProgram(way, [wording], trial.OtherSample).Draw(prepared.Scene))))];
         }
-        return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet);
+        var isSame = !own.Scatters && !likeliest.Scatters && evidence.AreAlike(own, likeliest);
+        return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet, isSame);
     }
 }

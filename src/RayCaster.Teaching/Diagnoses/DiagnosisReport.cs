@@ -98,7 +98,10 @@ public static class DiagnosisReport
             text.AppendLine();
             text.AppendLine("If not that, then, ever less likely:");
             foreach (var suspect in suspects.Skip(1))
-                text.AppendLine($"  {Names(suspect),-16} would leave {Rest(diagnosis, suspect)}");
+            {
+                var rest = suspect.SamePicture ? "draws the same picture" : $"would leave {Rest(diagnosis, suspect)}";
+                text.AppendLine($"  {Names(suspect),-16} {rest}");
+            }
         }
         AppendNotTried(text, diagnosis);
         if (level < HintLevel.Answer)
@@ -155,6 +158,7 @@ public static class DiagnosisReport
         }),
         Unexplained = Math.Round(suspect.Unexplained),
         suspect.OtherSample,
+        suspect.SamePicture,
         Twins = suspect.Twins.Select(twin => twin.Id),
         suspect.NotYet,
     };

@@ -7,10 +7,16 @@ namespace RayCaster.Teaching;
 internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known, Evidence evidence, int? threads)
 {
     /// <summary>What a mistake may leave unexplained, as a share of the wrong pixels, for the search to end.</summary>
-    private const double Explained = 0.05;
+    private const double Explained = 0.02;
 
     /// <summary>The share of the evidence that each round looks at, and how many trials are left for it at least.</summary>
-    private static readonly (double Share, int Trials)[] rounds = [(0.016, int.MaxValue), (0.1, 60), (1, 24)];
+    private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 24)];
+
+    /// <summary>The share of the evidence that is looked at first where there are thousands of trials: some thirty pixels.</summary>
+    private const double Glance = 0.005;
+
+    /// <summary>How many trials are taken for thousands.</summary>
+    private const int Many = 2000;
 
     /// <summary>How many single mistakes are tried together with every other: of a finished program, and of an unfinished one.</summary>
     private const int Partners = 10, UnfinishedPartners = 4;
@@ -37,7 +43,14 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     public List<WrongProgram> Run(IEnumerable<Unfinished> unfinished, Func<IEnumerable<Unfinished>> likely)
     {
         var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
-        var singles = WithoutIdle(Best(Singles(Unfinished.Nothing, [false, true])));
+        var everySingle = Measured(Singles(Unfinished.Nothing, MayBeOtherSample ? [false, true] : [false]), rounds[0].Share);
+        var singles = Best(everySingle, 1);
+        if (!MayBeOtherSample)
+        {
+            var other = singles.Where(single => single.Id != center.Id).Select(single => single with { OtherSample = true });
+            singles = Sorted([.. singles, .. Best([.. other])]);
+        }
+        singles = WithoutIdle(singles);
         // Beside a mistake that changes everything a missing shape counts for little, so it is looked for even where the mistake explains most.
         var beside = Best(
         [
@@ -56,9 +69,14 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         if (IsDone(all)) return Sorted(all);
 
         all.AddRange(Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]));
-        if (!IsDone(all)) all.AddRange(Best(Reworded(Best([.. Measured(AllPairs(), 0.008).Take(Closer)]))));
+        if (!IsDone(all)) all.AddRange(Best(Reworded(Best([.. Measured(AllPairs(everySingle), Glance).Take(Closer)]))));
         return Sorted(all);
     }
+
+    /// <summary>Whether rays through the other place of each pixel explain so much by themselves that they are tried with every mistake, not
+    /// just with the nearest.</summary>
+    private bool MayBeOtherSample { get; } =
+        evidence.Misfit(new Lab(scene, center), 0.05).Unexplained < 0.9 * evidence.WrongCount;
 
     private bool IsDone(List<WrongProgram> all) => all.Exists(trial => trial.Misfit.Unexplained <= Explained * Wrong);
 
@@ -89,15 +107,26 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         from wording in other.Wordings
         select single with { Wordings = [single.Wordings[0], wording] };
 
-    /// <summary>All pairs, one of both in its first wording: of two mistakes that change everything, neither is near by itself.</summary>
-    private List<WrongProgram> AllPairs() =>
-    [
-        .. from one in known
-           from other in known
-           where one != other
-           from wording in other.Wordings.Take(MostWordings)
-           select new WrongProgram(Unfinished.Nothing, [one, wording], false),
-    ];
+    /// <summary>All pairs in their likeliest wordings: of two mistakes that change everything, neither is near by itself.</summary>
+    /// <param name="singles">Every mistake in every wording, the nearest first.</param>
+    private static List<WrongProgram> AllPairs(List<WrongProgram> singles)
+    {
+        Mistake[][] nearest =
+        [
+            .. from single in singles
+               where !single.OtherSample
+               group single.Wordings[0] by single.Id into wordings
+               select wordings.Take(MostWordings).ToArray(),
+        ];
+        return
+        [
+            .. from one in nearest
+               from other in nearest
+               where one != other
+               from wording in other
+               select new WrongProgram(Unfinished.Nothing, [one[0], wording], false),
+        ];
+    }
 
     /// <summary>The best pairs with one of both in another wording, and with rays through the other place of each pixel.</summary>
     private static List<WrongProgram> Reworded(List<WrongProgram> pairs) =>
@@ -110,9 +139,12 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     ];
 
     /// <summary>Looks at all, looks closer at the best, and sorts these.</summary>
-    private List<WrongProgram> Best(List<WrongProgram> trials)
+    /// <param name="trials">All, the nearest first if a round is behind them.</param>
+    /// <param name="done">How many rounds are behind them.</param>
+    private List<WrongProgram> Best(List<WrongProgram> trials, int done = 0)
     {
-        foreach (var (share, most) in rounds)
+        if (trials.Count > Many) trials = Measured(trials, Glance)[..(trials.Count / 4)];
+        foreach (var (share, most) in rounds.Skip(done))
         {
             var kept = Math.Min(trials.Count, most == int.MaxValue ? most : Math.Max(most, share < 1 ? trials.Count / 8 : most));
             trials = Measured(trials[..kept], share);

@@ -36,7 +36,25 @@ internal static class FileMistakes
                 var last = lab.Height - 1;
                 lab.Shown.Becomes(shown => (x, y) => shown(last - y, x));
             })
-            .Or("row and column swapped when the ray is cast", lab => lab.Sample.Becomes(sample => (c, r) => sample(r, c))),
+            .Or("row and column swapped, both counted from the other end", lab =>
+            {
+                lab.SwapSides();
+                var (right, bottom) = (lab.Width - 1, lab.Height - 1);
+                lab.Shown.Becomes(shown => (x, y) => shown(bottom - y, right - x));
+            })
+            .Or("row and column swapped when the ray is cast", lab => lab.Sample.Becomes(sample => (c, r) => sample(r, c)))
+            .Or("row and column swapped when the ray is cast, each divided by its own side",
+                lab => lab.Sample.Becomes(sample => (c, r) => sample(r * lab.Wide, c * lab.Tall)))
+            .Or("line y begins at y · height, where y · width is meant", lab => lab.Shown.Becomes(shown =>
+            {
+                var (width, height) = (lab.Camera.Width, lab.Camera.Height);
+                return (x, y) =>
+                {
+                    var place = y * width + x;
+                    var line = Math.Min(place / height, height - 1); // the last line that reaches there: it is written last
+                    return place - line * height < width ? shown(place - line * height, line) : default;
+                };
+            })),
         new Mistake("bgr", Concerns.File, Slides.Template, "red and blue swapped",
             Order((r, g, b) => (b, g, r)),
             "Two colours are swapped: what should be red is blue, say.",
@@ -45,7 +63,14 @@ internal static class FileMistakes
             .Or("red and green swapped", Order((r, g, b) => (g, r, b)))
             .Or("green and blue swapped", Order((r, g, b) => (r, b, g)))
             .Or("green, blue, red", Order((r, g, b) => (g, b, r)))
-            .Or("blue, red, green", Order((r, g, b) => (b, r, g))),
+            .Or("blue, red, green", Order((r, g, b) => (b, r, g)))
+            .Or("red three times", Order((r, _, _) => (r, r, r)))
+            .Or("red twice, no green", Order((r, _, b) => (r, r, b)))
+            .Or("red twice, no blue", Order((r, g, _) => (r, g, r)))
+            .Or("green twice, no blue", Order((r, g, _) => (r, g, g)))
+            .Or("green twice, no red", Order((_, g, b) => (g, g, b)))
+            .Or("blue twice, no red", Order((_, g, b) => (b, g, b)))
+            .Or("blue twice, no green", Order((r, _, b) => (r, b, b))),
         new("whswap", Concerns.File, Slides.Template, "width and height swapped in the file's header",
             lab =>
             {
@@ -62,13 +87,19 @@ internal static class FileMistakes
             "Which bytes follow the 255 of the header, and how many?",
             "Exactly one white-space byte, then the pixels: write \"\\n\", not WriteLine, which ends with \"\\r\\n\" on Windows.")
             .Or("two bytes too many between the header and the pixels", Bytes(2))
-            .Or("one byte too few between the header and the pixels", Bytes(-1)),
+            .Or("three bytes too many between the header and the pixels", Bytes(3))
+            .Or("one byte too few between the header and the pixels", Bytes(-1))
+            .Or("two bytes too few between the header and the pixels", Bytes(-2))
+            .Or("three bytes too few between the header and the pixels", Bytes(-3)),
         new Mistake("row-off", Concerns.File, Slides.Template, "line y shows row height − y, not height − 1 − y",
             lab => lab.Row.Becomes(row => y => row(y) + 1),
-            "The picture is one line too low.",
+            "The picture is one line or one column off.",
             "Rows count from 0. Which is the highest?",
             "Line y shows row r = height − 1 − y.")
-            .Or("line y shows row height − 2 − y", lab => lab.Row.Becomes(row => y => row(y) - 1)),
+            .Or("line y shows row height − 2 − y", lab => lab.Row.Becomes(row => y => row(y) - 1))
+            .Or("column x shows column x + 1", lab => lab.Column.Becomes(column => x => column(x) + 1))
+            .Or("column x shows column x − 1", lab => lab.Column.Becomes(column => x => column(x) - 1))
+            .Or("rows and columns counted from 1", lab => lab.Sample.Becomes(sample => (c, r) => sample(c + 1, r + 1))),
     ];
 
     /// <summary>The three channels in another order.</summary>

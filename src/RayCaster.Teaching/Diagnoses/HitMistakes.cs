@@ -16,13 +16,45 @@ internal static class HitMistakes
             "A crossing counts only if t > bias, and from zNear on.")
             .Or("no least t for planes", lab => BackToo(lab, Concerns.Planes))
             .Or("no least t for spheres", lab => BackToo(lab, Concerns.Spheres))
-            .Or("no least t for boxes", lab => BackToo(lab, Concerns.Boxes)),
+            .Or("no least t for boxes", lab => BackToo(lab, Concerns.Boxes))
+            .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
+            {
+                lab.Ahead.Is(t => t > double.NegativeInfinity);
+                lab.Clipped.Is((t, _) => t <= double.MaxValue);
+            })
+            .Or("|t · (−d·W)| compared with zNear and zFar, and no t > bias", lab =>
+            {
+                lab.Ahead.Is(t => t > double.NegativeInfinity);
+                lab.Clipped.Becomes(clipped => (t, depth) => clipped(Math.Abs(t), Math.Abs(depth)));
+            })
+            .Or("|t| for planes", lab => lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near))))
+            .Or("|t| for every shape", lab =>
+            {
+                lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near)));
+                lab.Sphere.Becomes(cross => (sphere, d) => Unsigned(cross(sphere, d)));
+                lab.Box.Becomes(cross => (box, d) => Unsigned(cross(box, d)));
+                lab.Circle.Becomes(cross => (circle, d) => new(Math.Abs(cross(circle, d).Near)));
+                lab.Triangle.Becomes(cross => (triangle, d) => new(Math.Abs(cross(triangle, d).Near)));
+                lab.TrianglesReachOut = true;
+            })
+            .Or("the crossing with the least |t| for spheres and boxes", lab =>
+            {
+                lab.Sphere.Becomes(cross => (sphere, d) => Closest(cross(sphere, d)));
+                lab.Box.Becomes(cross => (box, d) => Closest(cross(box, d)));
+            }),
         new Mistake("last-hit", Concerns.Hit, Slides.RayCasting, "the last model hit shows, not the nearest",
             lab => lab.Better.Is((_, _) => true),
             "Far things cover near ones; the order of the models changes the picture.",
             "When may a hit replace the one that was found before?",
             "Keep a hit only if its t is less than the best t so far.")
-            .Or("the first model hit shows, not the nearest", lab => lab.Better.Is((_, best) => double.IsPositiveInfinity(best))),
+            .Or("the first model hit shows, not the nearest", lab => lab.Better.Is((_, best) => double.IsPositiveInfinity(best)))
+            .Or("the best t is replaced by that of each hit: the braces of the if are missing", lab => lab.Replaces.Is((_, _) => true))
+            .Or("the model is replaced by that of each hit, the best t only by a lesser one", lab =>
+            {
+                lab.Replaces.Is((t, best) => t < best);
+                lab.Better.Is((_, _) => true);
+            })
+            .Or("the best t stays that of the first hit", lab => lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best))),
         new("far-hit", Concerns.Hit, Slides.RayCasting, "the farthest hit shows",
             lab =>
             {
@@ -37,7 +69,8 @@ internal static class HitMistakes
             "There is nothing but background.",
             "With which t is the first hit compared?",
             "Start with the best t = +∞.")
-            .Or("the best t starts at 1", lab => lab.Start.Is(() => 1)),
+            .Or("the best t starts at 1", lab => lab.Start.Is(() => 1))
+            .Or("the best t starts at 10", lab => lab.Start.Is(() => 10)),
         new("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)),
             "What the near plane cuts is cut along a wrong line.",
@@ -48,7 +81,7 @@ internal static class HitMistakes
             "What the far plane cuts is cut along a wrong line: round for straight, or straight for round.",
             "What does the scene's \"clip\" say that zFar measures?",
             "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar."),
-        new("zboth-t", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
+        new Mistake("zboth-t", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
             lab =>
             {
                 lab.Near.Becomes(near => (t, depth) => near(depth, t));
@@ -56,7 +89,13 @@ internal static class HitMistakes
             },
             "What the near and the far plane cut is cut along wrong lines.",
             "What does the scene's \"clip\" say that zNear and zFar measure?",
-            "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar."),
+            "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar.")
+            .Or("zNear and zFar compared with the hit's distance from the origin of the world", lab =>
+            {
+                lab.Depth.Is((t, d) => lab.Length.Do(lab.P + t * d));
+                lab.Near.Becomes(near => (_, distance) => near(distance, distance));
+                lab.Far.Becomes(far => (_, distance) => far(distance, distance));
+            }),
         new Mistake("clip-after", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar asked only after the nearest hit was chosen",
             lab => lab.Clipped.Becomes(clipped =>
             {
@@ -71,14 +110,19 @@ internal static class HitMistakes
                 lab.Kept.Is(near);
                 return (_, _) => true;
             })),
-        new("no-znear", Concerns.Hit, Slides.ClipPlanes, "zNear ignored", lab => lab.Near.Is((_, _) => true),
+        new Mistake("no-znear", Concerns.Hit, Slides.ClipPlanes, "zNear ignored", lab => lab.Near.Is((_, _) => true),
             "Something close to the camera is in the way.",
             "Which test uses zNear?",
-            "A crossing counts only from zNear on."),
-        new("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
+            "A crossing counts only from zNear on.")
+            .Or("zNear ignored for spheres", Unclipped(Concerns.Spheres, near: true, far: false)),
+        new Mistake("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
             "There is something where the background should be, far away.",
             "Which test uses zFar?",
-            "A crossing counts only up to zFar."),
+            "A crossing counts only up to zFar.")
+            .Or("zFar ignored for planes", Unclipped(Concerns.Planes, near: false, far: true))
+            .Or("zNear and zFar ignored for planes", Unclipped(Concerns.Planes, near: true, far: true))
+            .Or("zNear and zFar ignored for spheres", Unclipped(Concerns.Spheres, near: true, far: true))
+            .Or("zNear and zFar asked for planes alone", Unclipped(~Concerns.Planes, near: true, far: true)),
         new Mistake("bias-big", Concerns.Hit, Slides.Bias, "a bias of 1 in place of zNear",
             lab =>
             {
@@ -100,6 +144,30 @@ internal static class HitMistakes
             "If the first crossing is cut away, what of the second?",
             "The first crossing that counts is the hit; ask both."),
     ];
+
+    /// <summary>zNear or zFar or both not asked where such shapes are hit.</summary>
+    private static Action<Lab> Unclipped(Concerns kinds, bool near, bool far) => lab =>
+    {
+        lab.Hit.Becomes(hit => (model, d) =>
+        {
+            if ((Mistake.KindOf(model) & kinds) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);
+            return Counts(crossed.Near, d) ? crossed.Near : Counts(crossed.Far, d) ? crossed.Far : null;
+        });
+
+        bool Counts(double t, Vector3 d) => lab.Ahead.Do(t) && t <= double.MaxValue
+            && (near || lab.Near.Do(t, lab.Depth.Do(t, d))) && (far || lab.Far.Do(t, lab.Depth.Do(t, d)));
+    };
+
+    /// <summary>Both crossings without their signs, the lesser first.</summary>
+    private static Crossings<Scalar> Unsigned(Crossings<Scalar> crossed)
+    {
+        var (near, far) = SlideFormulas.Sorted(Math.Abs(crossed.Near), Math.Abs(crossed.Far));
+        return new(near, far);
+    }
+
+    /// <summary>The crossing nearest to P, before it or behind it.</summary>
+    private static Crossings<Scalar> Closest(Crossings<Scalar> crossed) =>
+        new(Math.Abs(crossed.Far) < Math.Abs(crossed.Near) ? crossed.Far : crossed.Near);
 
     /// <summary>The first crossing of such shapes counts, behind the camera too.</summary>
     private static void BackToo(Lab lab, Concerns shapes) => lab.Hit.Becomes(hit => (model, d) =>

@@ -7,7 +7,7 @@ namespace RayCaster.Teaching;
 /// <see cref="Mistake"/> changes it; without a mistake every byte is that of <see cref="ScalarRenderer"/>. After its construction a lab
 /// no longer changes, so several threads may ask it for pixels.
 /// </summary>
-internal sealed class Lab
+internal sealed partial class Lab
 {
     /// <summary>Sets up the program of a student who has made these mistakes, in this order; none for the definition.</summary>
     public Lab(Scene scene, params ReadOnlySpan<Mistake> mistakes)
@@ -43,6 +43,8 @@ internal sealed class Lab
         Depth = new((t, d) => t * -(d * W));
         First = new((crossed, d) => Counts(crossed.Near, d) ? crossed.Near : Counts(crossed.Far, d) ? crossed.Far : null);
         Hit = new(HitOf);
+
+        Replaces = new((t, best) => Better.Do(t, best));
 
         Norm = new(a => Length.Do(a));
         Reach = new(() => Length.Do(2 * (T - P)));
@@ -102,140 +104,12 @@ internal sealed class Lab
     /// <summary>Lines of the file.</summary>
     public int Height { get; private set; }
 
-    // ---- The steps: vectors ----
-
-    /// <summary>a → |a|.</summary>
-    public Step<Func<Vector3, double>> Length { get; } = new(a => a.Length);
-
-    /// <summary>a → |a|, by which a is divided to be normalised.</summary>
-    public Step<Func<Vector3, double>> Norm { get; }
-
-    /// <summary>(a, b) → a × b.</summary>
-    public Step<Func<Vector3, Vector3, Vector3>> Cross { get; } = new((a, b) => a % b);
-
-    // ---- The camera ----
-
-    /// <summary>(P, T) → W.</summary>
-    public Step<Func<Vector3, Vector3, Vector3>> AxisW { get; }
-
-    /// <summary>(up, W) → U.</summary>
-    public Step<Func<Vector3, Vector3, Vector3>> AxisU { get; }
-
-    /// <summary>(W, U) → V.</summary>
-    public Step<Func<Vector3, Vector3, Vector3>> AxisV { get; }
-
-    /// <summary>An angle → its tangent.</summary>
-    public Step<Func<double, double>> Tan { get; } = new(Math.Tan);
-
-    /// <summary>fovY in degrees → h.</summary>
-    public Step<Func<double, double>> PlaneHeight { get; }
-
-    /// <summary>h → w.</summary>
-    public Step<Func<double, double>> PlaneWidth { get; }
-
-    /// <summary>(c, r) → the place in the picture, in pixels, that the ray passes.</summary>
-    public Step<Func<double, double, (double C, double R)>> Sample { get; }
-
-    /// <summary>c → uc.</summary>
-    public Step<Func<double, double>> Uc { get; }
-
-    /// <summary>r → ur.</summary>
-    public Step<Func<double, double>> Ur { get; }
-
-    /// <summary>(uc, ur) → d before it is normalised.</summary>
-    public Step<Func<double, double, Vector3>> Towards { get; }
-
-    /// <summary>That → d.</summary>
-    public Step<Func<Vector3, Vector3>> Direction { get; }
-
-    // ---- The crossings of a ray with a shape ----
-
-    /// <summary>(plane, d) → its crossing.</summary>
-    public Step<Func<Plane, Vector3, Crossed>> Plane { get; }
-
-    /// <summary>(sphere, d) → its crossings.</summary>
-    public Step<Func<Sphere, Vector3, Crossed>> Sphere { get; }
-
-    /// <summary>(box, d) → its crossings.</summary>
-    public Step<Func<Aabb, Vector3, Crossed>> Box { get; }
-
-    /// <summary>(circle, d) → its crossing.</summary>
-    public Step<Func<Circle, Vector3, Crossed>> Circle { get; }
-
-    /// <summary>(triangle, d) → its crossing; those of a mesh too.</summary>
-    public Step<Func<Triangle, Vector3, Crossed>> Triangle { get; }
-
     /// <summary>Whether triangles are hit outside of themselves, so that nothing can be said about a mesh by its bounds.</summary>
     public bool TrianglesReachOut { get; set; }
 
     /// <summary>Whether the last bits decide for each pixel if the mistake shows there: some pixels are the lab's, the others the
     /// definition's.</summary>
     public bool Scatters { get; set; }
-
-    // ---- Which crossing counts ----
-
-    /// <summary>(t, d) → how far t is along the view direction.</summary>
-    public Step<Func<double, Vector3, double>> Depth { get; }
-
-    /// <summary>t → whether it is ahead: t &gt; bias.</summary>
-    public Step<Func<double, bool>> Ahead { get; }
-
-    /// <summary>(t, depth) → whether it is not nearer than zNear, which measures one of both.</summary>
-    public Step<Func<double, double, bool>> Near { get; }
-
-    /// <summary>(t, depth) → whether it is not beyond zFar, which measures one of both.</summary>
-    public Step<Func<double, double, bool>> Far { get; }
-
-    /// <summary>(t, depth) → whether it is between both.</summary>
-    public Step<Func<double, double, bool>> Clipped { get; }
-
-    /// <summary>(crossings, d) → the first that counts; null for none.</summary>
-    public Step<Func<Crossed, Vector3, double?>> First { get; }
-
-    /// <summary>(model, d) → the t at which it is hit; null for none. A t that is no number is a hit too.</summary>
-    public Step<Func<Model, Vector3, double?>> Hit { get; }
-
-    // ---- Which hit shows ----
-
-    /// <summary>→ the best t before the first hit.</summary>
-    public Step<Func<double>> Start { get; } = new(() => double.PositiveInfinity);
-
-    /// <summary>(t, best t) → whether t takes its place.</summary>
-    public Step<Func<double, double, bool>> Better { get; } = new((t, best) => t < best);
-
-    /// <summary>(t, depth) → whether the hit that was chosen shows.</summary>
-    public Step<Func<double, double, bool>> Kept { get; } = new((_, _) => true);
-
-    // ---- The colour ----
-
-    /// <summary>(t, d) → what the attenuation measures.</summary>
-    public Step<Func<double, Vector3, double>> Distance { get; } = new((t, _) => t);
-
-    /// <summary>→ 2 |T − P|, the distance at which all light is gone.</summary>
-    public Step<Func<double>> Reach { get; }
-
-    /// <summary>The distance → the attenuation.</summary>
-    public Step<Func<double, double>> Attenuation { get; }
-
-    /// <summary>That → the same, not below 0.</summary>
-    public Step<Func<double, double>> Dark { get; } = new(attenuation => Math.Max(0, attenuation));
-
-    /// <summary>A channel → the same between 0 and 1.</summary>
-    public Step<Func<double, double>> Clamp { get; } = new(channel => Math.Min(Math.Max(channel, 0), 1));
-
-    /// <summary>That → its byte.</summary>
-    public Step<Func<double, byte>> Byte { get; } = new(channel => (byte)(channel * 255 + 0.5)); // no number becomes 0
-
-    // ---- The file ----
-
-    /// <summary>The column x of the file → c.</summary>
-    public Step<Func<int, int>> Column { get; } = new(x => x);
-
-    /// <summary>The line y of the file, 0 = top → r, 0 = bottom.</summary>
-    public Step<Func<int, int>> Row { get; }
-
-    /// <summary>(x, y) → what the file shows there.</summary>
-    public Step<Func<int, int, (byte R, byte G, byte B)>> Shown { get; }
 
     /// <summary>Leaves out all models of a kind.</summary>
     /// <param name="kind">As a scene file calls it.</param>
@@ -289,10 +163,12 @@ internal sealed class Lab
         var best = Start.Do();
         for (var i = 0; i < models.Length; i++)
         {
-            if (Hit.Do(models[i], d) is { } t && Better.Do(t, best)) (hit, best) = (models[i], t);
+            if (Hit.Do(models[i], d) is not { } t) continue;
+            if (Better.Do(t, best)) hit = models[i];
+            if (Replaces.Do(t, best)) best = t;
         }
         if (hit is null || !Kept.Do(best, Depth.Do(best, d))) return Bytes(Scene.Background);
-        return Bytes(Dark.Do(Attenuation.Do(Distance.Do(best, d))) * hit.Color);
+        return Bytes(Lit.Do(Dark.Do(Attenuation.Do(Distance.Do(best, d))), hit.Color));
     }
 
     private double? HitOf(Model model, Vector3 d) => model switch

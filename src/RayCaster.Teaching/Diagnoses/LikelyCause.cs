@@ -1,3 +1,5 @@
+using System.Globalization;
+
 namespace RayCaster.Teaching;
 
 /// <summary>What sort of difference a wrong picture shows, where no mistake of the catalogue is certain.</summary>
@@ -39,6 +41,25 @@ internal static class LikelyCause
         {
             yield return $"Only what is of the type {kind} is wrong: look at its formula.";
         }
+    }
+
+    /// <summary>Says so where most of a picture has colours that no model of the scene has in any light; null where not.</summary>
+    public static string? OfAnother(Scene scene, Picture picture)
+    {
+        var background = scene.Background.ToBytes();
+        var count = picture.Width * picture.Height;
+        var (strange, looked) = (0, Math.Min(4000, count));
+        var places = new GoldenSteps(count);
+        for (var k = 0; k < looked; k++)
+        {
+            var (y, x) = Math.DivRem(places[k], picture.Width);
+            var shown = picture[x, y];
+            if (PictureDifference.Levels(shown, background) > Evidence.Tolerance
+                && !scene.Models.Any(model => Unfinished.IsShadeOf(shown, model.Color))) strange++;
+        }
+        return strange <= looked / 2 ? null : string.Create(CultureInfo.InvariantCulture,
+            $"This is another picture, or its colours were changed: {100.0 * strange / looked:0} % of its pixels have a colour " +
+            $"that no model of the scene has in any light.");
     }
 
     /// <summary>Whether every pixel shows the model that it should, in some light.</summary>

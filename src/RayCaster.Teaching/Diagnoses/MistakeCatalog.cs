@@ -5,8 +5,10 @@ public static class MistakeCatalog
 {
     /// <summary>All of them; a pair's picture does not depend on it.</summary>
     public static IReadOnlyList<Mistake> All { get; } =
-        [.. AxisMistakes.All, .. PixelMistakes.All, .. VectorMistakes.All, .. HitMistakes.All, .. SphereMistakes.All, .. SurfaceMistakes.All,
-            .. BoxMistakes.All, .. ColorMistakes.All, .. FileMistakes.All];
+    [
+        .. AxisMistakes.All, .. ImagePlaneMistakes.All, .. PixelMistakes.All, .. VectorMistakes.All, .. HitMistakes.All, .. SphereMistakes.All,
+        .. SurfaceMistakes.All, .. OriginMistakes.All, .. BoxMistakes.All, .. ColorMistakes.All, .. FileMistakes.All,
+    ];
 
     /// <summary>The mistake of an id; null where there is none.</summary>
     public static Mistake? Named(string id)

@@ -8,6 +8,9 @@ namespace RayCaster.Teaching;
 /// </summary>
 internal static class SlideFormulas
 {
+    /// <summary>A coordinate: 0 is x, 1 is y, 2 is z.</summary>
+    public static double At(this Vector3 a, int axis) => axis switch { 0 => a.X, 1 => a.Y, _ => a.Z };
+
     /// <summary>No crossing.</summary>
     public static Crossed None => new(double.NaN);
 
@@ -45,16 +48,16 @@ internal static class SlideFormulas
         Lab lab, Aabb box, Vector3 d, InSlab slab, Func<double, double, double> lastIn, Func<double, double, double> firstOut) =>
         Slabs(lab, box, d, (slab, slab, slab), lastIn, firstOut);
 
-    /// <summary>The same with a formula for each slab.</summary>
+    /// <summary>The same with a formula for each slab, and perhaps with another question than t_min ≤ t_max.</summary>
     public static Crossed Slabs(Lab lab, Aabb box, Vector3 d, (InSlab X, InSlab Y, InSlab Z) slabs,
-        Func<double, double, double> lastIn, Func<double, double, double> firstOut)
+        Func<double, double, double> lastIn, Func<double, double, double> firstOut, Func<double, double, bool>? isHit = null)
     {
         var x = slabs.X(box.Min.X, box.Max.X, lab.P.X, d.X);
         var y = slabs.Y(box.Min.Y, box.Max.Y, lab.P.Y, d.Y);
         var z = slabs.Z(box.Min.Z, box.Max.Z, lab.P.Z, d.Z);
         var tMin = lastIn(lastIn(x.In, y.In), z.In);
         var tMax = firstOut(firstOut(x.Out, y.Out), z.Out);
-        return tMin <= tMax ? new(tMin, tMax) : None;
+        return (isHit?.Invoke(tMin, tMax) ?? tMin <= tMax) ? new(tMin, tMax) : None;
     }
 
     /// <summary>(lo, hi, origin, direction) → the ways in and out of a slab.</summary>
@@ -82,16 +85,21 @@ internal static class SlideFormulas
     /// <param name="d">The ray's direction.</param>
     /// <param name="inside">(u, v) → whether X is in the triangle.</param>
     /// <param name="crossing">(A, n) → the t where the ray crosses the triangle's plane; the right one if left out.</param>
+    /// <param name="sides">The cross product of u and v; the lab's if left out.</param>
+    /// <param name="from">Where X = P + t d begins; at P if left out.</param>
     public static Crossed Triangle(
-        Lab lab, Triangle triangle, Vector3 d, Func<double, double, bool> inside, Func<Vector3, Vector3, double>? crossing = null)
+        Lab lab, Triangle triangle, Vector3 d, Func<double, double, bool> inside, Func<Vector3, Vector3, double>? crossing = null,
+        Func<Vector3, Vector3, Vector3>? sides = null, Vector3? from = null)
     {
         var (A, B, C) = (triangle.A, triangle.B, triangle.C);
         var (n, t) = CrossPlane(lab, triangle, d);
         if (crossing is not null) t = crossing(A, n);
         if (!lab.Counts(t, d)) return None; // only to be done sooner
-        var X = lab.P + t * d;
-        var u = lab.Cross.Do(A - C, X - C) * n / (n * n);
-        var v = lab.Cross.Do(B - A, X - A) * n / (n * n);
+        var X = (from ?? lab.P) + t * d;
+        if (sides is null) sides = lab.Cross.Do;
+        else n = sides(B - A, C - A);
+        var u = sides(A - C, X - C) * n / (n * n);
+        var v = sides(B - A, X - A) * n / (n * n);
         return inside(u, v) ? new(t) : None;
     }
 

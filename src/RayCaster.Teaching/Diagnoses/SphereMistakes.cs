@@ -12,9 +12,11 @@ internal static class SphereMistakes
             "Spheres have a wrong size, or a wrong depth; one of radius 1 is right.",
             "Are both sides of your equation squares?",
             "thc = √(R² − D²).")
+            .Or("sphere: 2 R where R² is meant", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = Math.Sqrt(2 * s.Radius) }, d)))
+            .Or("sphere: R⁴ where R² is meant", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius * s.Radius }, d)))
             .Or("sphere: D² > R asked where D² > R² is meant", Sphere((R, tca, D2) => D2 > R ? None : Roots(tca, Math.Sqrt(R * R - D2))))
             .Or("sphere: D > R² asked where D > R is meant", Sphere((R, tca, D2) => D2 > R * R * R * R ? None : Roots(tca, Math.Sqrt(R * R - D2)))),
-        new("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
+        new Mistake("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
             lab =>
             {
                 lab.Hit.Becomes(hit => (model, d) =>
@@ -23,7 +25,8 @@ internal static class SphereMistakes
             },
             "Nearly all is black where a sphere is in the scene; only what is listed after it survives.",
             "What does Math.Sqrt give for −1, and what does NaN < 0 say?",
-            "Return no hit where R² − D² < 0, before the root."),
+            "Return no hit where R² − D² < 0, before the root.")
+            .Or("sphere: thc = √|R² − D²|, and every ray hits", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(Math.Abs(R * R - D2))))),
         new Mistake("far-root", Concerns.Spheres, Slides.Sphere, "sphere: the far root t = tca + thc is taken",
             lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Far)),
             "Spheres look hollow: you see the inside of their far half.",
@@ -35,11 +38,12 @@ internal static class SphereMistakes
             "A sphere that the camera is in, or that is cut open, is not there.",
             "From inside, what is the sign of tca − thc?",
             "Where tca − thc does not count, try tca + thc."),
-        new("oc-sign", Concerns.Spheres, Slides.Sphere, "sphere: P − C where C − P is meant, which mirrors the sphere at the camera",
+        new Mistake("oc-sign", Concerns.Spheres, Slides.Sphere, "sphere: P − C where C − P is meant, which mirrors the sphere at the camera",
             lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = 2 * lab.P - s.Center }, d)),
             "Spheres are missing; those behind the camera show.",
             "From where to where does L point?",
-            "L = C − P, tca = L·d. (In the quadratic: b = 2 d·(P − C).)"),
+            "L = C − P, tca = L·d. (In the quadratic: b = 2 d·(P − C).)")
+            .Or("sphere: thc − tca where tca − thc is meant", Sphere((R, tca, D2) => new(Math.Sqrt(R * R - D2) - tca, Math.Sqrt(R * R - D2) + tca))),
         new Mistake("disc-2", Concerns.Spheres, Slides.SphereAnalytical, "sphere: discriminant b² − a c, while b = 2 d·(P − C) has its 2",
             Quadratic((a, b, c) => Roots(a, b, b * b - a * c)),
             "Spheres bleed over the picture, or have a wrong size or depth.",
@@ -48,6 +52,8 @@ internal static class SphereMistakes
             .Or("sphere: b = d·(P − C) without its 2, while the discriminant is b² − 4 a c",
                 Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - 4 * a * c)))
             .Or("sphere: discriminant b² − 2 a c", Quadratic((a, b, c) => Roots(a, b, b * b - 2 * a * c)))
+            .Or("sphere: discriminant 2 b − 4 a c", Quadratic((a, b, c) => Roots(a, b, 2 * b - 4 * a * c)))
+            .Or("sphere: b = d·(P − C) without its 2, and √(b² − c) / 2", Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - c)))
             .Or("sphere: discriminant b − 4 a c", Quadratic((a, b, c) => Roots(a, b, b - 4 * a * c)))
             .Or("sphere: discriminant b² + 4 a c", Quadratic((a, b, c) => Roots(a, b, b * b + 4 * a * c)))
             .Or("sphere: divided by a where 2a is meant", Quadratic((a, b, c) => Roots(a / 2, b, b * b - 4 * a * c)))
@@ -65,7 +71,12 @@ internal static class SphereMistakes
             "D is a length. What is it taken from?",
             "thc = √(R² − D²), D² = L² − tca².")
             .Or("sphere: D > R² asked too", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - Math.Sqrt(D2)))))
-            .Or("sphere: thc = √(R² − D⁴)", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - D2 * D2)))),
+            .Or("sphere: thc = √(R² − D⁴)", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - D2 * D2))))
+            .Or("sphere: D² = |L| − tca²", Distances((L2, tca) => Math.Sqrt(L2) - tca * tca))
+            .Or("sphere: D² = L² − tca", Distances((L2, tca) => L2 - tca))
+            .Or("sphere: D = |L| − tca", Distances((L2, tca) => (Math.Sqrt(L2) - tca) * (Math.Sqrt(L2) - tca)))
+            .Or("sphere: D = |L|", Distances((L2, _) => L2))
+            .Or("sphere: D² = |L| − tca", Distances((L2, tca) => Math.Sqrt(L2) - tca)),
         new Mistake("thc-nosqrt", Concerns.Spheres, Slides.Sphere, "sphere: thc = R² − D² without the root",
             Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R * R - D2)),
             "Spheres have the right outline, but bulge or are too flat: their light is wrong, and so is what covers them.",
@@ -79,6 +90,7 @@ internal static class SphereMistakes
             "Spheres look like flat discs, and stand too deep in what they touch.",
             "What is at t = tca: the ray's way in, or its middle?",
             "t = tca − thc, and tca + thc if that does not count.")
+            .Or("sphere: t = thc", Sphere((R, _, D2) => new(Math.Sqrt(R * R - D2))))
             .Or("sphere: t = tca, and tca + thc if that does not count",
                 Sphere((R, tca, D2) => D2 > R * R ? None : new(tca, tca + Math.Sqrt(R * R - D2)))),
         new Mistake("r-diameter", Concerns.Spheres | Concerns.Circles, Slides.Sphere, "sphere: the radius taken for a diameter, R / 2",
@@ -99,6 +111,10 @@ internal static class SphereMistakes
     /// <summary>The slide's geometric formula, from R, tca and D² on.</summary>
     private static Action<Lab> Sphere(Func<double, double, double, Crossings<Scalar>> roots) =>
         lab => lab.Sphere.Is((s, d) => Geometric(lab, s, d, roots));
+
+    /// <summary>The same with another D², from L² and tca.</summary>
+    private static Action<Lab> Distances(Func<double, double, double> D2) =>
+        Sphere((R, tca, right) => Roots(tca, Math.Sqrt(R * R - D2(right + tca * tca, tca))));
 
     /// <summary>Slide "Sphere – Analytical Solution", from a, b = 2 d·(P − C) and c = |P − C|² − R² on.</summary>
     private static Action<Lab> Quadratic(Func<double, double, double, Crossings<Scalar>> roots) =>

@@ -5,26 +5,23 @@ namespace RayCaster.Teaching;
 /// <summary>In the formulas of planes, and of circles and triangles, which lie in planes.</summary>
 internal static class SurfaceMistakes
 {
-    private const Concerns Flat = Concerns.Planes | Concerns.Circles | Concerns.Triangles;
-
-    /// <summary>Who may share the plane's formula.</summary>
-    private static readonly (string Names, Concerns Shapes)[] readers =
-    [
-        ("plane", Concerns.Planes), ("plane and circle", Concerns.Planes | Concerns.Circles), ("plane, circle and triangle", Flat),
-        ("circle", Concerns.Circles), ("triangle", Concerns.Triangles), ("circle and triangle", Concerns.Circles | Concerns.Triangles),
-    ];
-
     public static Mistake[] All => [.. OfPlanes, .. OfCircles, .. OfTriangles];
 
     private static Mistake[] OfPlanes =>
     [
-        new Mistake("plane-sign", Flat, Slides.RayPlane, "plane: (P − Q)·n, so that t has the wrong sign",
+        new Mistake("plane-sign", PlaneReaders.All | Concerns.Boxes, Slides.RayPlane, "plane: (P − Q)·n, so that t has the wrong sign",
             lab => lab.Plane.Becomes(cross => (plane, d) => new(-cross(plane, d).Near)),
             "Planes are missing; those behind the camera may show.",
             "A plane before the camera: is your t positive?",
             "t = (Q − P)·n / d·n.")
-            .Or(Readers("(P − Q)·n, so that t has the wrong sign", (P, Q, n, d) => (P - Q) * n / (d * n)).Skip(1))
-            .Or(Readers("(Q + P)·n", (P, Q, n, d) => (P + Q) * n / (d * n))),
+            .Or(PlaneReaders.Of("(P − Q)·n, so that t has the wrong sign", (P, Q, n, d) => (P - Q) * n / (d * n)).Skip(1))
+            .Or(PlaneReaders.Of("(Q + P)·n", (P, Q, n, d) => (P + Q) * n / (d * n)))
+            .Or("plane: (Q − P)·n / |d·n|", PlaneReaders.At(Concerns.Planes, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
+            .Or("plane and circle: (Q − P)·n / |d·n|",
+                PlaneReaders.At(Concerns.Planes | Concerns.Circles, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
+            .Or("box: (P − B0) / d and (P − B1) / d", lab => lab.Box.Becomes(cross => (box, d) => cross(box, -d)))
+            .Or("box: (B0 + P) / d and (B1 + P) / d",
+                lab => lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + 2 * lab.P, box.Max + 2 * lab.P), d))),
         new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.RayPlane,
             "plane: left out where n points away from the camera (d·n ≥ 0)",
             Cull(1, 0),
@@ -36,12 +33,6 @@ internal static class SurfaceMistakes
             .Or("plane and circle: left out where n points to the camera (d·n ≤ 0)", Cull(-1, -1))
             .Or("circle: left out where n points away from the camera (d·n ≥ 0)", Cull(0, 1))
             .Or("circle: left out where n points to the camera (d·n ≤ 0)", Cull(0, -1)),
-        new Mistake("plane-no-p", Flat, Slides.RayPlane, "plane: Q·n / d·n, without the camera's position P",
-            At(Concerns.Planes, (_, Q, n, d) => Q * n / (d * n)),
-            "Planes lie as if the camera were at the origin, or are missing.",
-            "The ray begins at P. Where is P in your t?",
-            "t = (Q − P)·n / d·n.")
-            .Or(Readers("Q·n / d·n, without P", (_, Q, n, d) => Q * n / (d * n)).Skip(1)),
     ];
 
     private static Mistake[] OfCircles =>
@@ -51,6 +42,8 @@ internal static class SurfaceMistakes
             "Circles have a wrong size; one of radius 1 is right.",
             "Are both sides of your comparison lengths, or both squares?",
             "|X − C| ≤ R, or |X − C|² ≤ R².")
+            .Or("circle: |X − C|² ≤ 2 R",
+                lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = Math.Sqrt(2 * circle.Radius) }, d)))
             .Or("circle: |X − C| ≤ R²",
                 lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = circle.Radius * circle.Radius }, d))),
         new Mistake("circ-inf", Concerns.Circles, Slides.Circle, "circle: the radius is not asked",
@@ -70,7 +63,15 @@ internal static class SurfaceMistakes
             "Which condition draws the side from B to C?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1.")
             .Or("triangle: u ≤ 1 and v ≤ 1 where u + v ≤ 1 is meant: a parallelogram",
-                TriangleWhere((u, v) => u is >= 0 and <= 1 && v is >= 0 and <= 1)),
+                TriangleWhere((u, v) => u is >= 0 and <= 1 && v is >= 0 and <= 1))
+            .Or(ThirdSide("u ≤ 1", (u, v) => u <= 1))
+            .Or(ThirdSide("v ≤ 1", (u, v) => v <= 1))
+            .Or(ThirdSide("u + v ≤ 1/2", (u, v) => u + v <= 0.5))
+            .Or(ThirdSide("u + v ≤ 2", (u, v) => u + v <= 2))
+            .Or(ThirdSide("u − v ≤ 1", (u, v) => u - v <= 1))
+            .Or(ThirdSide("v − u ≤ 1", (u, v) => v - u <= 1))
+            .Or(ThirdSide("u + v ≥ 1", (u, v) => u + v >= 1))
+            .Or(ThirdSide("u v ≤ 1", (u, v) => u * v <= 1)),
         new Mistake("tri-cull", Concerns.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
             lab => lab.Triangle.Becomes(cross => (triangle, d) => d * NormalOf(lab, triangle) >= 0 ? None : cross(triangle, d)),
             "Some triangles are missing; they come back when two corners are swapped.",
@@ -83,6 +84,15 @@ internal static class SurfaceMistakes
             "A triangle covers a large part of the picture.",
             "Which conditions draw the two sides at A?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1.")
+            .Or("triangle: nothing asked of u and v: an endless plane", TriangleWhere((_, _) => true))
+            .Or("triangle: u ≤ 0 where u ≥ 0 is meant", TriangleWhere((u, v) => u <= 0 && v >= 0 && u + v <= 1))
+            .Or("triangle: v ≤ 0 where v ≥ 0 is meant", TriangleWhere((u, v) => u >= 0 && v <= 0 && u + v <= 1))
+            .Or("triangle: u ≥ 0 or v ≥ 0 where both are meant", TriangleWhere((u, v) => (u >= 0 || v >= 0) && u + v <= 1))
+            .Or("triangle: u ≥ 0 and v ≥ 0, or u + v ≤ 1", TriangleWhere((u, v) => (u >= 0 && v >= 0) || u + v <= 1))
+            .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
+            .Or("triangle: u ≤ 1 and v ≤ 1, nothing else", TriangleWhere((u, v) => u <= 1 && v <= 1))
+            .Or("triangle: 0 ≤ u ≤ 1, nothing of v", TriangleWhere((u, _) => u is >= 0 and <= 1))
+            .Or("triangle: 0 ≤ v ≤ 1, nothing of u", TriangleWhere((_, v) => v is >= 0 and <= 1))
             .Or("triangle: no u ≥ 0", TriangleWhere((u, v) => v >= 0 && u + v <= 1))
             .Or("triangle: no v ≥ 0", TriangleWhere((u, v) => u >= 0 && u + v <= 1))
             .Or("triangle: u ≤ 1, v ≤ 1, u + v ≤ 1", TriangleWhere((u, v) => u <= 1 && v <= 1 && u + v <= 1)),
@@ -98,37 +108,15 @@ internal static class SurfaceMistakes
             }),
     ];
 
-    /// <summary>Another t, from P, Q, n and d, for each group of shapes that may share the formula.</summary>
-    private static IEnumerable<(string, Action<Lab>)> Readers(string formula, Func<Vector3, Vector3, Vector3, Vector3, double> t)
-    {
-        foreach (var (names, shapes) in readers) yield return ($"{names}: {formula}", At(shapes, t));
-    }
-
-    /// <summary>Another t, from P, Q, n and d, for some shapes; circles and triangles ask for X = P + t d.</summary>
-    private static Action<Lab> At(Concerns shapes, Func<Vector3, Vector3, Vector3, Vector3, double> t) => lab =>
-    {
-        if (shapes.HasFlag(Concerns.Planes)) lab.Plane.Is((plane, d) => new(t(lab.P, plane.Point, plane.Normal, d)));
-        if (shapes.HasFlag(Concerns.Circles))
-        {
-            lab.Circle.Is((circle, d) =>
-            {
-                var at = t(lab.P, circle.Center, circle.Normal, d);
-                return (lab.P + at * d - circle.Center).Length <= circle.Radius ? new(at) : None;
-            });
-        }
-        if (shapes.HasFlag(Concerns.Triangles))
-        {
-            lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, IsInside, (Q, n) => t(lab.P, Q, n, d)));
-            lab.TrianglesReachOut = true;
-        }
-    };
-
     /// <summary>Leaves planes and circles out by the sign of d·n: 1 where n points away, −1 where it points to the camera, 0 never.</summary>
     private static Action<Lab> Cull(int planes, int circles) => lab =>
     {
         if (planes != 0) lab.Plane.Becomes(cross => (plane, d) => planes * (d * plane.Normal) >= 0 ? None : cross(plane, d));
         if (circles != 0) lab.Circle.Becomes(cross => (circle, d) => circles * (d * circle.Normal) >= 0 ? None : cross(circle, d));
     };
+
+    private static IEnumerable<(string, Action<Lab>)> ThirdSide(string what, Func<double, double, bool> holds) =>
+        [($"triangle: {what} where u + v ≤ 1 is meant", TriangleWhere((u, v) => u >= 0 && v >= 0 && holds(u, v)))];
 
     private static Action<Lab> TriangleWhere(Func<double, double, bool> inside) => lab =>
     {

@@ -59,7 +59,7 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
 
     /// <summary>
     /// The ways in which just those kinds are missing whose colours the picture does not show. A colour says what is drawn, wherever it is
-    /// drawn; kinds that have no colour of their own may be there or not.
+    /// drawn; kinds that have no colour of their own may be there or not. Clipping may be missing by itself.
     /// </summary>
     /// <param name="scene">The scene.</param>
     /// <param name="right">Its picture: what is not seen there cannot be missed.</param>
@@ -72,8 +72,9 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
         string[] missing = [.. kinds.Where((kind, i) => expected[i] > 0 && seen[i] <= expected[i] / 500 && !done.Contains(kind))];
         string[] doubtful = [.. kinds.Where((kind, i) => expected[i] == 0 && !done.Contains(kind))];
         return from more in Subsets(doubtful)
-               where missing.Length + more.Length is var count && count > 0 && count < kinds.Length
+               where missing.Length + more.Length < kinds.Length
                from rest in Rest(done)
+               where missing.Length + more.Length > 0 || rest.Contains(Clipping)
                select new Unfinished([.. missing, .. more, .. rest]);
     }
 

@@ -20,6 +20,7 @@ internal static class VectorMistakes
             "The plane lies at distance |W| before the camera. How long is your W?",
             "W = −(T − P) normalised.")
             .Or("W is not normalised in d alone", LengthenW)
+            .Or("W is not normalised in V alone", lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.T - lab.P) * V(w, u)))
             .Or("W is not normalised, but V is", lab =>
             {
                 LengthenW(lab);
@@ -75,6 +76,25 @@ internal static class VectorMistakes
                 lab.Norm.Is(a => a * a);
                 AssumeUnitLength(lab);
             })
+            .Or("W is divided by x² + y² + z²", lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p)))
+            .Or("W is divided by x² + y² + z², but V is of length 1", lab =>
+            {
+                lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p));
+                lab.AxisV.Becomes(V => (w, u) => lab.Unit(V(w, u)));
+            })
+            .Or("U is divided by x² + y² + z²",
+                lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
+            .Or("d is divided by x² + y² + z²", lab =>
+            {
+                lab.Direction.Is(d => d / (d * d));
+                AllowAnyLength(lab);
+            })
+            .Or("d is divided by x² + y² + z², and the sphere takes d·d = 1", lab =>
+            {
+                lab.Direction.Is(d => d / (d * d));
+                AssumeUnitLength(lab);
+            })
+            .Or("the light reaches (T − P)²", lab => lab.Reach.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
             .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
             .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
         new Mistake("cross-y", Concerns.Camera, Slides.Vectors, "the cross product's y has the wrong sign",
@@ -152,8 +172,8 @@ internal static class VectorMistakes
         var (i, k) = ((axes.IndexOf(axis) + 1) % 3, (axes.IndexOf(axis) + 2) % 3);
         var named = new List<(string What, Func<Vector3, Vector3, double> Is)>
         {
-            ($"a{axes[k]} b{axes[i]} − a{axes[i]} b{axes[k]}", (a, b) => At(a, k) * At(b, i) - At(a, i) * At(b, k)),
-            ($"a{axes[i]} b{axes[k]} + a{axes[k]} b{axes[i]}", (a, b) => At(a, i) * At(b, k) + At(a, k) * At(b, i)),
+            ($"a{axes[k]} b{axes[i]} − a{axes[i]} b{axes[k]}", (a, b) => a.At(k) * b.At(i) - a.At(i) * b.At(k)),
+            ($"a{axes[i]} b{axes[k]} + a{axes[k]} b{axes[i]}", (a, b) => a.At(i) * b.At(k) + a.At(k) * b.At(i)),
         };
         for (var place = 0; place < 4; place++)
         {
@@ -162,7 +182,7 @@ internal static class VectorMistakes
                 int[] letters = [i, k, k, i]; // a_i b_k − a_k b_i
                 letters[place] = (letters[place] + turn) % 3;
                 named.Add(($"a{axes[letters[0]]} b{axes[letters[1]]} − a{axes[letters[2]]} b{axes[letters[3]]}",
-                    (a, b) => At(a, letters[0]) * At(b, letters[1]) - At(a, letters[2]) * At(b, letters[3])));
+                    (a, b) => a.At(letters[0]) * b.At(letters[1]) - a.At(letters[2]) * b.At(letters[3])));
             }
         }
         foreach (var (what, component) in named)
@@ -174,12 +194,18 @@ internal static class VectorMistakes
                 _ => n with { Z = component(a, b) },
             };
             if (what != first) yield return ($"the cross product's {axis} is {what}", lab => MistakeCross(lab, Other));
-            yield return ($"the cross product's {axis} is {what}, but triangles do without it",
-                lab => lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b))));
+            Action<Lab> inCamera = lab => lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b)));
+            yield return ($"the cross product's {axis} is {what}, and triangles take only n from it", inCamera + TakeOnlyNormals);
+            yield return ($"the cross product's {axis} is {what}, but triangles do without it", inCamera);
         }
     }
 
-    private static double At(Vector3 a, int axis) => axis switch { 0 => a.X, 1 => a.Y, _ => a.Z };
+    /// <summary>The triangle's n is the lab's cross product; u and v do without it.</summary>
+    private static void TakeOnlyNormals(Lab lab)
+    {
+        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside, sides: (a, b) => a % b));
+        lab.TrianglesReachOut = true;
+    }
 
     /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
     private static void MistakeCross(Lab lab, Func<Vector3, Vector3, Vector3, Vector3> other)

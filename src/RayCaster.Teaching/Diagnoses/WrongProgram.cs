@@ -12,6 +12,13 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>Equal for trials that differ in wordings and samples alone.</summary>
     public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id)).Order(StringComparer.Ordinal));
 
+    /// <summary>The same without one of its mistakes, or with one thing written that was not, for each of them; nothing is measured yet.</summary>
+    public IEnumerable<WrongProgram> Less =>
+    [
+        .. Base.NotYet.Select(part => this with { Base = new([.. Base.NotYet.Where(other => other != part)]) }),
+        .. Wordings.Select((_, i) => this with { Wordings = [.. Wordings.Where((_, k) => k != i)] }),
+    ];
+
     /// <summary>Draws the scene so.</summary>
     public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Wordings, .. OtherSample ? (Mistake[])[center] : []]));
 

@@ -139,6 +139,18 @@ public class DiagnosisTests
         new Random(1).NextBytes(foreign.Rgb);
         var diagnosis = Diagnosis.Of(scene, foreign);
         Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith("This is another picture", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
+    {
+        var picture = WrongPicture.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);
+        var suspects = Diagnosis.Of(scene, picture).Suspects;
+        var sets = suspects.Select(suspect => string.Join(' ', suspect.Mistakes.Select(mistake => mistake.Id).Order())).ToArray();
+        Assert.Equal(sets.Distinct(), sets);
+        Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "att-depth"));
+        Assert.Contains(suspects, suspect => suspect.SamePicture && suspect.Mistakes.Any(mistake => mistake.Id == "dir-unnorm"));
     }
 
     [Fact]

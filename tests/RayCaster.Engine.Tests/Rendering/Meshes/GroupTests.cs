@@ -15,7 +15,7 @@ public class GroupTests
         var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
         var corners = new MeshCorners<Packet>(screen, vertices, indices);
         var inGroups = new ScreenTriangles<Packet>(
-            screen, corners, null, each => new ClusterSorter<Packet>(screen, vertices, indices, each), null, 1);
+            screen, corners, null, new TriangleBoxes(vertices, indices, 1), null, 1);
         var oneByOne = new ScreenTriangles<Packet>(screen, corners, null, null, null, 1);
         int[] sides = [0, 1];
         Assert.Equal(TriangleCluster.Length, sides.Max(side => oneByOne.Of(tile, side).Length));
@@ -45,37 +45,71 @@ public class GroupTests
 
     [Theory]
     [InlineData(1)]
-    [InlineData(2)]
     [InlineData(15)]
     [InlineData(16)]
-    public void TheBoxOfAGroupReachesToEachOfItsCorners(int count)
+    [InlineData(19)]
+    public void TheBoxesOfGroupsReachToEachOfTheirCorners(int count)
     {
-        var (vertices, indices) = Specks(40, 0);
-        var (low, high) = new TriangleBoxes(vertices, indices).Around(8, 8 + count);
-        Vector3[] corners = [.. indices[24..(24 + 3 * count)].Select(i => vertices[i])];
-        Assert.Equal([corners.Min(p => p.X), corners.Min(p => p.Y), corners.Min(p => p.Z)], [low[0], low[1], low[2]]);
-        Assert.Equal([corners.Max(p => p.X), corners.Max(p => p.Y), corners.Max(p => p.Z)], [high[0], high[1], high[2]]);
+        var (vertices, indices) = Specks(count, 0);
+        AssertBoxes(vertices, indices);
     }
 
     /// <summary>Behind the last vertex of the array there is no number to read with it.</summary>
     [Theory]
-    [InlineData(0)]
     [InlineData(1)]
     [InlineData(2)]
-    public void TheBoxOfAGroupWithTheLastVertexIsThatOfItsCorners(int spare)
+    public void TheBoxOfAGroupWithTheLastVertexButFewReachesToItsCorners(int spare)
     {
         var (vertices, indices) = Specks(16, 0);
-        var (low, high) = new TriangleBoxes([.. vertices, .. new Vector3[spare]], indices).Around(0, 16);
-        Assert.Equal([vertices.Min(p => p.X), vertices.Min(p => p.Y), vertices.Min(p => p.Z)], [low[0], low[1], low[2]]);
-        Assert.Equal([vertices.Max(p => p.X), vertices.Max(p => p.Y), vertices.Max(p => p.Z)], [high[0], high[1], high[2]]);
+        AssertBoxes([.. vertices, .. new Vector3[spare]], indices);
+    }
+
+    /// <summary>Boxes are floats, but the scene may be of any size and at any place.</summary>
+    [Theory]
+    [InlineData(1e-30, 0)]
+    [InlineData(1e40, 0)]
+    [InlineData(1, 1e6)]
+    public void TheBoxesOfGroupsReachToTheirCornersAtAnyScale(double scale, double offset)
+    {
+        var (vertices, indices) = Specks(40, 0);
+        AssertBoxes([.. vertices.Select(p => new Vector3(scale * p.X + offset, scale * p.Y - offset, scale * p.Z))], indices);
     }
 
     [Fact]
     public void ACornerThatIsNoNumberLeavesTheBoxOfTheOthers()
     {
         Vector3[] vertices = [new(1, 2, 3), new(double.NaN, double.NaN, double.NaN), new(4, 0, 5)];
-        var (low, high) = new TriangleBoxes(vertices, [1, 0, 2]).Around(0, 1);
-        Assert.Equal([1.0, 0, 3, 4, 2, 5], [low[0], low[1], low[2], high[0], high[1], high[2]]);
+        var (low, high) = BoxOf(new(vertices, [0, 2, 1], 1), 0);
+        AssertAround(low, high, [vertices[0], vertices[2]]);
+    }
+
+    private static void AssertBoxes(Vector3[] vertices, int[] indices)
+    {
+        var boxes = new TriangleBoxes(vertices, indices, 1);
+        Assert.Equal((indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length, boxes.Count);
+        for (var cluster = 0; cluster < boxes.Count; cluster++)
+        {
+            var (first, end) = boxes.TrianglesOf(cluster);
+            var (low, high) = BoxOf(boxes, cluster);
+            AssertAround(low, high, [.. indices[(3 * first)..(3 * end)].Select(i => vertices[i])]);
+        }
+    }
+
+    /// <summary>A box holds its corners and is wider than they are by less than a millionth of its size and of the mesh's.</summary>
+    private static void AssertAround(Vector3 low, Vector3 high, Vector3[] corners)
+    {
+        var size = Math.Max(high.X - low.X, Math.Max(high.Y - low.Y, high.Z - low.Z));
+        foreach (var of in new Func<Vector3, double>[] { p => p.X, p => p.Y, p => p.Z })
+        {
+            Assert.InRange(corners.Min(of) - of(low), 0, 1e-5 * size);
+            Assert.InRange(of(high) - corners.Max(of), 0, 1e-5 * size);
+        }
+    }
+
+    private static (Vector3 Low, Vector3 High) BoxOf(TriangleBoxes boxes, int cluster)
+    {
+        return (At(boxes.Lows<Packet>(cluster)), At(boxes.Highs<Packet>(cluster)));
+        Vector3 At(Vector3<Packet> p) => boxes.Middle + boxes.Unit * new Vector3(p.X.Lanes[0], p.Y.Lanes[0], p.Z.Lanes[0]);
     }
 
     [Theory]

@@ -1,10 +1,7 @@
-namespace RayCaster.Engine;
+namespace RayCaster.Teaching;
 
-/// <summary>
-/// Compares some hundred pixels of a picture with the definition's (<see cref="ScalarRenderer"/>): windows of two by two pixels in the corners, on
-/// models and at random
-/// places. The definition is computed on a thread of its own while the picture is drawn.
-/// </summary>
+/// <summary>Compares some hundred pixels of a picture with the definition's (<see cref="ScalarRenderer"/>): windows of two by two pixels in the
+/// corners, on models and at random places. The definition is computed on a thread of its own while the picture is drawn.</summary>
 public sealed class DefinitionCheck
 {
     private const int Side = 2, MostModels = 32, RandomWindows = 24;

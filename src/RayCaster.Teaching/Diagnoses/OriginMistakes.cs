@@ -1,0 +1,51 @@
+using static RayCaster.Teaching.SlideFormulas;
+
+namespace RayCaster.Teaching;
+
+/// <summary>Where the ray's origin P is forgotten: in the t of one shape or of several, or in X = P + t d.</summary>
+internal static class OriginMistakes
+{
+    private const Concerns Shapes = Concerns.Planes | Concerns.Spheres | Concerns.Boxes | Concerns.Circles | Concerns.Triangles;
+
+    public static Mistake[] All =>
+    [
+        new Mistake("plane-no-p", Shapes, Slides.RayPlane, "plane: Q·n / d·n, without the camera's position P",
+            WithoutP(Concerns.Planes),
+            "Shapes lie as if the camera were at the origin, or are missing.",
+            "The ray begins at P. Where is P in your t?",
+            "t = (Q − P)·n / d·n; for a sphere L = C − P, for a box t0 = (B0 − P) / d.")
+            .Or(PlaneReaders.Of("Q·n / d·n, without P", (_, Q, n, d) => Q * n / (d * n)).Skip(1))
+            .Or("circle: X = t d, without P", lab => lab.Circle.Becomes(cross => (circle, d) =>
+            {
+                var t = cross(circle with { Radius = double.PositiveInfinity }, d).Near;
+                return (t * d - circle.Center).Length <= circle.Radius ? new(t) : None;
+            }))
+            .Or("circle: neither t nor X with P", WithoutP(Concerns.Circles))
+            .Or("triangle: X = t d, without P", lab =>
+            {
+                lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, IsInside, from: Vector3.Zero));
+                lab.TrianglesReachOut = true;
+            })
+            .Or("triangle: neither t nor X with P", WithoutP(Concerns.Triangles))
+            .Or("sphere: L = C, without P", WithoutP(Concerns.Spheres))
+            .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))
+            .Or("box: B0 / d, without P", Box((lo, hi, origin, d) => Sorted(lo / d, (hi - origin) / d)))
+            .Or("box: B1 / d, without P", Box((lo, hi, origin, d) => Sorted((lo - origin) / d, hi / d)))
+            .Or("every shape: the ray starts at the origin of the world", WithoutP(Shapes)),
+    ];
+
+    /// <summary>What has its ray start at the origin lies, seen from P, as much farther on as P is from there.</summary>
+    private static Action<Lab> WithoutP(Concerns shapes) => lab =>
+    {
+        var P = lab.P;
+        if (shapes.HasFlag(Concerns.Planes)) lab.Plane.Becomes(cross => (plane, d) => cross(plane with { Point = plane.Point + P }, d));
+        if (shapes.HasFlag(Concerns.Spheres)) lab.Sphere.Becomes(cross => (sphere, d) => cross(sphere with { Center = sphere.Center + P }, d));
+        if (shapes.HasFlag(Concerns.Boxes)) lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + P, box.Max + P), d));
+        if (shapes.HasFlag(Concerns.Circles)) lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Center = circle.Center + P }, d));
+        if (!shapes.HasFlag(Concerns.Triangles)) return;
+        lab.Triangle.Becomes(cross => (triangle, d) => cross(new(triangle.A + P, triangle.B + P, triangle.C + P), d));
+        lab.TrianglesReachOut = true;
+    };
+
+    private static Action<Lab> Box(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Math.Max, Math.Min));
+}
