@@ -5,12 +5,11 @@ namespace RayCaster.Engine;
 
 /// <summary>Finds the tiles in which a mesh's clusters may show; each thread has its own. Where a cluster's box says too little, it sorts the
 /// cluster's triangles one by one.</summary>
-internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes all, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
+internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>In more tiles than this the triangles are sorted one by one: they are far from each other, or large.</summary>
     private const int ManyTiles = 6;
 
-    private readonly TriangleBoxes boxes = all.ForThread();
     private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
@@ -22,20 +21,10 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes all, Tr
     /// <summary>The pixels that may be covered.</summary>
     public (int Left, int Right, int Bottom, int Top) Extent => ((int)extent.Left, (int)extent.Right, (int)extent.Bottom, (int)extent.Top);
 
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
         Clusters.Reserve(end - first);
-        for (; first < end; first += TriangleBoxes.AtOnce)
-        {
-            var last = Math.Min(first + TriangleBoxes.AtOnce, end);
-            boxes.Prepare(first, last);
-            AddPrepared(first, last);
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void AddPrepared(int first, int end)
-    {
         for (; first < end; first += N.Count)
         {
             var (fit, shows) = Project(first);

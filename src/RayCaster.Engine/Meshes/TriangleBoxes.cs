@@ -8,9 +8,8 @@ namespace RayCaster.Engine;
 /// triangle; a mesh whose triangles share their corners takes 24.</remarks>
 internal sealed class TriangleBoxes
 {
-    /// <summary>The number of clusters that a thread takes at once. Boxes for a single picture need memory for these only, which stays in the
-    /// processor's cache.</summary>
-    public const int AtOnce = 1 << 10;
+    /// <summary>The number of clusters that a thread takes at once.</summary>
+    private const int ClustersAtOnce = 1 << 10;
 
     /// <summary>How many triangles ahead memory is fetched: waiting for it would take longer than finding the boxes. Vertices are fetched later than
     /// indices, which must be there first.</summary>
@@ -21,15 +20,12 @@ internal sealed class TriangleBoxes
     private readonly Vector3[] vertices;
     private readonly int[] indices;
     private readonly Vector256<double> middle, perUnit;
-    private readonly bool areKept;
-    private float[][] numbers = []; // lows, highs and normals
-    private int start;              // the cluster whose numbers come first
+    private readonly float[][] numbers = new float[9][]; // lows, highs and normals
 
     /// <param name="indices">Three for each triangle. Each of them is checked here, once for all.</param>
-    /// <param name="areKept">Whether all boxes are found now, or those of a piece when it is prepared.</param>
-    public TriangleBoxes(Vector3[] vertices, int[] indices, bool areKept, int threads)
+    public TriangleBoxes(Vector3[] vertices, int[] indices, int threads)
     {
-        (this.vertices, this.indices, this.areKept) = (vertices, indices, areKept);
+        (this.vertices, this.indices) = (vertices, indices);
         Count = (indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length;
         var bounds = Bounds.Empty;
         for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1)
@@ -40,9 +36,9 @@ internal sealed class TriangleBoxes
         Unit = Math.Max(size.X, Math.Max(size.Y, size.Z));
         if (!(Unit > 0)) Unit = 1;
         (middle, perUnit) = (Vector256.Create(Middle.X, Middle.Y, Middle.Z, 0), Vector256.Create(1 / Unit));
-        if (!areKept) return;
-        numbers = NewNumbers(Count);
-        ThreadTeam.Each((Count + AtOnce - 1) / AtOnce, threads, piece => Find(piece * AtOnce, Math.Min((piece + 1) * AtOnce, Count)));
+        for (var i = 0; i < numbers.Length; i++) numbers[i] = GC.AllocateUninitializedArray<float>(Count + 7); // room for a packet at the end
+        ThreadTeam.Each((Count + ClustersAtOnce - 1) / ClustersAtOnce, threads, piece =>
+            Find(piece * ClustersAtOnce, Math.Min((piece + 1) * ClustersAtOnce, Count)));
     }
 
     /// <summary>The point that is 0 in the boxes.</summary>
@@ -57,25 +53,8 @@ internal sealed class TriangleBoxes
     /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
     /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>
     public static TriangleBoxes Of(Mesh mesh, bool isKept, int threads) => isKept
-        ? kept.GetValue(mesh, mesh => new(mesh.Vertices, mesh.Indices, areKept: true, threads))
-        : new(mesh.Vertices, mesh.Indices, areKept: false, threads);
-
-    /// <summary>The boxes for one thread: these if they are kept, otherwise a copy with memory of its own.</summary>
-    public TriangleBoxes ForThread()
-    {
-        if (areKept) return this;
-        var copy = (TriangleBoxes)MemberwiseClone();
-        copy.numbers = NewNumbers(Math.Min(AtOnce, Count));
-        return copy;
-    }
-
-    /// <summary>Finds the boxes of at most <see cref="AtOnce"/> clusters, unless all are kept.</summary>
-    public void Prepare(int first, int end)
-    {
-        if (areKept) return;
-        start = first;
-        Find(first, end);
-    }
+        ? kept.GetValue(mesh, mesh => new(mesh.Vertices, mesh.Indices, threads))
+        : new(mesh.Vertices, mesh.Indices, threads);
 
     public (int First, int End) TrianglesOf(int cluster)
     {
@@ -97,15 +76,7 @@ internal sealed class TriangleBoxes
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector3<N> Load<N>(int kind, int first) where N : struct, IPacket<N> =>
-        new(N.Load(numbers[kind], first - start), N.Load(numbers[kind + 1], first - start), N.Load(numbers[kind + 2], first - start));
-
-    /// <summary>Memory for the numbers of some clusters, with room for a packet at the end.</summary>
-    private static float[][] NewNumbers(int count)
-    {
-        var numbers = new float[9][];
-        for (var i = 0; i < numbers.Length; i++) numbers[i] = GC.AllocateUninitializedArray<float>(count + 7);
-        return numbers;
-    }
+        new(N.Load(numbers[kind], first), N.Load(numbers[kind + 1], first), N.Load(numbers[kind + 2], first));
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Find(int cluster, int endCluster)
@@ -128,8 +99,7 @@ internal sealed class TriangleBoxes
     private void Set(int kind, int cluster, Vector256<double> vector)
     {
         var floats = Vector128.Narrow(vector.GetLower(), vector.GetUpper());
-        var i = cluster - start;
-        (numbers[kind][i], numbers[kind + 1][i], numbers[kind + 2][i]) = (floats[0], floats[1], floats[2]);
+        (numbers[kind][cluster], numbers[kind + 1][cluster], numbers[kind + 2][cluster]) = (floats[0], floats[1], floats[2]);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -15,7 +15,7 @@ public class GroupTests
         var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
         var corners = new MeshCorners<Packet>(screen, vertices, indices);
         var inGroups = new ScreenTriangles<Packet>(
-            screen, corners, null, new TriangleBoxes(vertices, indices, areKept: true, threads: 1), null, 1);
+            screen, corners, null, new TriangleBoxes(vertices, indices, 1), null, 1);
         var oneByOne = new ScreenTriangles<Packet>(screen, corners, null, null, null, 1);
         int[] sides = [0, 1];
         Assert.Equal(TriangleCluster.Length, sides.Max(side => oneByOne.Of(tile, side).Length));
@@ -79,13 +79,13 @@ public class GroupTests
     public void ACornerThatIsNoNumberLeavesTheBoxOfTheOthers()
     {
         Vector3[] vertices = [new(1, 2, 3), new(double.NaN, double.NaN, double.NaN), new(4, 0, 5)];
-        var (low, high) = BoxOf(new(vertices, [0, 2, 1], areKept: true, threads: 1), 0);
+        var (low, high) = BoxOf(new(vertices, [0, 2, 1], 1), 0);
         AssertAround(low, high, [vertices[0], vertices[2]]);
     }
 
     private static void AssertBoxes(Vector3[] vertices, int[] indices)
     {
-        var boxes = new TriangleBoxes(vertices, indices, areKept: true, threads: 1);
+        var boxes = new TriangleBoxes(vertices, indices, 1);
         Assert.Equal((indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length, boxes.Count);
         for (var cluster = 0; cluster < boxes.Count; cluster++)
         {
