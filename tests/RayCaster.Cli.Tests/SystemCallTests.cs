@@ -4,6 +4,7 @@ namespace RayCaster.Cli.Tests;
 
 /// <summary>What a command asks of the system, as strace sees it: no network, no other program, no file written but its own. Without strace
 /// the test does nothing.</summary>
+[Trait("kind", "campaign")] // strace slows each process down
 public sealed class SystemCallTests : IDisposable
 {
     private readonly RayCasterProcess raycaster = new();

@@ -19,7 +19,7 @@ public class FineMeshTests
         var camera = new Camera(new(position, new(0.1, 0.2, 0)) { Width = random.Next(150, 400), Height = random.Next(150, 300), ZNear = seed % 2 });
         var scene = new Scene(camera, [new Mesh(mesh.Vertices, mesh.Indices)]);
         var hits = new Renderer(scene, 2).CastHits();
-        for (var i = 0; i < 500; i++)
+        for (var i = 0; i < 150; i++)
         {
             var (column, row) = (random.Next(camera.Width), random.Next(camera.Height));
             Assert.Equal(ScalarRenderer.Cast(scene, column, row).HitParameter, hits.T[(camera.Height - 1 - row) * camera.Width + column]);

@@ -100,7 +100,7 @@ public class MarginTests
     {
         var camera = new Camera(new(new(-5, 0, 0), Vector3.Zero) { FovY = 40, Width = 1000, Height = 64 });
         var vertices = new List<Vector3>();
-        for (var i = 0; i < 200; i++)
+        for (var i = 0; i < 80; i++)
         {
             var (column, row) = (random.Next(600, 990) + 1e-6 * (2 * random.NextDouble() - 1), random.Next(5, 60));
             Vector3 At(double c, double r) => camera.Position
