@@ -9,6 +9,7 @@ Works in a copy of the project's files, changes nothing here, and prints the tab
 import argparse, os, pathlib, re, shutil, subprocess, sys, tempfile, time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+SPHERE = "src/RayCaster/Models/Sphere.cs"
 ENVIRONMENT = dict(os.environ, DOTNET_NOLOGO="1", DOTNET_CLI_TELEMETRY_OPTOUT="1")
 ENVIRONMENT.pop("Strict", None)
 
@@ -52,7 +53,7 @@ def edit_xunit(folder, i):
 
 def edit_sphere(clone, i):
     """Another body of the same meaning: what is added to R is lost in rounding."""
-    file = clone / "src/RayCaster/Models/Sphere.cs"
+    file = clone / SPHERE
     text = file.read_text()
     changed = re.sub(r"(?:Radius|\(Radius \+ 1e-\d+\)) \* Radius", f"(Radius + 1e-{300 - i}) * Radius", text, count=1)
     assert changed != text, "Sphere.cs has no line to edit"
@@ -110,6 +111,7 @@ def main():
             pairs["tests"][1].append(seconds(xunit, *empty_test))
             edit_sphere(clone, i + 100)
             pairs["tests"][0].append(seconds(clone, *course))
+        shutil.copyfile(ROOT / SPHERE, clone / SPHERE)  # some tests quote its lines
         seconds(clone, "dotnet", "build")
         everything = min(seconds(clone, "dotnet", "test") for _ in range(2))
 
