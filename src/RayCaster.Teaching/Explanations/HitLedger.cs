@@ -53,6 +53,7 @@ public sealed class HitLedger
         var cost = 1L;
         for (var i = 0; i < models.Count; i++)
         {
+            cancellation.ThrowIfCancellationRequested();
             (entries[i], witnesses[i]) = (new(ModelName.Typed(scene, i)), new(models[i], camera.Position));
             cost += witnesses[i].Cost;
         }
