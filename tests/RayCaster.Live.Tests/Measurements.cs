@@ -34,6 +34,22 @@ public class Measurements(Chromium chromium, ITestOutputHelper output) : IClassF
         output.WriteLine($"room.json, save to picture: median {times[Saves / 2]:f0} ms, least {times[0]:f0}, greatest {times[^1]:f0}, of {Saves} saves");
     }
 
+    /// <summary>From the moment at which the browser asks for the page to its first paint.</summary>
+    [BrowserFact]
+    public async Task FirstPaint()
+    {
+        var times = new List<double>();
+        for (var i = 0; i < 9; i++)
+        {
+            await using var live = await LivePage.OpenAsync(File.ReadAllText(ProjectFolder.PathOf("scenes/room.json")));
+            var (page, _) = await chromium.OpenAsync(live);
+            times.Add(await page.EvaluateAsync<double>("() => performance.getEntriesByName('first-contentful-paint')[0].startTime"));
+            await page.CloseAsync();
+        }
+        times.Sort();
+        output.WriteLine($"first paint: median {times[times.Count / 2]:f0} ms, greatest {times[^1]:f0}, of {times.Count}");
+    }
+
     /// <summary>How many frames the browser shows while the mouse drags for some seconds, and their size.</summary>
     [BrowserFact]
     public async Task FramesWhileDragging()
