@@ -87,7 +87,8 @@ internal static class PictureOutput
         }
     }
 
-    /// <summary>Whether the picture exists already and need not be drawn. If a file exists but has other content, prints why it is drawn again.</summary>
+    /// <summary>Whether the picture exists already and need not be drawn. If a file exists but has other content, prints why it is drawn
+    /// again.</summary>
     public static bool IsThere(string output, PartFacts part, bool quiet)
     {
         if (PartFile.Holds(output, part, out var reason)) return true;

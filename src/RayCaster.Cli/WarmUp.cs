@@ -22,7 +22,8 @@ internal static class WarmUp
     /// <summary>The number of bytes that are searched: all of most scenes.</summary>
     private const int Glimpse = 1 << 13;
 
-    /// <summary>How often the beginning is read. With some forty models each time, these are enough calls for the runtime to optimise the code.</summary>
+    /// <summary>How often the beginning is read. With some forty models each time, these are enough calls for the runtime to optimise the
+    /// code.</summary>
     private const int Readings = 150;
 
     private const int Width = 128, Height = 64, CrowdSize = 100;

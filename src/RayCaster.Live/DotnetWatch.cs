@@ -27,7 +27,8 @@ internal static partial class DotnetWatch
     public static int? Port => Secret is [var high, var low, ..] ? 49152 + (high << 8 | low) % 16384 : null;
 
     /// <summary>Whether "dotnet watch" has started this program before, so that a page is open already.</summary>
-    public static bool IsRestart => int.TryParse(Environment.GetEnvironmentVariable("DOTNET_WATCH_ITERATION"), out var count) && count > 1;
+    public static bool IsRestart =>
+        int.TryParse(Environment.GetEnvironmentVariable("DOTNET_WATCH_ITERATION"), CultureInfo.InvariantCulture, out var count) && count > 1;
 
     /// <summary>Reports the compiler's errors after each build that fails, and an empty list when the code compiles again.</summary>
     /// <param name="report">Takes the errors.</param>

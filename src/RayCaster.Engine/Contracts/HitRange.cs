@@ -17,5 +17,6 @@ internal readonly struct HitRanges(WidePacket least, WidePacket cover, WidePacke
     /// <summary>The same in all parts.</summary>
     public HitRanges(HitRange all) : this(all.Least, all.Cover, 0) { }
 
-    public HitRange this[int part] => new(least.Lanes[part], cover.Lanes[part], double.IsNegative(isNear.Lanes[part])); // a mask's sign bit is its truth value
+    // a mask's sign bit is its truth value
+    public HitRange this[int part] => new(least.Lanes[part], cover.Lanes[part], double.IsNegative(isNear.Lanes[part]));
 }

@@ -13,35 +13,15 @@ public static class CameraPathReader
     /// <param name="camera">The scene's camera: its target and fovY are the defaults of a key.</param>
     /// <param name="report">All mistakes in the file, as text for people; empty if there are none.</param>
     /// <returns>The path, or null if there is an error.</returns>
-    public static CameraPath? Read(string path, Camera camera, out string report)
-    {
-        report = "";
-        try
-        {
-            if (!File.Exists(path))
-            {
-                report = $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
-                return null;
-            }
-            using var file = File.OpenRead(path);
-            var bytes = new byte[MostBytes + 1];
-            var length = file.ReadAtLeast(bytes, bytes.Length, throwOnEndOfStream: false);
-            if (length <= MostBytes) return Parse(bytes[..length], path, camera, out report);
-            report = $"{path}: error: the file is longer than {MostBytes:N0} bytes, which is the limit\n";
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            report = $"{path}: error: the file cannot be read: {e.Message}\n";
-        }
-        return null;
-    }
+    public static CameraPath? Read(string path, Camera camera, out string report) =>
+        ShortFile.TryRead(path, MostBytes, out var utf8, out report) ? Parse(utf8, path, camera, out report) : null;
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text.</param>
     /// <param name="displayName">What messages call it.</param>
     /// <param name="camera">The scene's camera.</param>
     /// <param name="report">All mistakes in it.</param>
-    public static CameraPath? Parse(byte[] utf8, string displayName, Camera camera, out string report)
+    public static CameraPath? Parse(ReadOnlyMemory<byte> utf8, string displayName, Camera camera, out string report)
     {
         var path = SceneReader.Parse(utf8, displayName, "", "the camera's path", o => ReadPath(o, camera), out var problems);
         report = new SceneReading(null, problems).Report();

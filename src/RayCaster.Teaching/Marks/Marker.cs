@@ -17,7 +17,8 @@ internal sealed class Marker(Rubric rubric)
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
         var verdict = diagnosis.Verdict;
         return new(student, digest, Items(diagnosis, Told(pictures, diagnosis), pictures.Count), scenes,
-            [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.Wordings.Select(wording => wording.Id)], [.. notes, .. LookYourself(submitted, diagnosis)]);
+            [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.Wordings.Select(wording => wording.Id)],
+            [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
 
     /// <summary>The scenes whose pictures are explained. A mistake that shows in one of them and was not found was not made.</summary>

@@ -18,34 +18,19 @@ public static class RubricReader
     /// <param name="path">The file.</param>
     /// <param name="report">All that is wrong with it and its scenes, as text for people; empty if nothing is.</param>
     /// <returns>The rubric, or null if there is an error.</returns>
-    public static Rubric? Read(string path, out string report)
-    {
-        try
-        {
-            if (!File.Exists(path))
-            {
-                report = $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
-                return null;
-            }
-            if (new FileInfo(path).Length <= MostBytes) return Parse(File.ReadAllBytes(path), path, Path.GetDirectoryName(path) ?? "", out report);
-            report = FormattableString.Invariant($"{path}: error: the file is longer than {MostBytes:N0} bytes, which is the limit\n");
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            report = $"{path}: error: the file cannot be read: {e.Message}\n";
-        }
-        return null;
-    }
+    public static Rubric? Read(string path, out string report) => ShortFile.TryRead(path, MostBytes, out var utf8, out report)
+        ? Parse(utf8, path, Path.GetDirectoryName(path) ?? "", out report)
+        : null;
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text.</param>
     /// <param name="displayName">What messages call it.</param>
     /// <param name="folder">Where the paths of scenes start.</param>
     /// <param name="report">All that is wrong with it and its scenes.</param>
-    public static Rubric? Parse(byte[] utf8, string displayName, string folder, out string report)
+    public static Rubric? Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, out string report)
     {
         var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-        digest.AppendData(utf8);
+        digest.AppendData(utf8.Span);
         var sceneReports = new StringBuilder();
         var rubric = SceneReader.Parse(utf8, displayName, folder, "the rubric", o => ReadRubric(o, folder, digest, sceneReports), out var problems);
         report = new SceneReading(null, problems).Report() + sceneReports;
