@@ -13,13 +13,13 @@ public sealed class MistakeOptionTests : IDisposable
     [Fact]
     public void AWrongPictureIsDrawnAndDiagnosed()
     {
-        raycaster.Run(room, "--mistake", "rows+bgr", "-s", "100x100");
+        raycaster.Run(room, "--mistake", "rows+bgr", "-s", "60x60");
         Assert.Equal((0, true), (raycaster.ExitCode, raycaster.Files.Contains("room.rows+bgr.png")));
         Assert.StartsWith("room.rows+bgr.png: wrong on purpose: row r written as line r", raycaster.Error);
         raycaster.Run("diagnose", room, "room.rows+bgr.png", "--json");
         using var json = JsonDocument.Parse(raycaster.Output);
         Assert.Equal("mistake", json.RootElement.GetProperty("finding").GetString());
-        Assert.Equal(100, json.RootElement.GetProperty("mine").GetProperty("width").GetInt32());
+        Assert.Equal(60, json.RootElement.GetProperty("mine").GetProperty("width").GetInt32());
         Assert.Equal(500, json.RootElement.GetProperty("scene").GetProperty("width").GetInt32());
     }
 

@@ -1,7 +1,8 @@
 namespace RayCaster.Live.Tests;
 
 /// <summary>A page whose program ends, starts again, or stands still for a while.</summary>
-public class BreakTests(Chromium chromium) : IClassFixture<Chromium>
+[Collection("browser")]
+public class BreakTests(Chromium chromium)
 {
     [BrowserFact]
     public async Task CtrlCEndsTheProgramWithAPageOpenAndThePageSaysSo()

@@ -40,7 +40,7 @@ public class FineMeshTests
             var end = random.Next(first, 200) + 1;
             var bytes = new List<byte>();
             new Renderer(scene).Draw(first..end, part => bytes.AddRange(part));
-            Assert.Equal(whole[(900 * first)..(900 * end)], bytes);
+            Assert.Equal(whole[(900 * first)..(900 * end)], bytes.ToArray());
         }
     }
 

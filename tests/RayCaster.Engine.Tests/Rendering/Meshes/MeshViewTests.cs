@@ -10,7 +10,7 @@ public class MeshViewTests
     [InlineData(4)]
     public void RandomMeshesComeOutToTheBit(int seed)
     {
-        var rounds = int.Parse(Environment.GetEnvironmentVariable("RAYCASTER_ROUNDS") ?? "20");
+        var rounds = int.Parse(Environment.GetEnvironmentVariable("RAYCASTER_ROUNDS") ?? "10");
         for (var i = 0; i < rounds; i++)
             RendererTests.AssertEqual(RandomMesh.Make(new Random(seed * 100_000 + i)), $"scene {i} of seed {seed}");
     }
