@@ -8,15 +8,21 @@ public class MarkerTests
 {
     private static readonly Rubric whole = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
 
-    /// <summary>The course's rubric with half of its scenes, which show all that is planted here.</summary>
+    /// <summary>The course's rubric with half of its scenes, which show all that is planted here, in pictures a quarter as large.</summary>
     private static readonly Rubric rubric =
-        new([.. whole.Scenes.Where(scene => scene.Name is "1-planes" or "3-inside" or "4-flat" or "4-all")], "")
+        new([.. whole.Scenes.Where(scene => scene.Name is "1-planes" or "3-inside" or "4-flat" or "4-all").Select(Small)], "")
         {
             Title = whole.Title,
             Hint = whole.Hint,
             Items = whole.Items,
             Source = whole.Source,
         };
+
+    private static MarkedScene Small(MarkedScene scene)
+    {
+        var camera = scene.Scene.Camera;
+        return scene with { Judge = new(scene.Scene with { Camera = camera.WithSize(camera.Width / 2, camera.Height / 2) }) };
+    }
 
     private static StudentMarks Mark(Func<Scene, Picture?> draw) => new Marker(rubric).Mark("somebody", "",
         [.. rubric.Scenes.Select(

@@ -56,6 +56,6 @@ public class MeshViewTests
             var center = new Vector3(Next(), Next(), Next());
             models[i] = new Mesh([.. ball.Vertices.Select(vertex => center + 0.15 * vertex)], ball.Indices) { Color = new(i / 100.0, 1, 0) };
         }
-        RendererTests.AssertEqual(new(new(new(new(-5, 0, 0), Vector3.Zero) { FovY = 25, Width = 70, Height = 50 }), models), "a hundred meshes");
+        RendererTests.AssertEqual(new(new(new(new(-5, 0, 0), Vector3.Zero) { FovY = 25, Width = 40, Height = 30 }), models), "a hundred meshes");
     }
 }
