@@ -167,7 +167,8 @@ public sealed class MarkTests : IDisposable
     public void AVariedSceneGoesToStandardOutputWhenAsked()
     {
         SmallScene();
-        raycaster.Run("vary", "planes.json", "--seed", "12345", "-o", "mine.json").Run("vary", "planes.json", "--seed", "12345", "-q", "-o", "-");
+        raycaster.Run("vary", "planes.json", "--seed", "12345", "-o", "mine.json");
+        raycaster.Run("vary", "planes.json", "--seed", "12345", "-q", "-o", "-");
         Assert.Equal(File.ReadAllText(raycaster.PathOf("mine.json")), raycaster.OutputText);
         Assert.Equal(["mine.json", "planes.json"], raycaster.Files);
     }

@@ -2,6 +2,7 @@ namespace RayCaster.Live.Tests;
 
 /// <summary>A page whose program ends, starts again, or stands still for a while.</summary>
 [Collection("browser")]
+[Trait("kind", "campaign")] // starts the real program, three times
 public class BreakTests(Chromium chromium)
 {
     [BrowserFact]
@@ -43,7 +44,6 @@ public class BreakTests(Chromium chromium)
 
     /// <summary>A program that stands still for longer than the server waits for a browser's answer, as while a laptop sleeps.</summary>
     [BrowserFact]
-    [Trait("kind", "campaign")] // half a minute of waiting
     public async Task APageContinuesAfterASleep()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there

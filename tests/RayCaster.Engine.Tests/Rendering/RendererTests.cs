@@ -76,6 +76,7 @@ public class RendererTests
 
     /// <summary>So wide that a row of tiles is drawn in halves, and with triangles that are smaller than a pixel.</summary>
     [Fact]
+    [Trait("kind", "campaign")] // six million pixels
     public void AVeryWidePictureOfAMeshIsRightInAllItsBands()
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/mesh.json")).Scene!;
