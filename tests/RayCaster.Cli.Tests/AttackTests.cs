@@ -175,6 +175,7 @@ public sealed class AttackTests : IDisposable
 
     /// <summary>A filter a mesh and thread would take gigabytes here.</summary>
     [Fact]
+    [Trait("kind", "campaign")]
     public void AThousandMeshesFitIntoLittleMemory()
     {
         if (OperatingSystem.IsWindows()) return; // no sh there

@@ -18,6 +18,7 @@ public sealed class InterruptionTests : IDisposable
 
     /// <summary>All wait at the same time, so that the test waits once.</summary>
     [Fact]
+    [Trait("kind", "campaign")]
     public void APipeThatNobodyWritesTo()
     {
         if (!OperatingSystem.IsLinux()) return; // others may have no mkfifo
@@ -47,6 +48,7 @@ public sealed class InterruptionTests : IDisposable
     }
 
     [Theory]
+    [Trait("kind", "campaign")]
     [InlineData("compare large.pbm other.pbm --measures")]
     [InlineData("ROOM -s 10000x10000 --map t -o room.pfm")]
     [InlineData("ROOM -s 30000x30000 -o room.ppm")]
@@ -123,6 +125,7 @@ public sealed class InterruptionTests : IDisposable
 
     /// <summary>What is only decoration never ends a run: here the terminal is gone, and the end is that of the signal that tells of it.</summary>
     [Fact]
+    [Trait("kind", "campaign")]
     public void ATerminalThatIsClosedUnderTheProgressLine()
     {
         if (!OperatingSystem.IsLinux()) return;

@@ -33,10 +33,14 @@ public sealed class PartTests : IDisposable
         Assert.Equal((0, "", ""), (raycaster.ExitCode, raycaster.OutputText, raycaster.Error));
     }
 
-    [Theory]
-    [InlineData("room.json")]
-    [InlineData("mesh.json")]
-    public void StitchedPartsAreThePictureThatIsDrawnInOneGo(string scene)
+    [Fact]
+    public void StitchedPartsAreThePictureThatIsDrawnInOneGo() => AssertStitched("room.json");
+
+    [Fact]
+    [Trait("kind", "campaign")] // lines of a mesh are those of the whole picture: FineMeshTests
+    public void SoAreThoseOfAMesh() => AssertStitched("mesh.json");
+
+    private void AssertStitched(string scene)
     {
         var path = Path.Combine(RayCasterProcess.Scenes, scene);
         raycaster.Run(path, "-s", "200x150", "-o", "whole.png");
@@ -139,6 +143,7 @@ public sealed class PartTests : IDisposable
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void WhatAKilledPartLeavesIsFinishedByRunningAgain()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there
@@ -160,6 +165,7 @@ public sealed class PartTests : IDisposable
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void AStitchThatIsInterruptedLeavesTheOldPicture()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there

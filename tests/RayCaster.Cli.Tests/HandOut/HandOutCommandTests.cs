@@ -36,6 +36,7 @@ public sealed class HandOutCommandTests : IDisposable
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void AKilledRunLeavesNoHandOutAndTheNextOneTidiesUp()
     {
         using (var process = app.Start("handout", "lab1"))

@@ -18,6 +18,7 @@ public class MemoryTests
         "[|1|]", "{\"camera\":{\"fovY\":|9|}}", "{\"camera\":{\"fovY\":0.|0|1}}", "{\"|\\u0061|\":1}", "|é|", "|\u001b|", "| |");
 
     [Theory]
+    [Trait("kind", "campaign")]
     [MemberData(nameof(Scenes))]
     public void ASceneTakesNoMoreThanIsSaid(string shape) => Reading.OfScene(new("a.json", Filled(shape)));
 
@@ -62,6 +63,7 @@ public class MemoryTests
     };
 
     [Theory]
+    [Trait("kind", "campaign")]
     [MemberData(nameof(Meshes))]
     public void AMeshTakesNoMoreThanIsSaid(string name, string shape) => Reading.OfMesh(new(name, Filled(shape)));
 
@@ -70,6 +72,7 @@ public class MemoryTests
             "P3 |#\n|", "P2 |9|");
 
     [Theory]
+    [Trait("kind", "campaign")]
     [MemberData(nameof(Pictures))]
     public void APictureTakesNoMoreThanIsSaid(string shape) => Reading.OfPicture(new("a.ppm", Filled(shape)));
 
@@ -102,6 +105,7 @@ public class MemoryTests
     /// <summary>What is small in the file and large in memory: lines as long as they may be, in all kinds of pixels, and pictures of one bit a
     /// pixel.</summary>
     [Theory]
+    [Trait("kind", "campaign")]
     [InlineData(1_000_000, 1, 16, 6, false)]
     [InlineData(1_000_000, 1, 8, 2, false)]
     [InlineData(1_000_000, 1, 1, 0, false)]
