@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Checks whether this build still draws a scene as its stored reference picture shows it. If a change in the course library has made them
-/// differ, this build cannot judge other pictures.
+/// Checks whether this build still draws a scene like its stored reference picture. If a change in the course library has changed the picture,
+/// this build cannot judge other pictures.
 /// </summary>
 public static class StoredReference
 {
