@@ -52,7 +52,7 @@ internal sealed class CommandLine
         foreach (var (option, _) in line.values)
             if (!line.Command.Takes(option))
                 throw ProblemException.Usage(line.CommandName == ""
-                    ? $"option '{option.Name}' belongs to a command: say which"
+                    ? $"option '{option.Name}' belongs to a command: name the command"
                     : $"option '{option.Name}' is not one of {line.CommandName}'s");
         return line;
     }

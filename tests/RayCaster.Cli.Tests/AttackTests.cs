@@ -106,7 +106,7 @@ public sealed class AttackTests : IDisposable
     {
         if (OperatingSystem.IsWindows()) return; // where it cannot go
         raycaster.RunInShell("mkdir gone; cd gone; rmdir ../gone; raycaster nosuch.json");
-        Assert.Equal((2, "raycaster: the folder in which it runs is gone\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal((2, "raycaster: the current folder was deleted\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
     [Fact]
@@ -170,7 +170,7 @@ public sealed class AttackTests : IDisposable
         Assert.StartsWith("room.png is drawn anew: it does not say which scene it shows; only pictures drawn with --rows or --resume do\n",
             raycaster.Error);
         raycaster.Run(Room, "-s", "9x9", "--resume");
-        Assert.Equal("room.png: there already\n", raycaster.Error);
+        Assert.Equal("room.png: exists already\n", raycaster.Error);
     }
 
     /// <summary>A filter a mesh and thread would take gigabytes here.</summary>

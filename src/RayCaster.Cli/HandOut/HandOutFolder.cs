@@ -15,7 +15,7 @@ internal static class HandOutFolder
     {
         var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
-            throw new ProblemException($"raycaster: {folder} is there already, and not empty\n  Name a new folder: a hand-out overwrites nothing.");
+            throw new ProblemException($"raycaster: {folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
         var files = HandOutFiles.With(isOpen);
         try
         {
@@ -48,7 +48,7 @@ internal static class HandOutFolder
         var file = Path.Combine(AppContext.BaseDirectory, name + ".dll");
         if (!File.Exists(file))
             throw new ProblemException($"raycaster: {name}.dll is not beside this program, " +
-                "so a hand-out cannot have it\n  Publish raycaster as separate files, not as one.");
+                "so it cannot be copied into a hand-out\n  Publish raycaster as separate files, not as one.");
         File.Copy(file, Path.Combine(folder, name + ".dll"));
     }
 
