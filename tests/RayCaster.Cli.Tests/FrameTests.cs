@@ -67,7 +67,7 @@ public sealed class FrameTests : IDisposable
     [InlineData("animate writes a PNG, to a file: choose a name with .png\n", "animate", ".", "-o", "a.ppm")]
     [InlineData("no picture is given: name PNG files, a pattern, or a folder with PNG files\n", "animate", ".", "-o", "a.png")]
     [InlineData(
-        "'2000' is not a number of frames in a second: it is a whole number from 1 to 1000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
+        "'2000' is not a number of frames per second: it is a whole number from 1 to 1000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
     [InlineData("picture file not found: b.png\n", "sheet", "b.png", "-o", "a.png")]
     [InlineData("'x' is not a number of columns\n", "sheet", "b.png", "-o", "a.png", "--columns", "x")]
     public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)
