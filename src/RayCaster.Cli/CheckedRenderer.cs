@@ -15,7 +15,6 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
 
     private bool isByDefinition = plain;
 
-    /// <summary>The scene.</summary>
     public Scene Scene => scene;
 
     /// <summary>Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</summary>

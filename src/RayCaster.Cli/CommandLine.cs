@@ -12,7 +12,6 @@ internal sealed class CommandLine
 
     private CommandLine(Command command) => Command = command;
 
-    /// <summary>The command.</summary>
     public Command Command { get; private set; }
 
     /// <summary>The command's name; empty for drawing, which needs none.</summary>
@@ -24,7 +23,6 @@ internal sealed class CommandLine
     /// <summary>The value of an option; null if it is not given.</summary>
     public string? this[Option option] => values.GetValueOrDefault(option);
 
-    /// <summary>Whether an option is given.</summary>
     public bool Has(Option option) => values.ContainsKey(option);
 
     /// <exception cref="ProblemException">The command line has a mistake.</exception>
@@ -50,7 +48,7 @@ internal sealed class CommandLine
         if (line.Has(Option.Help)) return line;
         if (line.operands.Contains("")) throw ProblemException.Usage("a name is empty: it names no file");
         foreach (var (option, _) in line.values)
-            if (!line.Command.Takes(option))
+            if (!line.Command.Options.Contains(option))
                 throw ProblemException.Usage(line.CommandName == ""
                     ? $"option '{option.Name}' belongs to a command: name the command"
                     : $"option '{option.Name}' is not one of {line.CommandName}'s");

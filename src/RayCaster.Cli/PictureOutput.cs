@@ -40,12 +40,7 @@ internal static class PictureOutput
     /// <summary>Writes a picture.</summary>
     /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream}, TemporaryFileList?)"/>
     public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
-        Write(output, cancellation, stream =>
-    {
-        using var writer = PictureWriter.Create(format, stream, picture.Width, picture.Height);
-        writer.WriteRows(picture.Rgb);
-        writer.Finish();
-    });
+        Write(output, cancellation, stream => PictureFile.Write(stream, picture, format));
 
     /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="output">The file, or "-".</param>

@@ -41,7 +41,6 @@ internal static class HandOutFolder
         File.WriteAllBytes(path, content);
     }
 
-    /// <summary>Copies an assembly.</summary>
     private static void CopyLibrary(string name, string folder)
     {
         Directory.CreateDirectory(folder);
@@ -65,17 +64,9 @@ internal static class HandOutFolder
                 cancellation.ThrowIfCancellationRequested();
                 var picture = Path.Combine(scenes, $"step{step:00}", Path.ChangeExtension(Path.GetRelativePath(scenes, file), ".png"));
                 Directory.CreateDirectory(Path.GetDirectoryName(picture)!);
-                WritePicture(picture, Teaching.LabSteps.Draw(scene, step));
+                using var stream = File.Create(picture); // in place: the folder as a whole is there or not
+                PictureFile.Write(stream, Teaching.LabSteps.Draw(scene, step), PictureFormat.Png);
             }
         }
-    }
-
-    /// <summary>Writes a picture in place: the folder as a whole is there or not.</summary>
-    private static void WritePicture(string path, Picture picture)
-    {
-        using var file = File.Create(path);
-        using var writer = PictureWriter.Create(PictureFormat.Png, file, picture.Width, picture.Height);
-        writer.WriteRows(picture.Rgb);
-        writer.Finish();
     }
 }

@@ -56,12 +56,16 @@ public static class PictureFile
     {
         format ??= PictureFormats.ByExtension(path);
         using var file = new ReplacedFile(path);
-        using (var writer = PictureWriter.Create(format.Value, file, picture.Width, picture.Height))
-        {
-            writer.WriteRows(picture.Rgb);
-            writer.Finish();
-        }
+        Write(file, picture, format.Value);
         file.Commit();
+    }
+
+    /// <summary>Writes a picture to a stream, which is left open.</summary>
+    public static void Write(Stream output, Picture picture, PictureFormat format)
+    {
+        using var writer = PictureWriter.Create(format, output, picture.Width, picture.Height);
+        writer.WriteRows(picture.Rgb);
+        writer.Finish();
     }
 
     /// <summary>Opens a file for reading; errors name the file.</summary>

@@ -3,9 +3,6 @@ namespace RayCaster.Teaching;
 /// <summary>The crossings of one model with a ray, in plain doubles. Quick enough to choose from thousands of models.</summary>
 internal readonly struct Trial
 {
-    /// <param name="model">The model.</param>
-    /// <param name="index">Its place in the scene.</param>
-    /// <param name="ray">The ray.</param>
     public Trial(Model model, int index, Ray ray)
     {
         (Model, Index) = (model, index);
@@ -23,7 +20,6 @@ internal readonly struct Trial
         Outcome = Hit is null ? Reason(ray, Near, Far) : Outcome.Shows;
     }
 
-    /// <summary>The model.</summary>
     public Model Model { get; }
 
     /// <summary>Its place in the scene.</summary>
