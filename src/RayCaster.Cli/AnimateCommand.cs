@@ -25,8 +25,6 @@ internal sealed class AnimateCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
-    /// <exception cref="PictureFileException">A frame cannot be read, or the animation cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var output = OutputOf(line, "animate");

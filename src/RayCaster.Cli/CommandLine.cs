@@ -17,7 +17,6 @@ internal sealed class CommandLine
     /// <summary>The command's name; empty for drawing, which needs none.</summary>
     public string CommandName { get; private set; } = "";
 
-    /// <summary>The operands: files and numbers.</summary>
     public IReadOnlyList<string> Operands => operands;
 
     /// <summary>The value of an option; null if it is not given.</summary>
@@ -25,7 +24,6 @@ internal sealed class CommandLine
 
     public bool Has(Option option) => values.ContainsKey(option);
 
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
     public static CommandLine Parse(string[] arguments)
     {
         foreach (var word in arguments) FileWord.Check(word);

@@ -43,8 +43,6 @@ internal sealed class CompareCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The command line has a mistake, or standard output cannot be written.</exception>
-    /// <exception cref="PictureFileException">A picture cannot be read or written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var files = line.Exactly("<mine>", "<reference>");

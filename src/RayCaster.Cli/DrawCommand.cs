@@ -14,8 +14,6 @@ internal sealed class DrawCommand : Command
 
     public override string Help => HelpText.Full;
 
-    /// <exception cref="ProblemException">The scene has errors, or standard output cannot be written.</exception>
-    /// <exception cref="PictureFileException">The picture cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = ScenePath(line);

@@ -37,8 +37,6 @@ internal sealed class ExplainCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The picture has no such pixel, or the reference has another size.</exception>
-    /// <exception cref="PictureFileException">The reference cannot be read.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var operands = line.Exactly("<scene>", "<column>", "<line>");

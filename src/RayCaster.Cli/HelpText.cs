@@ -11,7 +11,6 @@ internal static class HelpText
 
         """;
 
-    /// <summary>The help page.</summary>
     public const string Full = """
         Description:
           Casts one ray per pixel of a scene and writes the picture.

@@ -33,7 +33,6 @@ internal sealed class LiveCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The other program was not found.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var arguments = new List<string> { line.Exactly("<scene>")[0] };

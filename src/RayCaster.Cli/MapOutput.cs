@@ -6,8 +6,6 @@ namespace RayCaster.Cli;
 internal static class MapOutput
 {
     /// <summary>Reads the scene, casts its rays, and writes both files.</summary>
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
-    /// <exception cref="PictureFileException">A file cannot be written, or the map is too large.</exception>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         if (MapKinds.Named(line[Option.Map]!) is not { } kind)

@@ -4,8 +4,6 @@ namespace RayCaster.Cli;
 internal static class MistakeOutput
 {
     /// <summary>Reads the scene, draws it with the mistakes, and writes the picture.</summary>
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
-    /// <exception cref="PictureFileException">The picture cannot be written.</exception>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         var mistakes = NameList.Of(line[Option.Mistake]!, '+', [.. MistakeCatalog.All.Select(mistake => mistake.Id)], "a mistake")

@@ -41,8 +41,6 @@ internal sealed class OrbitCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The scene or the camera path has errors.</exception>
-    /// <exception cref="PictureFileException">A frame cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = line.Exactly("<scene>")[0];

@@ -27,8 +27,6 @@ internal sealed class SheetCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
-    /// <exception cref="PictureFileException">A picture cannot be read, or the sheet cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var output = AnimateCommand.OutputOf(line, "sheet");

@@ -50,8 +50,6 @@ internal sealed class StitchCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The command line has a mistake, or standard output cannot be written.</exception>
-    /// <exception cref="PictureFileException">A part cannot be read, or the picture cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         if (line.Operands.Count == 0) throw ProblemException.Usage("no part is given: name files, a pattern or a folder");

@@ -23,7 +23,6 @@ internal sealed partial class Bodies
 
     /// <summary>Finds the bodies.</summary>
     /// <param name="file">The file's name in errors.</param>
-    /// <param name="text">The file's text.</param>
     /// <exception cref="ProblemException">A marker is missing, or its slide belongs to no step.</exception>
     public static Bodies Parse(string file, string text)
     {

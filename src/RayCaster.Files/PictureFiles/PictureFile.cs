@@ -49,7 +49,6 @@ public static class PictureFile
 
     /// <summary>Writes a picture. An old file is replaced at the end, and stays if anything fails.</summary>
     /// <param name="path">The file.</param>
-    /// <param name="picture">The picture.</param>
     /// <param name="format">The format; the extension's if left out.</param>
     /// <exception cref="PictureFileException">The extension names no format, or the file cannot be written.</exception>
     public static void Write(string path, Picture picture, PictureFormat? format = null)

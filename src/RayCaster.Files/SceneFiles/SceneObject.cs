@@ -26,7 +26,6 @@ internal sealed class SceneObject
     private int? keyCount;     // null where a key may be there twice
     private int found, likely; // keys that were asked for and are there; where the next may be
 
-    /// <param name="document">The scene file.</param>
     /// <param name="path">The object's path, empty for the scene itself; for the elements of an array, the array's path.</param>
     private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
 
@@ -47,7 +46,6 @@ internal sealed class SceneObject
     }
 
     /// <summary>An object; null, after a report, if the value is none.</summary>
-    /// <param name="document">The scene file.</param>
     /// <param name="value">What should be an object.</param>
     /// <param name="path">Its path, empty for the outermost.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
@@ -176,9 +174,11 @@ internal sealed class SceneObject
         described?.Add(new(key, KeyKind.Objects, meaning, true));
         if (Take(key, meaning, true) is not { } value || !IsArray(value, key, "objects")) yield break;
         var (i, o) = (0, new SceneObject(document!, PathOf(key)));
-        for (var next = value.First; next is { } element && !document!.IsHopeless; next = value.After(element), i++)
-            if (o.Begin(element, i))
-                yield return o;
+        foreach (var element in value.Content)
+        {
+            if (document!.IsHopeless) yield break;
+            if (o.Begin(element, i++)) yield return o;
+        }
     }
 
     /// <summary>Refuses a value that was read, or one of its elements: <paramref name="message"/> follows the path.</summary>

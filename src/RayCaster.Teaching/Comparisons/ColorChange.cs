@@ -144,7 +144,6 @@ internal sealed class ToneTable
         for (var i = 0; i < 256; i++) least[i] = greatest[i] = (byte)i;
     }
 
-    /// <summary>No change.</summary>
     public static ToneTable Same { get; } = new();
 
     /// <summary>The byte before the change: of the possible ones, the one nearest to the expected byte.</summary>

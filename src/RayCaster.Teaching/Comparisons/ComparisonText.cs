@@ -17,7 +17,6 @@ public static class ComparisonText
     };
 
     /// <summary>The comparison in whole lines.</summary>
-    /// <param name="comparison">The comparison.</param>
     /// <param name="mine">The name of the picture in question.</param>
     /// <param name="reference">The name of the picture that it should be.</param>
     public static string Of(PictureComparison comparison, string mine, string reference)

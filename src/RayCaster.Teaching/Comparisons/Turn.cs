@@ -37,7 +37,6 @@ internal readonly record struct TurnedPlaces(int Start, int Right, int Down)
     /// <summary>Whether the turn swaps width and height.</summary>
     public static bool SwapsSides(Turn turn) => turn >= Turn.Transposed;
 
-    /// <param name="turn">How the picture is turned.</param>
     /// <param name="width">Its width before the turn.</param>
     /// <param name="height">Its height before the turn.</param>
     public static TurnedPlaces Of(Turn turn, int width, int height)

@@ -15,7 +15,6 @@ internal readonly struct Derivation : IReal<Derivation>
     {
     }
 
-    /// <summary>How it was computed.</summary>
     public Term Term => term ?? new(Operation.Constant, 0);
 
     public double Value => term?.Value ?? 0;

@@ -11,7 +11,6 @@ internal enum Operation
 }
 
 /// <summary>A number and what it was computed from: a formula with its numbers, as a tree.</summary>
-/// <param name="operation">The operation.</param>
 /// <param name="value">The result; for a comparison 1 for true and 0 for false.</param>
 /// <param name="a">The first operand; for a choice the mask.</param>
 /// <param name="b">The second operand.</param>

@@ -22,7 +22,6 @@ internal readonly struct Trial
 
     public Model Model { get; }
 
-    /// <summary>Its place in the scene.</summary>
     public int Index { get; }
 
     /// <summary>The t of the first crossing that counts, or null.</summary>
@@ -31,7 +30,6 @@ internal readonly struct Trial
     /// <summary>The crossings; NaN for none.</summary>
     public double Near { get; }
 
-    /// <inheritdoc cref="Near"/>
     public double Far { get; }
 
     /// <summary>Why it is not hit, for the crossing that comes closer to counting; <see cref="Outcome.Shows"/> for a hit.</summary>
@@ -40,7 +38,6 @@ internal readonly struct Trial
     /// <summary>The outcomes of a mesh's triangles; null for other shapes.</summary>
     public MeshExplanation? Mesh { get; }
 
-    /// <summary>A ray for a formula.</summary>
     public static Ray<Scalar> Plain(Ray ray) => new(ray.Origin, ray.Direction);
 
     private static Outcome Reason(Ray ray, double near, double far)
