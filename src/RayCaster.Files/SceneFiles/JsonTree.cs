@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace RayCaster.Files;
 
-/// <summary>A JSON text as a tree whose values know their places in the text. Comments and trailing commas are allowed.</summary>
+/// <summary>A JSON text as a tree, with the place of each value in the text. Comments and trailing commas are allowed.</summary>
 internal sealed class JsonTree
 {
     public const int MaxDepth = 64;

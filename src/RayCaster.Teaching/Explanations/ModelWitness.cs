@@ -55,7 +55,7 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
         return outcome;
     }
 
-    /// <summary>A model without a formula tells only whether it is hit. So it is tried again without clip planes, then in the opposite
+    /// <summary>A model without a formula returns only its hit. So it is tried again without clip planes, then in the opposite
     /// direction.</summary>
     private Outcome JudgeByAsking(Ray ray, out double t)
     {

@@ -15,7 +15,7 @@ internal readonly struct Trial
         }
         else if (model.Intersect(Plain(ray)) is { } crossings)
             (Near, Far) = (crossings.Near, crossings.Far);
-        else // a model in plain doubles and ifs: without clipping it tells where it would be hit
+        else // a model in plain doubles and ifs: without clipping it returns where it would be hit
             (Near, Far) = (Hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
         Outcome = Hit is null ? Reason(ray, Near, Far) : Outcome.Shows;
     }
