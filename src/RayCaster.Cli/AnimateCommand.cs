@@ -55,6 +55,6 @@ internal sealed class AnimateCommand : Command
         frames.RemoveAll(file => !chosen.Contains(file) && Path.GetFullPath(file) == Path.GetFullPath(output));
         InputFiles.Note(frames);
         InputFiles.Keep(output);
-        return frames.Count > 0 ? frames : throw ProblemException.Usage("no picture is given: name PNG files, a pattern, or a folder with PNG files");
+        return frames.Count > 0 ? frames : throw ProblemException.Usage("no picture is given: name PNG files, a pattern, or a folder with some");
     }
 }

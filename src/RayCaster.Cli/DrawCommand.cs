@@ -78,19 +78,11 @@ internal sealed class DrawCommand : Command
         [] or [_] => ProblemException.Usage("no scene is given: name a scene file, for example scenes/room.json"),
         [var word, ..] when Spelling.Nearest(word, Command.Names) is { } name =>
             ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
-        [var word, ..] when !File.Exists(word) && IsOfLetters(word) =>
+        [var word, ..] when !File.Exists(word) && word.All(char.IsAsciiLetter) =>
             ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one"),
         var scenes => ProblemException.Usage(
             $"one scene at a time, but there are {scenes.Count}: {string.Join(", ", scenes)}{OutputHint(scenes)}"),
     };
-
-    private static bool IsOfLetters(string word)
-    {
-        foreach (var c in word)
-            if (!char.IsAsciiLetter(c))
-                return false;
-        return true;
-    }
 
     private static string OutputHint(IReadOnlyList<string> operands) =>
         operands is [_, var second] && Path.GetExtension(second).ToLowerInvariant() is ".png" or ".ppm"

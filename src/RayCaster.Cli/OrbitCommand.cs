@@ -61,7 +61,7 @@ internal sealed class OrbitCommand : Command
         }
 
         var folder = line[Option.Output] ?? "";
-        var name = path == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(path);
+        var name = DrawCommand.NameOf(path);
         var digits = $"D{Math.Max(4, (frames - 1).ToString(CultureInfo.InvariantCulture).Length)}";
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
         var (start, drawn) = (Stopwatch.GetTimestamp(), 0);

@@ -48,7 +48,7 @@ internal sealed class VaryCommand : Command
                 $"write {Path.GetFileName(output)} to {folder}");
         if (SceneVariation.Of(text, folder, seed) is not { } varied)
         {
-            StandardFile.WriteError($"{path}: no variation of it shows all the mistakes that the scene shows; try another seed{Environment.NewLine}");
+            StandardFile.WriteError($"{path}: no variation of it shows all its mistakes; try another seed{Environment.NewLine}");
             return ExitCode.No;
         }
         PictureOutput.Write(output, cancellation, stream => stream.Write(varied));

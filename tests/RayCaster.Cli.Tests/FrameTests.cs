@@ -65,7 +65,7 @@ public sealed class FrameTests : IDisposable
     [InlineData("the frames 5..9 do not all exist: a film of 8 frames has 0..7\n", "orbit", "a.json", "--frames", "8", "--only", "5..9")]
     [InlineData("animate needs a name for the picture, as in -o animate.png\n", "animate", ".")]
     [InlineData("animate writes a PNG, to a file: choose a name with .png\n", "animate", ".", "-o", "a.ppm")]
-    [InlineData("no picture is given: name PNG files, a pattern, or a folder with PNG files\n", "animate", ".", "-o", "a.png")]
+    [InlineData("no picture is given: name PNG files, a pattern, or a folder with some\n", "animate", ".", "-o", "a.png")]
     [InlineData(
         "'2000' is not a number of frames per second: it is a whole number from 1 to 1000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
     [InlineData("picture file not found: b.png\n", "sheet", "b.png", "-o", "a.png")]

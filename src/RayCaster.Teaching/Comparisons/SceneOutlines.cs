@@ -26,12 +26,7 @@ internal sealed class SceneOutlines(Scene scene) : IOutlines
     }
 
     /// <summary>Whether the work for so many pixels is small enough.</summary>
-    public bool CanJudge(long pixels)
-    {
-        long shapes = 1;
-        foreach (var model in scene.Models) shapes += model is Mesh mesh ? mesh.TriangleCount : 1;
-        return pixels * 9 * shapes <= MostWork;
-    }
+    public bool CanJudge(long pixels) => pixels * 9 * (1 + scene.ShapeCount) <= MostWork;
 
     /// <summary>Whether another right program may show a colour in a pixel.</summary>
     public bool MayShow((byte R, byte G, byte B) color, int x, int y)

@@ -17,8 +17,7 @@ public static class StoredReference
     {
         if (!ScalarRenderer.IsChanged || Find(path) is not { } file) return null;
         var reference = PictureFile.Read(file);
-        var shapes = scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
-        if ((long)reference.Width * reference.Height * shapes > MostWork) return null;
+        if ((long)reference.Width * reference.Height * scene.ShapeCount > MostWork) return null;
         var inItsSize = scene with { Camera = scene.Camera.WithSize(reference.Width, reference.Height) };
         var comparison = new PictureComparison(ScalarRenderer.Render(inItsSize), reference);
         return comparison.Likeness.IsSame() ? null
