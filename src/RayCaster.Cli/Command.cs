@@ -3,29 +3,29 @@ namespace RayCaster.Cli;
 /// <summary>A command of the console app.</summary>
 internal abstract class Command
 {
-    private static readonly Dictionary<string, Func<Command>> All = new()
-    {
-        ["draw"] = () => new DrawCommand(),
-        ["check"] = () => new CheckCommand(),
-        ["compare"] = () => new CompareCommand(),
-        ["diagnose"] = () => new DiagnoseCommand(),
-        ["explain"] = () => new ExplainCommand(),
-        ["stitch"] = () => new StitchCommand(),
-        ["orbit"] = () => new OrbitCommand(),
-        ["animate"] = () => new AnimateCommand(),
-        ["sheet"] = () => new SheetCommand(),
-        ["handout"] = () => new HandOutCommand(),
-        ["mark"] = () => new MarkCommand(),
-        ["vary"] = () => new VaryCommand(),
-        ["live"] = () => new LiveCommand(),
-        ["help"] = () => new HelpCommand(),
-    };
-
     /// <summary>The names of commands. Without one of them, the app draws a scene.</summary>
-    public static IReadOnlyCollection<string> Names => All.Keys;
+    public static readonly string[] Names =
+        ["draw", "check", "compare", "diagnose", "explain", "stitch", "orbit", "animate", "sheet", "handout", "mark", "vary", "live", "help"];
 
     /// <summary>The command with a name; null if there is none.</summary>
-    public static Command? Named(string name) => All.GetValueOrDefault(name)?.Invoke();
+    public static Command? Named(string name) => name switch
+    {
+        "draw" => new DrawCommand(),
+        "check" => new CheckCommand(),
+        "compare" => new CompareCommand(),
+        "diagnose" => new DiagnoseCommand(),
+        "explain" => new ExplainCommand(),
+        "stitch" => new StitchCommand(),
+        "orbit" => new OrbitCommand(),
+        "animate" => new AnimateCommand(),
+        "sheet" => new SheetCommand(),
+        "handout" => new HandOutCommand(),
+        "mark" => new MarkCommand(),
+        "vary" => new VaryCommand(),
+        "live" => new LiveCommand(),
+        "help" => new HelpCommand(),
+        _ => null,
+    };
 
     /// <summary>Its options; every command also has <see cref="Option.Help"/>.</summary>
     public abstract Option[] Options { get; }

@@ -46,7 +46,7 @@ internal sealed class CommandLine
         if (line.Has(Option.Help)) return line;
         if (line.operands.Contains("")) throw ProblemException.Usage("a name is empty: it names no file");
         foreach (var (option, _) in line.values)
-            if (!line.Command.Options.Contains(option))
+            if (Array.IndexOf(line.Command.Options, option) < 0)
                 throw ProblemException.Usage(line.CommandName == ""
                     ? $"option '{option.Name}' belongs to a command: name the command"
                     : $"option '{option.Name}' is not one of {line.CommandName}'s");
