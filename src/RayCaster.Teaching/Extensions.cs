@@ -13,5 +13,10 @@ internal static class Extensions
     {
         /// <summary>Whether all pixels are equal, so that the picture proves nothing.</summary>
         public bool IsOneColor => picture.Rgb.AsSpan(3).SequenceEqual(picture.Rgb.AsSpan(0, picture.Rgb.Length - 3));
+
+        /// <summary>Whether a pixel differs from the one to the right or the one below by more than so many levels.</summary>
+        public bool IsEdge(int x, int y, int levels) =>
+            (x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > levels)
+            || (y + 1 < picture.Height && PictureDifference.Levels(picture[x, y], picture[x, y + 1]) > levels);
     }
 }

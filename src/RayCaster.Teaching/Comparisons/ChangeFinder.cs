@@ -29,7 +29,7 @@ internal sealed class ChangeFinder
         for (var i = 0; i < 50 * SampleCount && edges.Count < SampleCount; i++)
         {
             var (x, y) = (random.Next(reference.Width), random.Next(reference.Height));
-            if (IsEdge(x, y)) edges.Add((x, y));
+            if (reference.IsEdge(x, y, Edge)) edges.Add((x, y));
         }
     }
 
@@ -173,12 +173,7 @@ internal sealed class ChangeFinder
     /// <summary>A usual gamma, such as 1/2.2, in place of a number within 2 % of it.</summary>
     private static double Plain(double exponent)
     {
-        foreach (var plain in (ReadOnlySpan<double>)[0.5, 1 / 2.2, 1 / 1.8, 1 / 2.4, 2, 2.2, 1.8, 2.4])
-            if (Math.Abs(exponent / plain - 1) < 0.02) return plain;
-        return exponent;
+        double[] usual = [0.5, 1 / 2.2, 1 / 1.8, 1 / 2.4, 2, 2.2, 1.8, 2.4];
+        return usual.FirstOrDefault(plain => Math.Abs(exponent / plain - 1) < 0.02, exponent);
     }
-
-    private bool IsEdge(int x, int y) =>
-        (x + 1 < reference.Width && PictureDifference.Levels(reference[x, y], reference[x + 1, y]) > Edge)
-        || (y + 1 < reference.Height && PictureDifference.Levels(reference[x, y], reference[x, y + 1]) > Edge);
 }

@@ -32,8 +32,7 @@ internal static class ModelsText
     /// <summary>The models that are wrong somewhere, most wrong first.</summary>
     private static void AppendTable(StringBuilder text, SceneDifference scene)
     {
-        var width = 5;
-        foreach (var model in scene.Models) width = Math.Max(width, model.Name.Length);
+        var width = scene.Models.Select(model => model.Name.Length).Append(5).Max();
         text.Append($"\n  {"model".PadRight(width)}      pixels       wrong\n");
         var (rows, right) = (0, 0);
         foreach (var model in scene.Models)
@@ -107,10 +106,8 @@ internal static class ModelsText
     /// <summary>" (`wall` 70 %, the background 20 %)".</summary>
     private static string Behind(Scene scene, ModelDifference model)
     {
-        var parts = new List<string>();
-        for (var i = 0; i < Math.Min(3, model.Shows.Count); i++)
-            parts.Add($"{ModelName.Of(scene, model.Shows[i].Model)} {ComparisonText.Share(model.Shows[i].Pixels, model.Wrong)}");
-        return parts.Count == 0 ? "" : $" ({string.Join(", ", parts)})";
+        var parts = model.Shows.Take(3).Select(shown => $"{ModelName.Of(scene, shown.Model)} {ComparisonText.Share(shown.Pixels, model.Wrong)}");
+        return model.Shows.Count == 0 ? "" : $" ({string.Join(", ", parts)})";
     }
 
     private static string Name(Color c) => string.Create(CultureInfo.InvariantCulture, $"({c.R:0.###}, {c.G:0.###}, {c.B:0.###})");

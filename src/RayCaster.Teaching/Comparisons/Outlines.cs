@@ -38,9 +38,7 @@ internal sealed class PictureOutlines : IOutlines
         var count = 0;
         for (var y = 0; y < picture.Height; y++)
             for (var x = 0; x < picture.Width; x++)
-                if ((x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > Shading)
-                    || (y + 1 < picture.Height && PictureDifference.Levels(picture[x, y], picture[x, y + 1]) > Shading))
-                    count++;
+                if (picture.IsEdge(x, y, Shading)) count++;
         return count;
     }
 

@@ -61,12 +61,7 @@ public sealed class PictureDifference
     public (int Left, int Top, int Right, int Bottom)? WrongArea { get; private set; }
 
     /// <summary>How many pixels differ by more than so many levels in a channel.</summary>
-    public int CountBeyond(int levels)
-    {
-        var pixels = 0;
-        for (var i = levels + 1; i < count.Length; i++) pixels += count[i];
-        return pixels;
-    }
+    public int CountBeyond(int levels) => count.Skip(levels + 1).Sum();
 
     /// <summary>The largest difference of a pixel's three channels.</summary>
     /// <param name="x">The column.</param>
@@ -101,7 +96,11 @@ public sealed class PictureDifference
         var largest = Math.Max(dark, light);
         levels[pixel] = (byte)largest;
         count[largest]++;
-        if (largest > 1) Surround(pixel % Mine.Width, pixel / Mine.Width);
+        if (largest > 1)
+        {
+            var (x, y) = (pixel % Mine.Width, pixel / Mine.Width);
+            WrongArea = WrongArea is var (left, top, right, _) ? (Math.Min(left, x), top, Math.Max(right, x), y) : (x, y, x, y);
+        }
         else if (light == 0) OneDarker++;
     }
 
@@ -125,12 +124,5 @@ public sealed class PictureDifference
             var other = i + step * width;
             return Math.Min(Math.Min(away[i + step], away[other]), Math.Min(away[other - 1], away[other + 1]));
         }
-    }
-
-    private void Surround(int x, int y)
-    {
-        WrongArea = WrongArea is var (left, top, right, _)
-            ? (Math.Min(left, x), top, Math.Max(right, x), y)
-            : (x, y, x, y);
     }
 }

@@ -107,10 +107,7 @@ public sealed class SceneDifference
         for (var i = 0; i < shown.Length; i++)
             if (IsWrong(i) && hits.Model[i] >= 0) Note(i, -1, background);
 
-        var byPixels = new List<ModelDifference>(models);
-        byPixels.RemoveAll(model => model.Model < 0);
-        byPixels.Sort((a, b) => b.Pixels.CompareTo(a.Pixels));
-        foreach (var model in byPixels[..Math.Min(MostTried, byPixels.Count)])
+        foreach (var model in models.Where(model => model.Model >= 0).OrderByDescending(model => model.Pixels).Take(MostTried))
         {
             var alone = scene with { Models = [scene.Models[model.Model]] };
             new Renderer(alone, threads).CastHits(others);
