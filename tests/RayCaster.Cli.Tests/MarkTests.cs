@@ -85,11 +85,11 @@ public sealed class MarkTests : IDisposable
     {
         if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
-        raycaster.Write(Folder("vandal") + "draw.sh", $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}'");
+        raycaster.Write(Folder("vandal") + "draw.sh", $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}' '{raycaster.PathOf("rubric.json")}'");
         raycaster.Write(Folder("anna") + "draw.sh", "echo marked before").Write(Folder("victim") + "draw.sh", "echo never run");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "-t", "1");
         Assert.Equal(("", 0), (raycaster.Error, raycaster.ExitCode));
-        Assert.Contains("files outside its folder changed while it ran: anna/draw.sh, victim/draw.sh", Table()[2]);
+        Assert.Contains("files outside its folder changed while it ran: anna/draw.sh, victim/draw.sh, ../rubric.json", Table()[2]);
         Assert.StartsWith("victim,0,5,5", Table()[3]);
     }
 
@@ -114,6 +114,18 @@ public sealed class MarkTests : IDisposable
         Assert.Equal((2, "raycaster: the submission 'anna\uFFFDboris,5' has an invisible character in its name: rename the folder\n"),
             (raycaster.ExitCode, raycaster.Error));
         Assert.False(Directory.Exists(raycaster.PathOf("marks")));
+    }
+
+    [Theory]
+    [InlineData("Class.html", "marks", "the submission 'Class.html' is named like a file of the marks: rename the folder")]
+    [InlineData("anna", "class/marks", "the marks cannot go to class/marks, which is in the folder of submissions: name a folder outside it")]
+    public void PlacesThatMarksAndSubmissionsShareAreRefusedBeforeAnyProgramRuns(string student, string output, string problem)
+    {
+        WriteRubric("""  "run": ["touch", "{dir}/ran", "{scene}", "{out}"], """);
+        var folder = Folder(student);
+        raycaster.Run("mark", "rubric.json", "class", "-o", output, "-q");
+        Assert.Equal((2, $"raycaster: {problem}\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.False(File.Exists(raycaster.PathOf(folder + "ran")));
     }
 
     [Fact]

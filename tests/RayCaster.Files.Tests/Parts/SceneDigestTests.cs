@@ -34,7 +34,7 @@ public class SceneDigestTests
     [InlineData("\"#00FF7f\"", "\"#00FE7f\"")]
     [InlineData("\"fovY\": 60", "\"fovY\": 60.00000000000001")]
     [InlineData("\"type\": \"mesh\", \"file\": \"./tetrahedron.obj\", \"scale\": 2,", "\"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 2")]
-    public void SoDoesEveryWordAndTheLastBit(string from, string to)
+    public void EveryWordAndTheLastBitChangeIt(string from, string to)
     {
         if (!Everything.Contains(from)) return; // one of two ways in which a line may end
         Assert.NotEqual(DigestOf(Everything), DigestOf(Everything.Replace(from, to)) ?? throw new InvalidDataException(from));

@@ -13,6 +13,7 @@ public class MarkerTests
         new([.. whole.Scenes.Where(scene => scene.Name is "1-planes" or "3-inside" or "4-flat" or "4-all")], "")
         {
             Title = whole.Title,
+            Path = whole.Path,
             Hint = whole.Hint,
             Items = whole.Items,
             Source = whole.Source,
