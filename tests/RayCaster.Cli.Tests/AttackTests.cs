@@ -116,7 +116,7 @@ public sealed class AttackTests : IDisposable
         Assert.Equal((2, "raycaster: the scene is to be read from standard input, but that is closed\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    /// <summary>Neither by its name nor by another way to its folder, and whichever command it is.</summary>
+    /// <summary>This holds for every command, and for every path that leads to the file.</summary>
     [Fact]
     public void WhatIsReadIsNotReplaced()
     {
@@ -172,7 +172,7 @@ public sealed class AttackTests : IDisposable
         Assert.Equal("room.png: exists already\n", raycaster.Error);
     }
 
-    /// <summary>A filter a mesh and thread would take gigabytes here.</summary>
+    /// <summary>One filter for each mesh and thread would take gigabytes here.</summary>
     [Fact]
     public void AThousandMeshesFitIntoLittleMemory()
     {

@@ -15,7 +15,7 @@ public sealed class InterruptionTests : IDisposable
 
     public void Dispose() => raycaster.Dispose();
 
-    /// <summary>All wait at the same time, so that the test waits once.</summary>
+    /// <summary>All processes wait at the same time, so the test waits once.</summary>
     [Fact]
     public void ASignalEndsTheWaitForAPipe()
     {

@@ -109,7 +109,7 @@ public class SceneDigestTests
         static string DigestOf(Talkative model) => SceneDigest.Of(new(new(new(new(5, 0, 0), Vector3.Zero)), [model]));
     }
 
-    /// <summary>Written down once from this code: a digest that changes with a new version would part what belongs together.</summary>
+    /// <summary>This value was computed once by this code: if a new version changed the digest, old and new parts could not be joined.</summary>
     [Fact]
     public void ItIsTheSameEverywhereAndForEver()
     {
