@@ -1,6 +1,6 @@
 namespace RayCaster.Live.Tests;
 
-/// <summary>A page whose program ends, starts again, or stands still for a while.</summary>
+/// <summary>A page whose program ends, starts again, or is suspended for a while.</summary>
 [Collection("browser")]
 [Trait("kind", "campaign")] // starts the real program, three times
 public class BreakTests(Chromium chromium)
@@ -42,7 +42,7 @@ public class BreakTests(Chromium chromium)
         Assert.Equal(camera, await page.InnerTextAsync("#camera-json"));
     }
 
-    /// <summary>A program that stands still for longer than the server waits for a browser's answer, as while a laptop sleeps.</summary>
+    /// <summary>A program that is suspended for longer than the server waits for a browser's answer, as while a laptop sleeps.</summary>
     [BrowserFact]
     public async Task APageContinuesAfterASleep()
     {

@@ -27,8 +27,7 @@ public static class SideBySide
     /// <summary>The heat map alone.</summary>
     public static Picture Heat(PictureDifference difference)
     {
-        var colors = new (byte, byte, byte)[256];
-        for (var levels = 0; levels < 256; levels++) colors[levels] = HeatMap.Of(levels);
+        var colors = Enumerable.Range(0, 256).Select(HeatMap.Of).ToArray();
         var picture = new Picture(difference.Mine.Width, difference.Mine.Height);
         for (var y = 0; y < picture.Height; y++)
             for (var x = 0; x < picture.Width; x++) picture[x, y] = colors[difference.LevelsAt(x, y)];

@@ -1,6 +1,6 @@
 namespace RayCaster.Engine.Tests.Rendering;
 
-/// <summary>The fast renderer answers to the bit what the definition answers: which model, and at which t.</summary>
+/// <summary>The fast renderer gives the same model and the same bits of t as the definition.</summary>
 public class RendererTests
 {
     [Theory]
@@ -229,7 +229,7 @@ public class RendererTests
         AssertEqual(new Scene(camera, [red, blue]), $"planes at an angle of {tilt}");
     }
 
-    /// <summary>Model, bits of t and bytes of every pixel, drawn with little code and with all there is.</summary>
+    /// <summary>Compares the model, the bits of t and the bytes of every pixel, with and without the kernels for many frames.</summary>
     internal static void AssertEqual(Scene scene, string what)
     {
         var definition = new Ray[scene.Camera.Height, scene.Camera.Width];

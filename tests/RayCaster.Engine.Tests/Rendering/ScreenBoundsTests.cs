@@ -29,7 +29,7 @@ public class ScreenBoundsTests
     [MemberData(nameof(Shapes))]
     public void IsHitByTheFastRendererAsByTheDefinition(string shape) => AssertIsHit(shape, companions: 0);
 
-    /// <summary>With so many models behind the camera that they are found as a crowd.</summary>
+    /// <summary>With so many models behind the camera that they are drawn as a batch.</summary>
     [Theory]
     [InlineData("sphere")]
     [InlineData("sphere at its sides")] // where the rectangle in which it is looked for ends

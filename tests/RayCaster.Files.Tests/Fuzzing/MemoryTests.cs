@@ -126,8 +126,8 @@ public class MemoryTests
         Promise.Within(MemoryLimit.OfPicture(file.Length, width, height), () => PictureFile.Read(new MemoryStream(file.ToArray())));
     }
 
-    /// <summary>Of a pipe no more is read than the header asks for, though it never ends, and no more memory is taken than for what has
-    /// come.</summary>
+    /// <summary>A pipe is read only as far as the header says, even if it never ends, and memory is taken only for the bytes that have
+    /// arrived.</summary>
     [Theory]
     [InlineData("P6 5 5 255\n", 5, 5)]
     [InlineData("P5 1000 1000 65535\n", 1000, 1000)]

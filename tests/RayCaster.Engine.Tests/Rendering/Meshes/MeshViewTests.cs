@@ -1,6 +1,6 @@
 namespace RayCaster.Engine.Tests.Rendering.Meshes;
 
-/// <summary>The filter for meshes may propose what it likes: what comes out is to the bit what asking all triangles gives.</summary>
+/// <summary>The filter for meshes only proposes triangles: the result equals that of intersecting all triangles, to the bit.</summary>
 public class MeshViewTests
 {
     [Theory]
@@ -43,7 +43,7 @@ public class MeshViewTests
         Vector3[] corners = [new(0, -1, -1), new(0, 1, -1), new(0.1, 0, 1)];
         RendererTests.AssertEqual(new(camera, [new Mesh(corners, [.. Enumerable.Range(0, 30_000).Select(i => (i + i / 3) % 3)])]), "duplicates");
     }
-    /// <summary>There are fewer filters than meshes, and so meshes take them from each other.</summary>
+    /// <summary>There are fewer filters than meshes, so meshes share them.</summary>
     [Fact]
     public void AHundredMeshesInATileComeOutToTheBit()
     {
