@@ -8,7 +8,7 @@ namespace RayCaster.Engine;
 internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>In more tiles than this the triangles are sorted one by one: they are far from each other, or large.</summary>
-    private const int ManyTiles = 6;
+    private const int ManyTiles = 64;
 
     private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
@@ -68,6 +68,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         var mostW = N.Select(stretch < one, w1 * (N)(1 + 1e-5) * (one + stretch), double.PositiveInfinity);
         mostW.Store(most, 0);
         shows &= (mostW >= (N)(double)screen.LeastW) & (leastW <= (N)(double)screen.MostW);
+        if (!N.All(fit)) fit |= IsOutside(center, half);
         sides = N.Bits(boxes.Normals<N>(first) * center > (N)0.0);
         return (N.Bits(fit), N.Bits(shows));
 
@@ -87,6 +88,21 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         }
     }
 
+    /// <summary>Where boxes lie on the outer side of a plane through the camera and an edge of the picture.</summary>
+    /// <remarks>The planes are moved out by a pixel, which is more than any rounding.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private N IsOutside(Vector3<N> center, Vector3<N> half)
+    {
+        const double Margin = 1;
+        var (camera, ahead) = (screen.Camera, -screen.Camera.W);
+        return IsBehind(screen.Scale * camera.U + (screen.CenterX + Margin) * ahead)
+            | IsBehind(-screen.Scale * camera.U + (camera.Width - screen.CenterX + Margin) * ahead)
+            | IsBehind(screen.Scale * camera.V + (screen.CenterY + Margin) * ahead)
+            | IsBehind(-screen.Scale * camera.V + (camera.Height - screen.CenterY + Margin) * ahead);
+
+        N IsBehind(Vector3 normal) => Range(normal, center, half).Most < (N)0.0;
+    }
+
     /// <summary>Stores places, moved into the picture; their whole parts are pixels.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Keep(double[] pixels, N place, N last) =>
@@ -95,6 +111,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Place(int cluster, int i)
     {
+        if (Math.Ceiling(left[i]) > right[i] || Math.Ceiling(bottom[i]) > top[i]) return; // between samples
         var (first, end) = boxes.TrianglesOf(cluster);
         var side = (int)(sides >> i) & 1;
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));

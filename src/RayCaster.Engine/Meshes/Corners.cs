@@ -28,4 +28,14 @@ internal abstract class Corners
     public virtual void FetchVertices(int group)
     {
     }
+
+    /// <summary>Fetches the indices of triangles that will be needed soon, anywhere in the mesh.</summary>
+    public virtual void Fetch(ReadOnlySpan<int> triangles)
+    {
+    }
+
+    /// <summary>Fetches the vertices of triangles that will be needed next, anywhere in the mesh.</summary>
+    public virtual void FetchVertices(ReadOnlySpan<int> triangles)
+    {
+    }
 }

@@ -33,6 +33,19 @@ internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int
         }
     }
 
+    public override void Fetch(ReadOnlySpan<int> triangles)
+    {
+        foreach (var triangle in triangles) Lanes.Fetch(ref indices[3 * triangle]);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    public override void FetchVertices(ReadOnlySpan<int> triangles)
+    {
+        var points = new RawSpan<Vector3>(vertices);
+        foreach (var triangle in triangles)
+            for (var i = 3 * triangle; i < 3 * triangle + 3; i++) Lanes.Fetch(ref points[indices[i]]);
+    }
+
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void See(ReadOnlySpan<int> triangles, int corner, out EightPoints seen)
     {

@@ -1,3 +1,4 @@
+using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -8,8 +9,14 @@ namespace RayCaster.Engine;
 /// left out, group by group, then triangles that cover no sample, eight at once.</summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
-    /// <summary>How many groups are looked at before any of them is drawn, and how many of these their memory is asked for in advance.</summary>
-    private const int ClustersAtOnce = 256, Ahead = 4;
+    /// <summary>After so many clusters or triangles it is found out anew what is hidden.</summary>
+    private const int ClustersAtOnce = 32, TrianglesAtOnce = 256;
+
+    /// <summary>How many clusters ahead memory is fetched.</summary>
+    private const int Ahead = 4;
+
+    /// <summary>How many single triangles ahead.</summary>
+    private const int VerticesAhead = 24, IndicesAhead = 64;
 
     private readonly ScreenSpace screen;
     private readonly TilePixels pixels = new();
@@ -53,11 +60,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             var nearer = MeanW(set, tile, 0) < MeanW(set, tile, 1) ? 1 : 0;
             Add(set, set.ClustersOf(tile, nearer));
             Add(set, set.Of(tile, nearer));
-            if (!isEmpty)
-            {
-                hits.Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
-                coarse.Update(pixels.Covered);
-            }
+            if (!isEmpty) Refresh();
             Add(set, set.ClustersOf(tile, 1 - nearer));
             Add(set, set.Of(tile, 1 - nearer));
         }
@@ -128,6 +131,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
                 if (i + Ahead / 2 is >= 0 and var near && near < count) corners.FetchVertices(seen[near]);
                 if (i >= 0) Add(set, seen[i]);
             }
+            if (next < groups.Length) Refresh();
         }
         AddWaiting();
     }
@@ -147,11 +151,15 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         if (triangles.Length == 0) return;
         if (isEmpty) Begin();
         Span<int> ids = stackalloc int[8];
+        set.Corners.Fetch(triangles[..Math.Min(IndicesAhead, triangles.Length)]);
         for (var first = 0; first < triangles.Length; first += 8)
         {
+            if (first + IndicesAhead + 8 <= triangles.Length) set.Corners.Fetch(triangles.Slice(first + IndicesAhead, 8));
+            if (first + VerticesAhead + 8 <= triangles.Length) set.Corners.FetchVertices(triangles.Slice(first + VerticesAhead, 8));
             for (var i = 0; i < 8; i++) ids[i] = triangles[Math.Min(first + i, triangles.Length - 1)];
             set.Corners.See(ids, out eight);
             Add(set, Vector256.Create<int>(ids), triangles.Length - first);
+            if ((first + 8) % TrianglesAtOnce == 0) Refresh();
         }
         AddWaiting();
     }
@@ -186,11 +194,50 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             waiting.Add(t, names, shows & small);
             if (waiting.IsFull) cover.AddSmall(waiting);
         }
-        if ((shows & ~small) != 0)
+        var large = shows & ~small;
+        if (large != 0) large = Visible(large, left, right, bottom, top);
+        if (large != 0)
         {
-            waitingLarge.Add(t, names, shows & ~small);
+            waitingLarge.Add(t, names, large);
             if (waitingLarge.IsFull) cover.AddLarge(waitingLarge);
         }
+    }
+
+    /// <summary>Those of some large triangles that are not hidden: for each of them that saves setting it up.</summary>
+    /// <param name="large">A bit for each triangle.</param>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private uint Visible(uint large, Vector256<float> left, Vector256<float> right, Vector256<float> bottom, Vector256<float> top)
+    {
+        // A sliver's w may be stretched; see TriangleSetUp.
+        ref readonly var t = ref eight;
+        var size = Lanes.Most(t.A.X, t.B.X, t.C.X) - Lanes.Least(t.A.X, t.B.X, t.C.X)
+            + (Lanes.Most(t.A.Y, t.B.Y, t.C.Y) - Lanes.Least(t.A.Y, t.B.Y, t.C.Y));
+        var stretch = size * Vector256.Create((float)(4 / screen.Scale));
+        var mostW = Lanes.Most(t.A.W, t.B.W, t.C.W) * Vector256.Create(1 + 1e-5f) * (Vector256<float>.One + stretch);
+        mostW = Vector256.ConditionalSelect(
+            Vector256.LessThan(stretch, Vector256<float>.One), mostW, Vector256.Create(float.PositiveInfinity));
+        Span<int> box = stackalloc int[32];
+        Vector256.ConvertToInt32Native(left).CopyTo(box);
+        Vector256.ConvertToInt32Native(right).CopyTo(box[8..]);
+        Vector256.ConvertToInt32Native(bottom).CopyTo(box[16..]);
+        Vector256.ConvertToInt32Native(top).CopyTo(box[24..]);
+        Span<float> w = stackalloc float[8];
+        mostW.CopyTo(w);
+        for (var rest = large; rest != 0; rest &= rest - 1)
+        {
+            var i = BitOperations.TrailingZeroCount(rest);
+            var cells = Cells.Of((uint)box[i], (uint)box[i + 8], (uint)box[i + 16], (uint)box[i + 24]);
+            if (coarse.Hides(cells, tile.Row % Tile.MaxSide, w[i])) large &= ~(1u << i);
+        }
+        return large;
+    }
+
+    /// <summary>Draws what waits, and finds out anew what is hidden.</summary>
+    private void Refresh()
+    {
+        AddWaiting();
+        hits.Decide(); // one pixel that is not sure to be covered would let through all that may lie in its cell
+        coarse.Update(pixels.Covered);
     }
 
     private void AddWaiting()

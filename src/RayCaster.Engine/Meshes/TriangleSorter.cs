@@ -11,6 +11,9 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
     /// <summary>A triangle in more tiles than this goes to all tiles, so that a million large ones do not fill each tile's list.</summary>
     private const int ManyTiles = 64;
 
+    /// <summary>How many triangles ahead vertices are fetched: they may lie anywhere.</summary>
+    private const int Ahead = 24;
+
     private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
 
@@ -38,6 +41,8 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
         Span<int> box = stackalloc int[32];
         for (; first < end; first += 8)
         {
+            for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i + Ahead, corners.Count - 1);
+            corners.FetchVertices(ids);
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
             corners.See(ids, out var t);
             var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
