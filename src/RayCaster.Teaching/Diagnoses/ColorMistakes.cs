@@ -53,6 +53,7 @@ internal static class ColorMistakes
             "Of which type is your attenuation, and what is (int)0.7?",
             "Compute in double up to the byte, and only then cast.")
             .Or("t cut to an integer", lab => lab.Attenuation.Becomes(fade => t => fade(Math.Truncate(t))))
+            .Or("t / (2 |T − P|) cut to an integer", Fade((t, D, _) => 1 - Math.Truncate(t / (2 * D))))
             .Or("t and 2 |T − P| cut to integers, and divided as such", lab => lab.Attenuation.Is(t =>
                 (int)lab.Reach.Do() is var reach and not 0 ? 1 - (int)t / reach : double.NaN)),
         new Mistake("att-square", Concerns.Color, Slides.Shading, "attenuation by the square: 1 − t² / (2 |T − P|)²",
@@ -116,6 +117,7 @@ internal static class ColorMistakes
                 lab.Clamp.Is(channel => channel);
                 lab.Byte.Is(channel => Wrapped(255 * 255 * channel));
             })
+            .Or("256 · channel, which is 0 again where the channel is 1", lab => lab.Byte.Is(channel => Wrapped(256 * channel)))
             .Or("only what is less than 0 is not clamped", lab =>
             {
                 lab.Dark.Is(attenuation => attenuation);

@@ -21,6 +21,7 @@ internal static class VectorMistakes
             "W = −(T − P) normalised.")
             .Or("W is not normalised in d alone", LengthenW)
             .Or("W is not normalised in V alone", lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.T - lab.P) * V(w, u)))
+            .Or("V = (T − P) × U", lab => lab.AxisV.Becomes(V => (w, u) => -lab.Length.Do(lab.T - lab.P) * V(w, u)))
             .Or("W is not normalised, but V is", lab =>
             {
                 LengthenW(lab);
@@ -39,7 +40,17 @@ internal static class VectorMistakes
             "Everything is far too large and far too bright: a piece of it fills the picture.",
             "Print |W|, |U| and |d|. What should they be?",
             "A vector's method returns a new vector: d = d.Normalized.")
-            .Or("W and U are not normalised", LeaveAxes),
+            .Or("W and U are not normalised", LeaveAxes)
+            .Or(from part in Parts
+                from unit in (Func<Vector3, Vector3>[])[a => part.Of(a / a.Length, a), a => part.Of(a, a / a.Length)]
+                from wording in Units($"normalised in {part.Name} alone", unit) select wording)
+            .Or(Units("each component divided by a length that has changed by then", a =>
+            {
+                a = a with { X = a.X / a.Length };
+                a = a with { Y = a.Y / a.Length };
+                return a with { Z = a.Z / a.Length };
+            }))
+            .Or(Units("a |a| for a / |a|", a => a.Length * a)),
         new Mistake("len-nosqrt", Concerns.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
             lab =>
             {
@@ -66,21 +77,15 @@ internal static class VectorMistakes
                 AllowAnyLength(lab);
                 lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
             })
-            .Or("a vector is normalised by x² + y² + z²", lab =>
-            {
-                lab.Norm.Is(a => a * a);
-                AllowAnyLength(lab);
-            })
-            .Or("a vector is normalised by x² + y² + z², and the sphere takes d·d = 1", lab =>
-            {
-                lab.Norm.Is(a => a * a);
-                AssumeUnitLength(lab);
-            })
+            .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
+            .Or(from part in Parts from wording in Lengths($"{part.Name} forgotten in the length", a => part.Of(Vector3.Zero, a).Length) select wording)
+            .Or(Lengths("|a| = |x| + |y| + |z|", a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
+            .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
             .Or("W is divided by x² + y² + z²", lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p)))
             .Or("W is divided by x² + y² + z², but V is of length 1", lab =>
             {
                 lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p));
-                lab.AxisV.Becomes(V => (w, u) => lab.Unit(V(w, u)));
+                lab.AxisV.Becomes(V => (w, u) => lab.Unit.Do(V(w, u)));
             })
             .Or("U is divided by x² + y² + z²",
                 lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
@@ -149,6 +154,23 @@ internal static class VectorMistakes
         lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t));
         lab.AxisU.Becomes(U => (up, w) => lab.Length.Do(lab.Cross.Do(up, w)) * U(up, w));
     }
+
+    /// <summary>A vector whose other components come from a second one, by the component that does not.</summary>
+    private static (string Name, Func<Vector3, Vector3, Vector3> Of)[] Parts =>
+    [
+        ("x", (b, a) => a with { X = b.X }), ("y", (b, a) => a with { Y = b.Y }), ("z", (b, a) => a with { Z = b.Z }),
+    ];
+
+    /// <summary>Another way to normalise, with the sphere's formula for any d and with the one for d·d = 1.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Units(string what, Func<Vector3, Vector3> unit) =>
+        WithBothSpheres(what, lab => lab.Unit.Is(unit));
+
+    /// <summary>Another length, likewise.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Lengths(string what, Func<Vector3, double> length) =>
+        WithBothSpheres(what, lab => lab.Length.Is(length));
+
+    private static (string, Action<Lab>)[] WithBothSpheres(string what, Action<Lab> deviate) =>
+        [(what, deviate + AllowAnyLength), (what + ", and the sphere takes d·d = 1", deviate + AssumeUnitLength)];
 
     private static void SquareLength(Lab lab) => lab.Length.Becomes(length => a => length(a) * length(a));
 
