@@ -21,7 +21,7 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
         Verdict = Result is null ? null : ComparisonText.Of(Result.Likeness),
         HasLayers = Result?.Difference is not null,
         Wrong = Result?.Difference?.Wrong ?? 0,
-        Middle = Result?.Difference is { } difference && WrongArea.MiddleOfLargest(difference) is var (x, y) ? (int[])[x, y] : null,
+        Middle = Result?.Difference?.WrongMiddle is var (x, y) ? (int[])[x, y] : null,
     });
 
     /// <summary>The user's picture, the difference, and the difference by object.</summary>
@@ -30,7 +30,7 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
         if (Result?.Difference is not { } difference) yield break;
         yield return (Layer.Mine, Frame.Of(Result.Mine));
         yield return (Layer.Difference, Frame.Of(SideBySide.Heat(difference)));
-        yield return (Layer.ByObject, Frame.Of(WrongArea.ByObject(Result)));
+        yield return (Layer.ByObject, Frame.Of(SideBySide.ByObject(Result)));
     }
 
     /// <summary>Names the mistake that may have made the picture.</summary>

@@ -35,6 +35,18 @@ public static class SideBySide
         return picture;
     }
 
+    /// <summary>Each model in one colour: the larger the share of its pixels that are wrong, the hotter. Black if the pictures were not compared
+    /// model by model.</summary>
+    public static Picture ByObject(PictureComparison comparison)
+    {
+        var picture = new Picture(comparison.Reference.Width, comparison.Reference.Height);
+        if (comparison.ByModels is not { } byModels) return picture;
+        var colors = byModels.Models.ToDictionary(model => model.Model, model => HeatMap.Of((int)Math.Ceiling(255 * model.Share)));
+        for (var i = 0; i < picture.Width * picture.Height; i++)
+            picture[i % picture.Width, i / picture.Width] = colors.GetValueOrDefault(byModels.ModelAt(i));
+        return picture;
+    }
+
     private static void Put(Picture part, Picture whole, int left)
     {
         for (var y = 0; y < part.Height; y++)
