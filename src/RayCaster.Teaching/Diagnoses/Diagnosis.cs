@@ -53,11 +53,9 @@ public sealed class Diagnosis
     /// <summary>What may be left unexplained, as a share of the wrong pixels, for a cause to be certain.</summary>
     private const double Explained = 0.05;
 
-    /// <summary>The share that one mistake may leave without asking whether a number of the scene explains more.</summary>
-    private const double Certain = 0.01;
-
-    /// <summary>The share of the wrong pixels that unfinished programs may leave for the rest to be right.</summary>
-    private const double Nearly = 0.001;
+    /// <summary>The share of the wrong pixels that unfinished programs may leave for the rest to be right, at the other place of each pixel more,
+    /// and that a mistake may leave without asking whether a number of the scene explains more.</summary>
+    private const double Nearly = 0.001, NearlyOtherSample = 0.01;
 
     /// <summary>The share of the wrong pixels that one mistake may leave before it is taken for chance; of more than one, less. A mistake
     /// whose pixels may lie anywhere leaves more.</summary>
@@ -167,11 +165,10 @@ public sealed class Diagnosis
         var left = best.Misfit.Unexplained / WrongCount;
         var isNamed = left <= Explained
             || (MissingModel is null && left <= MayLeave(best));
-        var doubtful = left > (best.Named.Count > 1 ? Nearly : Certain);
-        if (doubtful && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
+        if (left > Nearly && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
         {
             var byModels = SceneDifference.Find(prepared.Scene, new(picture, prepared.Right), prepared.Threads);
-            if (LikelyCause.Certain(prepared, byModels, evidence, left) is { } certain) (isNamed, Likely) = (false, [certain]);
+            if (LikelyCause.Certain(prepared, byModels, evidence, left * (best.Named.Count > 1 ? 0.8 : 0.25)) is { } certain) (isNamed, Likely) = (false, [certain]);
             else if (!isNamed) Likely = [.. LikelyCause.Hints(prepared.Scene, byModels, picture, prepared.Right)];
         }
         if (!isNamed)
@@ -182,7 +179,7 @@ public sealed class Diagnosis
             return;
         }
         NotYet = best.Base.NotYet;
-        if (best.Wordings.Count == 0 && best.Base.Kinds.Any() && left > (best.OtherSample ? Certain : Nearly)
+        if (best.Wordings.Count == 0 && best.Base.Kinds.Any() && left > (best.OtherSample ? NearlyOtherSample : Nearly)
             && !IsRestRight([.. best.Base.Kinds], picture, done)) return;
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
         var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount)

@@ -8,22 +8,30 @@ internal static class LikelyCause
     /// <summary>What may be left unexplained, as a share of the wrong pixels.</summary>
     private const double Explained = 0.1;
 
+    /// <summary>As many black lines at a border are no mistake of one line.</summary>
+    private const int LeastLines = 4;
+
     /// <summary>What surely is so: one number of the scene is another, or one model is missing or has another colour.</summary>
     /// <param name="prepared">The scene.</param>
     /// <param name="byModels">The picture beside the right one.</param>
     /// <param name="evidence">Of the picture.</param>
-    /// <param name="left">The share of the wrong pixels that the nearest mistakes leave unexplained.</param>
-    public static string? Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence, double left)
+    /// <param name="most">The share of the wrong pixels that a number may leave unexplained.</param>
+    public static string? Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence, double most)
     {
         if (ModelsText.Meant(byModels) is [{ } model] && (model.IsMissing || model.OtherColor is not null))
             return ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault();
         var (unexplained, says) = OtherNumber.Find(prepared.Scene, evidence, prepared.Threads);
-        return unexplained <= Math.Min(Explained, left / 4) * evidence.WrongCount ? says : null;
+        return unexplained <= Math.Min(Explained, most) * evidence.WrongCount ? says : null;
     }
 
     /// <summary>What may be said besides.</summary>
     public static IEnumerable<string> Hints(Scene scene, SceneDifference byModels, Picture picture, Picture right)
     {
+        if (Unwritten(picture, right) is { } unwritten)
+        {
+            yield return unwritten;
+            yield break;
+        }
         var meant = ModelsText.Meant(byModels);
         var kinds = meant.Where(model => model.Model >= 0).Select(model => scene.Models[model.Model].Kind).Distinct().ToArray();
         if (HasSameOutlines(scene, byModels, picture, right))
@@ -74,10 +82,32 @@ internal static class LikelyCause
             wrong++;
             var model = byModels.ModelAt(i);
             if (model >= 0 && Unfinished.IsShadeOf(shown, scene.Models[model].Color)) same++;
-            // Of two grey models each is a shade of the other: there a new edge tells.
-            if (x > 0 && PictureDifference.Levels(right[x, y], right[x - 1, y]) <= 8 && PictureDifference.Levels(shown, picture[x - 1, y]) > 40)
-                edges++;
+            // Of two grey models each is a shade of the other, and black is a shade of all: there a new edge tells.
+            if ((x > 0 && IsNewEdge(x - 1, y)) || (y > 0 && IsNewEdge(x, y - 1))) edges++;
+
+            bool IsNewEdge(int nx, int ny) =>
+                PictureDifference.Levels(right[x, y], right[nx, ny]) <= 8 && PictureDifference.Levels(shown, picture[nx, ny]) > 40;
         }
-        return same >= 0.97 * wrong && edges <= 0.02 * wrong;
+        return same >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong); // a cut through an area is about as long as its side
+    }
+
+    /// <summary>Says so where the picture's upper or lower lines are black and should not be; null where not.</summary>
+    private static string? Unwritten(Picture picture, Picture right)
+    {
+        var (top, bottom) = (0, picture.Height);
+        while (top < bottom && IsBlack(picture, top)) top++;
+        while (top < bottom && IsBlack(picture, bottom - 1)) bottom--;
+        while (top > 0 && IsBlack(right, top - 1)) top--;
+        while (bottom < picture.Height && IsBlack(right, bottom)) bottom++;
+        return (top, picture.Height - bottom) switch
+        {
+            ( >= LeastLines, 0) => Says($"Its {top} upper lines are black"),
+            (0, >= LeastLines and var lines) => Says($"Its {lines} lower lines are black"),
+            _ => null,
+        };
+
+        static bool IsBlack(Picture picture, int y) => !picture.Rgb.AsSpan(3 * picture.Width * y, 3 * picture.Width).ContainsAnyExcept((byte)0);
+
+        static string Says(string lines) => lines + ": did the program draw them, and write them all?";
     }
 }
