@@ -41,7 +41,7 @@ internal static class LikelyCause
                     ? $"Only what is of the type {kind}: the same outlines, but another light. Is its t right?"
                 : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
         }
-        else if (meant.Count == 1)
+        else if (meant.Count == 1 || (meant.Count > 1 && meant.All(model => model.IsMissing || model.OtherColor is not null)))
         {
             foreach (var sentence in ModelsText.Sentences(scene, byModels)) yield return sentence;
         }
@@ -51,8 +51,8 @@ internal static class LikelyCause
         }
     }
 
-    /// <summary>Says so where most of a picture has colours that no model of the scene has in any light; null where not.</summary>
-    public static string? OfAnother(Scene scene, Picture picture)
+    /// <summary>What a picture shows whose colours are no model's, or those of the scene's models in other places; null where neither is so.</summary>
+    public static string? OfTheWhole(Scene scene, Picture picture, Picture right)
     {
         var background = scene.Background.ToBytes();
         var count = picture.Width * picture.Height;
@@ -65,9 +65,36 @@ internal static class LikelyCause
             if (PictureDifference.Levels(shown, background) > Evidence.Tolerance
                 && !scene.Models.Any(model => Unfinished.IsShadeOf(shown, model.Color))) strange++;
         }
-        return strange <= looked / 2 ? null : string.Create(CultureInfo.InvariantCulture,
-            $"This is another picture, or its colours were changed: {100.0 * strange / looked:0} % of its pixels have a colour " +
-            $"that no model of the scene has in any light.");
+        if (strange > looked / 2)
+        {
+            return string.Create(CultureInfo.InvariantCulture,
+                $"This is another picture, or its colours were changed: {100.0 * strange / looked:0} % of its pixels have a colour " +
+                $"that no model of the scene has in any light.");
+        }
+        if (strange > looked / 10) return null;
+        return IsWrongOnlyOnOutlines(picture, right)
+            ? "Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?"
+            : "Its colours are those of the scene, but the outlines are others: look at the camera (P, T, up), at h " +
+                "and w, uc and ur, and at which hit is the nearest.";
+    }
+
+    /// <summary>Whether most of what is wrong has another colour beside it in the right picture.</summary>
+    private static bool IsWrongOnlyOnOutlines(Picture picture, Picture right)
+    {
+        var (wrong, outlines) = (0, 0);
+        for (var y = 1; y < right.Height - 1; y++)
+        {
+            for (var x = 1; x < right.Width - 1; x++)
+            {
+                var here = right[x, y];
+                if (PictureDifference.Levels(picture[x, y], here) <= Evidence.Tolerance) continue;
+                wrong++;
+                if (IsOther(x - 1, y) || IsOther(x + 1, y) || IsOther(x, y - 1) || IsOther(x, y + 1)) outlines++;
+
+                bool IsOther(int nx, int ny) => PictureDifference.Levels(right[nx, ny], here) > 8;
+            }
+        }
+        return outlines > 0.5 * wrong;
     }
 
     /// <summary>Whether every pixel shows the model that it should, in some light.</summary>
@@ -99,6 +126,9 @@ internal static class LikelyCause
         while (top < bottom && IsBlack(picture, bottom - 1)) bottom--;
         while (top > 0 && IsBlack(right, top - 1)) top--;
         while (bottom < picture.Height && IsBlack(right, bottom)) bottom++;
+        var wrong = Enumerable.Range(top * picture.Width, (bottom - top) * picture.Width).Count(i =>
+            PictureDifference.Levels(picture[i % picture.Width, i / picture.Width], right[i % picture.Width, i / picture.Width]) > Evidence.Tolerance);
+        if (wrong > Explained * (bottom - top) * picture.Width) return null;
         return (top, picture.Height - bottom) switch
         {
             ( >= LeastLines, 0) => Says($"Its {top} upper lines are black"),

@@ -36,9 +36,6 @@ internal static class SurfaceMistakes
             .Or("circle: left out where n points to the camera (d·n ≤ 0)", Cull(0, -1))
             .Or("plane, circle and triangle: left out where n points away from the camera (d·n ≥ 0)", Cull(1, 1, 1))
             .Or("plane, circle and triangle: left out where n points to the camera (d·n ≤ 0)", Cull(-1, -1, -1))
-            .Or(from least in (double[])[0.01, 0.1]
-                select ($"plane: left out where |d·n| ≤ {least}", (Action<Lab>)(lab => lab.Plane.Becomes(cross => (plane, d) =>
-                    Math.Abs(d * plane.Normal) <= least ? None : cross(plane, d)))))
             .Or("plane: left out where d·n ≤ 0.01", lab => lab.Plane.Becomes(cross => (plane, d) => d * plane.Normal <= 0.01 ? None : cross(plane, d))),
     ];
 
