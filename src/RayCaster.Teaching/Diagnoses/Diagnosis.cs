@@ -174,7 +174,7 @@ public sealed class Diagnosis
         if (!isNamed)
         {
             if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
-            else if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right) is { } another) Likely = [another];
+            else if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } another) Likely = [another];
             else if (left < Mentioned && Likely.Count == 0) Nearest = AsSuspect(best, best.Draw(prepared.Scene));
             return;
         }

@@ -77,7 +77,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
         var pairs = Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]);
         all.AddRange([.. pairs, .. IsDone(pairs, Certain) ? [] : Best(Reworded(pairs))]);
-        if (!IsDone(all)) all.AddRange(Best(Reworded(Best([.. Measured(AllPairs(everySingle), Glance).Take(Closer)]))));
+        if (!IsDone(all)) all.AddRange(Best(Reworded(Best(AllPairs(everySingle)))));
         return Sorted(all);
     }
 
@@ -122,7 +122,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     /// <summary>All pairs in their commonest and their likeliest wordings: of two mistakes that change everything, neither is near by itself.</summary>
     /// <param name="singles">Every mistake in every wording, the nearest first.</param>
-    private static List<WrongProgram> AllPairs(List<WrongProgram> singles)
+    private List<WrongProgram> AllPairs(List<WrongProgram> singles)
     {
         Mistake[][] nearest =
         [
@@ -131,7 +131,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
                group single.Wordings[0] by single.Id into wordings
                select wordings.Take(MostWordings).Prepend(MistakeCatalog.Named(wordings.Key)!).Distinct().ToArray(),
         ];
-        return
+        List<WrongProgram> pairs =
         [
             .. from one in nearest
                from other in nearest
@@ -139,6 +139,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
                from wording in other
                select new WrongProgram(Unfinished.Nothing, [one[0], wording], false),
         ];
+        foreach (var (share, most) in ((double, int)[])[(Glance / 4, pairs.Count / 4), (Glance, Closer)])
+            pairs = [.. Measured(pairs, share).Take(most)];
+        return pairs;
     }
 
     /// <summary>The best pairs with one of both in another wording, and with rays through the other place of each pixel.</summary>

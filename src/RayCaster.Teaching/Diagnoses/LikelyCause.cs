@@ -20,7 +20,7 @@ internal static class LikelyCause
     {
         if (ModelsText.Meant(byModels) is [{ } model] && (model.IsMissing || model.OtherColor is not null))
             return ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault();
-        var (unexplained, says) = OtherNumber.Find(prepared.Scene, evidence, prepared.Threads);
+        var (unexplained, says) = OtherNumber.Find(prepared.Scene, byModels, evidence, prepared.Threads);
         return unexplained <= Math.Min(Explained, most) * evidence.WrongCount ? says : null;
     }
 
@@ -45,14 +45,24 @@ internal static class LikelyCause
         {
             foreach (var sentence in ModelsText.Sentences(scene, byModels)) yield return sentence;
         }
-        else if (kinds is [var kind] && meant.All(model => model.Model >= 0) && scene.Models.Any(model => model.Kind != kind))
+        else if (scene.Models.Select(model => model.Kind).Distinct().ToArray() is { Length: > 1 } all
+            && all.FirstOrDefault(kind => IsOnly(kind, scene, byModels)) is { } only)
         {
-            yield return $"Only what is of the type {kind} is wrong: look at its formula.";
+            yield return $"Only what is of the type {only} is wrong: look at its formula.";
         }
     }
 
+    /// <summary>Whether nearly all wrong pixels show a kind of shape, or should.</summary>
+    private static bool IsOnly(string kind, Scene scene, SceneDifference byModels)
+    {
+        bool IsOfKind(int model) => model >= 0 && scene.Models[model].Kind == kind;
+        var of = byModels.Models.Sum(model => IsOfKind(model.Model) ? model.Wrong
+            : model.Shows.Where(shown => IsOfKind(shown.Model)).Sum(shown => shown.Pixels));
+        return of >= (1 - Explained) * byModels.Models.Sum(model => model.Wrong);
+    }
+
     /// <summary>What a picture shows whose colours are no model's, or those of the scene's models in other places; null where neither is so.</summary>
-    public static string? OfTheWhole(Scene scene, Picture picture, Picture right)
+    public static string? OfTheWhole(Scene scene, Picture picture, Picture right, int wrong)
     {
         var background = scene.Background.ToBytes();
         var count = picture.Width * picture.Height;
@@ -72,10 +82,10 @@ internal static class LikelyCause
                 $"that no model of the scene has in any light.");
         }
         if (strange > looked / 10) return null;
-        return IsWrongOnlyOnOutlines(picture, right)
-            ? "Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?"
-            : "Its colours are those of the scene, but the outlines are others: look at the camera (P, T, up), at h " +
-                "and w, uc and ur, and at which hit is the nearest.";
+        if (IsWrongOnlyOnOutlines(picture, right))
+            return "Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?";
+        return wrong < count / 3 ? null : "Its colours are those of the scene, but the outlines are others: look at the camera (P, T, up), at h and w, " +
+            "uc and ur, and at which hit is the nearest.";
     }
 
     /// <summary>Whether most of what is wrong has another colour beside it in the right picture.</summary>
