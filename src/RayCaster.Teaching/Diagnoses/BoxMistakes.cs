@@ -138,8 +138,11 @@ internal static class BoxMistakes
         return new(tMin, tMax);
     });
 
-    private static string Names(int left) => string.Join(", ", ((string[])["y asked", "z asked", "y in t_min", "z in t_min", "y in t_max", "z in t_max"])
-        .Where((_, i) => (left >> i & 1) != 0));
+    private static string Names(int left)
+    {
+        string[] steps = ["y asked", "z asked", "y in t_min", "z in t_min", "y in t_max", "z in t_max"];
+        return string.Join(", ", steps.Where((_, i) => (left >> i & 1) != 0));
+    }
 
     private static string Of(int axis) => axis < 0 ? "" : $", for {"xyz"[axis]}";
 

@@ -61,6 +61,9 @@ public sealed class Diagnosis
     /// whose pixels may lie anywhere leaves more.</summary>
     private const double Foreign = 0.1, ForeignPair = 0.05, Scattered = 0.35;
 
+    /// <summary>Of what mistakes leave, so much may another number of the scene leave to be told instead: beside one mistake, beside two.</summary>
+    private const double NumberForOne = 0.25, NumberForPair = 0.8;
+
     /// <summary>The share of the wrong pixels that each mistake of several must explain, or it is not named.</summary>
     private const double Idle = 0.002;
 
@@ -168,13 +171,14 @@ public sealed class Diagnosis
         if (left > Nearly && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
         {
             var byModels = SceneDifference.Find(prepared.Scene, new(picture, prepared.Right), prepared.Threads);
-            if (LikelyCause.Certain(prepared, byModels, evidence, left * (best.Named.Count > 1 ? 0.8 : 0.25)) is { } certain) (isNamed, Likely) = (false, [certain]);
+            var most = left * (best.Named.Count > 1 ? NumberForPair : NumberForOne);
+            if (LikelyCause.Certain(prepared, byModels, evidence, most) is { } certain) (isNamed, Likely) = (false, [certain]);
             else if (!isNamed) Likely = [.. LikelyCause.Hints(prepared.Scene, byModels, picture, prepared.Right)];
         }
         if (!isNamed)
         {
             if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
-            else if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } another) Likely = [another];
+            else if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } whole) Likely = [whole];
             else if (left < Mentioned && Likely.Count == 0) Nearest = AsSuspect(best, best.Draw(prepared.Scene));
             return;
         }

@@ -61,7 +61,7 @@ internal static class LikelyCause
         return of >= (1 - Explained) * byModels.Models.Sum(model => model.Wrong);
     }
 
-    /// <summary>What a picture shows whose colours are no model's, or those of the scene's models in other places; null where neither is so.</summary>
+    /// <summary>What is wrong with a picture as a whole: its colours, its outlines, or where they are; null where nothing can be said.</summary>
     public static string? OfTheWhole(Scene scene, Picture picture, Picture right, int wrong)
     {
         var background = scene.Background.ToBytes();
@@ -84,8 +84,9 @@ internal static class LikelyCause
         if (strange > looked / 10) return null;
         if (IsWrongOnlyOnOutlines(picture, right))
             return "Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?";
-        return wrong < count / 3 ? null : "Its colours are those of the scene, but the outlines are others: look at the camera (P, T, up), at h and w, " +
-            "uc and ur, and at which hit is the nearest.";
+        return wrong < count / 3 ? null
+            : "Its colours are those of the scene, but the outlines are others: look at the camera (P, T, up), at h and w, uc and ur, " +
+                "and at which hit is the nearest.";
     }
 
     /// <summary>Whether most of what is wrong has another colour beside it in the right picture.</summary>
@@ -136,9 +137,9 @@ internal static class LikelyCause
         while (top < bottom && IsBlack(picture, bottom - 1)) bottom--;
         while (top > 0 && IsBlack(right, top - 1)) top--;
         while (bottom < picture.Height && IsBlack(right, bottom)) bottom++;
-        var wrong = Enumerable.Range(top * picture.Width, (bottom - top) * picture.Width).Count(i =>
-            PictureDifference.Levels(picture[i % picture.Width, i / picture.Width], right[i % picture.Width, i / picture.Width]) > Evidence.Tolerance);
-        if (wrong > Explained * (bottom - top) * picture.Width) return null;
+        var difference = new PictureDifference(picture, right);
+        var (first, rest) = (top * picture.Width, (bottom - top) * picture.Width);
+        if (Enumerable.Range(first, rest).Count(i => difference.LevelsAt(i) > Evidence.Tolerance) > Explained * rest) return null;
         return (top, picture.Height - bottom) switch
         {
             ( >= LeastLines, 0) => Says($"Its {top} upper lines are black"),

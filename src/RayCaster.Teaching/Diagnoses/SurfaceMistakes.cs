@@ -36,7 +36,8 @@ internal static class SurfaceMistakes
             .Or("circle: left out where n points to the camera (d·n ≤ 0)", Cull(0, -1))
             .Or("plane, circle and triangle: left out where n points away from the camera (d·n ≥ 0)", Cull(1, 1, 1))
             .Or("plane, circle and triangle: left out where n points to the camera (d·n ≤ 0)", Cull(-1, -1, -1))
-            .Or("plane: left out where d·n ≤ 0.01", lab => lab.Plane.Becomes(cross => (plane, d) => d * plane.Normal <= 0.01 ? None : cross(plane, d))),
+            .Or("plane: left out where d·n ≤ 0.01",
+                lab => lab.Plane.Becomes(cross => (plane, d) => d * plane.Normal <= 0.01 ? None : cross(plane, d))),
     ];
 
     private static Mistake[] OfCircles =>

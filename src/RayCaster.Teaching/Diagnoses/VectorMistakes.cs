@@ -52,33 +52,15 @@ internal static class VectorMistakes
             }))
             .Or(Units("a |a| for a / |a|", a => a.Length * a)),
         new Mistake("len-nosqrt", Concerns.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
-            lab =>
-            {
-                SquareLength(lab);
-                AllowAnyLength(lab);
-            },
+            SquareLength + AllowAnyLength,
             "Nearly all is gone or has a wrong size, or the light reaches too far.",
             "How long is (3, 4, 0)? What does your Length say?",
             "|a| = √(x² + y² + z²).")
-            .Or("the same, and the sphere takes d·d = 1", lab =>
-            {
-                SquareLength(lab);
-                AssumeUnitLength(lab);
-            })
-            .Or("the same, with 2 · |T − P| for |2 (T − P)|", lab =>
-            {
-                SquareLength(lab);
-                AssumeUnitLength(lab);
-                lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
-            })
-            .Or("the same, the sphere for any d", lab =>
-            {
-                SquareLength(lab);
-                AllowAnyLength(lab);
-                lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
-            })
+            .Or(WithBothSpheres("the length without its square root", SquareLength).Skip(1))
+            .Or(WithBothSpheres("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach))
             .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
-            .Or(from part in Parts from wording in Lengths($"{part.Name} forgotten in the length", a => part.Of(Vector3.Zero, a).Length) select wording)
+            .Or(from part in Parts
+                from wording in Lengths($"{part.Name} forgotten in the length", a => part.Of(Vector3.Zero, a).Length) select wording)
             .Or(Lengths("|a| = |x| + |y| + |z|", a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
             .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
             .Or("W is divided by x² + y² + z²", lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p)))
@@ -89,16 +71,7 @@ internal static class VectorMistakes
             })
             .Or("U is divided by x² + y² + z²",
                 lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
-            .Or("d is divided by x² + y² + z²", lab =>
-            {
-                lab.Direction.Is(d => d / (d * d));
-                AllowAnyLength(lab);
-            })
-            .Or("d is divided by x² + y² + z², and the sphere takes d·d = 1", lab =>
-            {
-                lab.Direction.Is(d => d / (d * d));
-                AssumeUnitLength(lab);
-            })
+            .Or(WithBothSpheres("d is divided by x² + y² + z²", lab => lab.Direction.Is(d => d / (d * d))))
             .Or("the light reaches (T − P)²", lab => lab.Reach.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
             .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
             .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
@@ -172,7 +145,10 @@ internal static class VectorMistakes
     private static (string, Action<Lab>)[] WithBothSpheres(string what, Action<Lab> deviate) =>
         [(what, deviate + AllowAnyLength), (what + ", and the sphere takes d·d = 1", deviate + AssumeUnitLength)];
 
-    private static void SquareLength(Lab lab) => lab.Length.Becomes(length => a => length(a) * length(a));
+    private static Action<Lab> SquareLength => lab => lab.Length.Becomes(length => a => length(a) * length(a));
+
+    /// <summary>Twice the length, where the length of twice the vector is another.</summary>
+    private static Action<Lab> DoubleReach => lab => lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
 
     /// <summary>The sphere's formula for a direction of any length: t counts in its lengths.</summary>
     private static void AllowAnyLength(Lab lab) => lab.Sphere.Becomes(cross => (s, d) =>
