@@ -15,24 +15,22 @@ internal sealed class AnimateCommand : Command
           raycaster animate <frame>... -o <file> [options]
 
         Arguments:
-          <frame>...  PNGs as they are drawn here, all of one size, in order; or patterns or
-                      folders, whose files come in the order of their names.
+          <frame>...  PNG files drawn by raycaster, all of one size, in order. The files of a
+                      pattern or a folder come in the order of their names.
 
         Options:
           -o, --output <file>  The animation, a .png.
-              --fps <n>        Frames in a second, 1 to 1000. [default: 25]
+              --fps <n>        Frames per second, 1 to 1000. [default: 25]
           -q, --quiet          Prints errors only.
 
         """;
 
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
-    /// <exception cref="PictureFileException">A frame cannot be read, or the animation cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var output = OutputOf(line, "animate");
         var fps = line[Option.Fps] is not { } text ? 25
             : CommandLine.ParseCount(text) is { } number and <= 1000 ? number
-            : throw ProblemException.Usage($"'{text}' is not a number of frames in a second: it is a whole number from 1 to 1000");
+            : throw ProblemException.Usage($"'{text}' is not a number of frames per second: it is a whole number from 1 to 1000");
         var frames = FramesOf(line, output);
         PictureOutput.Write(output, cancellation, stream => AnimationFile.Write(stream, frames, fps, cancellation));
         if (!line.Has(Option.Quiet))
@@ -57,6 +55,6 @@ internal sealed class AnimateCommand : Command
         frames.RemoveAll(file => !chosen.Contains(file) && Path.GetFullPath(file) == Path.GetFullPath(output));
         InputFiles.Note(frames);
         InputFiles.Keep(output);
-        return frames.Count > 0 ? frames : throw ProblemException.Usage("which pictures? Name PNG files, a pattern or a folder with some");
+        return frames.Count > 0 ? frames : throw ProblemException.Usage("no picture is given: name PNG files, a pattern, or a folder with some");
     }
 }

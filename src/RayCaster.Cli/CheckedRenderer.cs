@@ -4,7 +4,6 @@ namespace RayCaster.Cli;
 /// Draws with the engine. If the course's library was changed, compares some pixels with the definition, and draws by the definition as soon as
 /// one differs. With <c>--plain</c>, draws by the definition from the start.
 /// </summary>
-/// <param name="scene">The scene.</param>
 /// <param name="threads">How many threads cast rays; null for one per core.</param>
 /// <param name="plain">Whether the definition draws from the start.</param>
 internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
@@ -15,17 +14,14 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
 
     private bool isByDefinition = plain;
 
-    /// <summary>The scene.</summary>
     public Scene Scene => scene;
 
     /// <summary>Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</summary>
     public bool ManyFrames { get; init; }
 
     /// <summary>Draws lines of the picture.</summary>
-    /// <param name="lines">Which lines.</param>
     /// <param name="write">Gets whole lines, in order.</param>
     /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <exception cref="FastWayDisagreesException">All lines were drawn, but some differ from the definition. A message was shown; the next call
     /// draws by the definition.</exception>
     public void Draw(LineRange lines, WriteLines write, Action<int>? linesDone, CancellationToken cancellation)

@@ -30,9 +30,6 @@ internal abstract class Command
     /// <summary>Its options; every command also has <see cref="Option.Help"/>.</summary>
     public abstract Option[] Options { get; }
 
-    /// <summary>Whether the command has an option.</summary>
-    public bool Takes(Option option) => Array.IndexOf(Options, option) >= 0;
-
     /// <summary>The text of its help page: lines of at most 90 characters.</summary>
     public abstract string Help { get; }
 

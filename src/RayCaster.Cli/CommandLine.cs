@@ -12,22 +12,18 @@ internal sealed class CommandLine
 
     private CommandLine(Command command) => Command = command;
 
-    /// <summary>The command.</summary>
     public Command Command { get; private set; }
 
     /// <summary>The command's name; empty for drawing, which needs none.</summary>
     public string CommandName { get; private set; } = "";
 
-    /// <summary>The operands: files and numbers.</summary>
     public IReadOnlyList<string> Operands => operands;
 
     /// <summary>The value of an option; null if it is not given.</summary>
     public string? this[Option option] => values.GetValueOrDefault(option);
 
-    /// <summary>Whether an option is given.</summary>
     public bool Has(Option option) => values.ContainsKey(option);
 
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
     public static CommandLine Parse(string[] arguments)
     {
         foreach (var word in arguments) FileWord.Check(word);
@@ -50,9 +46,9 @@ internal sealed class CommandLine
         if (line.Has(Option.Help)) return line;
         if (line.operands.Contains("")) throw ProblemException.Usage("a name is empty: it names no file");
         foreach (var (option, _) in line.values)
-            if (!line.Command.Takes(option))
+            if (Array.IndexOf(line.Command.Options, option) < 0)
                 throw ProblemException.Usage(line.CommandName == ""
-                    ? $"option '{option.Name}' belongs to a command: say which"
+                    ? $"option '{option.Name}' belongs to a command: name the command"
                     : $"option '{option.Name}' is not one of {line.CommandName}'s");
         return line;
     }

@@ -8,8 +8,9 @@ internal sealed class CompareCommand : Command
 
     public override string Help => """
         Description:
-          Says whether a picture is the one that it should be, where it is not, and, where that
-          can be seen, what was done to it: flipped, moved, red and blue swapped, gamma, ...
+          Says whether two pictures are the same, and where they differ. If a change of the
+          whole picture explains the difference, names it: flipped, moved, red and blue
+          swapped, gamma, ...
 
         Usage:
           raycaster compare <mine> <reference> [options]
@@ -19,17 +20,18 @@ internal sealed class CompareCommand : Command
           <reference>  The picture that it should be.
 
         Options:
-              --scene <file>     The scene that the reference shows: the answer speaks of its
-                                 models, and outlines are told by casting rays.
+              --scene <file>     The scene of the reference: the answer says which models are
+                                 wrong, and rays decide which pixels are on outlines.
           -o, --output <file>    Writes mine, the reference and a heat map of the difference
                                  beside each other, .png or .ppm. Without it nothing is written.
               --measures         Adds maximum, MAE, RMSE, PSNR and SSIM.
               --json             Writes the answer as JSON to standard output.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
 
-        Same are pictures that are identical, or differ by 1 of 255 levels in at most 1 % of
-        the pixels; besides, a pixel on an outline may show the other side of it. Colours are
-        compared as they are stored: transparency and colour profiles are left out.
+        Two pictures are the same if they are identical, or if at most 1 % of the pixels
+        differ by 1 of 255 levels. Also, a pixel on an outline may show the other side of the
+        outline. Colours are compared as they are stored: transparency and colour profiles
+        are ignored.
 
         Examples:
           dotnet run --project src/RayCaster.Cli -- compare mine.png right.png
@@ -37,12 +39,10 @@ internal sealed class CompareCommand : Command
               --scene scenes/room.json -o difference.png
 
         Exit codes:
-          0 same, 1 different, 2 could not compare.
+          0 same, 1 different, 2 failed.
 
         """;
 
-    /// <exception cref="ProblemException">The command line has a mistake, or standard output cannot be written.</exception>
-    /// <exception cref="PictureFileException">A picture cannot be read or written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var files = line.Exactly("<mine>", "<reference>");

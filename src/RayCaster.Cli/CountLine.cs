@@ -19,10 +19,8 @@ internal sealed class CountLine(bool isShown, string what) : IDisposable
         Draw(string.Create(CultureInfo.InvariantCulture, $"{done} of {all} {what}  {(long)left.TotalMinutes:00}:{left:ss} left"));
     }
 
-    /// <summary>Wipes the line.</summary>
     public void Wipe() => Draw("");
 
-    /// <inheritdoc cref="Wipe"/>
     public void Dispose() => Wipe();
 
     private void Draw(string text)

@@ -19,12 +19,12 @@ internal sealed class DiagnoseCommand : Command
           <mine>   The picture that your program drew of it: PNG, PBM, PGM or PPM.
 
         Options:
-              --hint <level>   How much to show: symptom (what one sees), question (what to ask
+              --hint <level>   How much to show: symptom (what you see), question (what to ask
                                yourself) or answer (what is wrong, and the slide). [default: question]
               --done <parts>   What your program draws already, for example plane,sphere: plane,
                                sphere, aabb, circle, triangle, mesh, attenuation, clipping. If one of
                                these does not show, that is a mistake; other parts may be missing.
-              --json           Everything as JSON, also the answers; errors, too.
+              --json           Prints everything as JSON, also the answers and errors.
           -t, --threads <n>    How many threads draw. [default: one per core]
 
         Examples:

@@ -14,8 +14,6 @@ internal sealed class DrawCommand : Command
 
     public override string Help => HelpText.Full;
 
-    /// <exception cref="ProblemException">The scene has errors, or standard output cannot be written.</exception>
-    /// <exception cref="PictureFileException">The picture cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = ScenePath(line);
@@ -31,12 +29,12 @@ internal sealed class DrawCommand : Command
         var output = line[Option.Output] ?? (rows is null ? NameOf(path) + ".png" : null); // the name of a part needs the picture's height
         var format = Format(line.PictureFormat(), output, isPart);
         if (output == SceneInput.Standard && line.Has(Option.Resume))
-            throw ProblemException.Usage("--resume looks whether the picture is there already, but what was written to standard output is gone");
+            throw ProblemException.Usage("--resume needs a file: it cannot check what was written to standard output");
         PictureOutput.KeepOffTerminal(output);
 
         var colors = TerminalScreen.Colors(line);
         if (line.Has(Option.Preview) && output == SceneInput.Standard)
-            throw ProblemException.Usage("--preview and -o - both want standard output: write the picture to a file");
+            throw ProblemException.Usage("--preview and -o - both write to standard output: write the picture to a file");
 
         if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
@@ -46,7 +44,7 @@ internal sealed class DrawCommand : Command
         var part = isPart ? PictureOutput.Facts(scene, lines) : null;
         if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part!, quiet))
         {
-            if (!quiet) StandardFile.WriteError($"{output}: there already{Environment.NewLine}");
+            if (!quiet) StandardFile.WriteError($"{output}: exists already{Environment.NewLine}");
             return ExitCode.Done;
         }
 
@@ -77,22 +75,14 @@ internal sealed class DrawCommand : Command
 
     private static ProblemException NotOneScene(IReadOnlyList<string> operands) => operands switch
     {
-        [] or [_] => ProblemException.Usage("which scene? Name a scene file, for example scenes/room.json"),
+        [] or [_] => ProblemException.Usage("no scene is given: name a scene file, for example scenes/room.json"),
         [var word, ..] when Spelling.Nearest(word, Command.Names) is { } name =>
             ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
-        [var word, ..] when !File.Exists(word) && IsOfLetters(word) =>
+        [var word, ..] when !File.Exists(word) && word.All(char.IsAsciiLetter) =>
             ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one"),
         var scenes => ProblemException.Usage(
             $"one scene at a time, but there are {scenes.Count}: {string.Join(", ", scenes)}{OutputHint(scenes)}"),
     };
-
-    private static bool IsOfLetters(string word)
-    {
-        foreach (var c in word)
-            if (!char.IsAsciiLetter(c))
-                return false;
-        return true;
-    }
 
     private static string OutputHint(IReadOnlyList<string> operands) =>
         operands is [_, var second] && Path.GetExtension(second).ToLowerInvariant() is ".png" or ".ppm"
@@ -106,8 +96,7 @@ internal sealed class DrawCommand : Command
             : output != SceneInput.Standard ? PictureFormats.ByExtension(output)
             : isPart ? PictureFormat.Png : PictureFormat.Ppm);
         return !isPart || format == PictureFormat.Png ? format
-            : throw ProblemException.Usage("what --rows and --resume draw is a PNG, which can say what it is part of; " +
-                "choose another name or format");
+            : throw ProblemException.Usage("--rows and --resume write a PNG, which records what it shows; choose another name or format");
     }
 
     /// <summary>The name of a scene's pictures: its file name without folder and extension.</summary>

@@ -23,22 +23,20 @@ internal sealed class ExplainCommand : Command
 
         Options:
           -s, --size <W>x<H>       Overrides the scene's picture size, in pixels.
-              --reference <file>   Another picture of the scene, as your program drew it: adds what
-                                   it has there and, if that is wrong, which model would have given it.
-              --json               Writes JSON with all digits; docs/explain.md lists its
-                                   fields.
+              --reference <file>   Another picture of the scene, for example your program's: adds its
+                                   colour at this pixel and, if that is wrong, which model would
+                                   give it.
+              --json               Writes JSON with all digits; docs/explain.md lists its fields.
           -q, --quiet              Prints errors only, no warnings of the scene.
 
         Example:
           dotnet run --project src/RayCaster.Cli -- explain scenes/room.json 250 250
 
         Exit codes:
-          0 done, 1 the reference differs by more than rounding, 2 could not do it.
+          0 done, 1 the reference differs by more than rounding, 2 failed.
 
         """;
 
-    /// <exception cref="ProblemException">The picture has no such pixel, or the reference has another size.</exception>
-    /// <exception cref="PictureFileException">The reference cannot be read.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var operands = line.Exactly("<scene>", "<column>", "<line>");

@@ -5,23 +5,22 @@ internal static class HelpText
 {
     /// <summary>Shown without arguments: the one command to try.</summary>
     public const string Usage = """
-        raycaster casts one ray per pixel through a scene file and writes the picture.
+        raycaster casts one ray per pixel of a scene and writes the picture.
         Try:   dotnet run --project src/RayCaster.Cli -- scenes/first.json
         More:  dotnet run --project src/RayCaster.Cli -- help
 
         """;
 
-    /// <summary>The help page.</summary>
     public const string Full = """
         Description:
-          Casts one ray per pixel through a scene file and writes the picture.
+          Casts one ray per pixel of a scene and writes the picture.
 
         Usage:
           raycaster [draw] <scene> [options]
           raycaster <command> ...
 
         For students:
-          live <scene>                     Opens a page that follows the scene file.
+          live <scene>                     Opens a page that redraws the scene when you save it.
           diagnose <scene> <mine>          Names the mistake that makes a picture wrong.
           compare <mine> <reference>       Says whether two pictures are the same, and where not.
           explain <scene> <column> <line>  Shows how one pixel gets its colour.
@@ -33,8 +32,8 @@ internal static class HelpText
           check <scene>...                 Finds errors, and mistakes that a scene cannot show.
 
         For large pictures and many:
-          stitch <part>...                 Joins parts into one picture; says which are missing.
-          orbit <scene>                    Draws the frames of a camera that moves.
+          stitch <part>...                 Joins parts into one picture, or lists missing lines.
+          orbit <scene>                    Draws the frames of a moving camera.
           animate <frame>...               Joins frames into an animated PNG.
           sheet <picture>...               Draws small copies of many pictures on one sheet.
 
@@ -48,11 +47,11 @@ internal static class HelpText
                                  redirected standard output, as PPM.
                                  [default: the scene's name with .png, in the current folder]
               --format <format>  png, ppm or ppm-text (PPM in readable numbers).
-                                 [default: what the file's extension says]
+                                 [default: by the file's extension]
           -s, --size <W>x<H>     Overrides the scene's picture size, in pixels.
               --rows <lines>     Draws only these lines of the picture, a part for "stitch": for
-                                 example 0..249 (from the top, 0 first, both included), or 3/8
-                                 (the third of eight parts).
+                                 example 0..249 (counted from 0 at the top, both included), or
+                                 3/8 (the third of eight parts).
                                  [default output: room.part-0000-0249.png]
               --resume           Does nothing if a complete picture or part of the same scene
                                  exists already.

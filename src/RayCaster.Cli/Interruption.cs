@@ -17,7 +17,7 @@ internal static class Interruption
 
     private static string WhatIsThere() => (WrittenFiles.Count, WrittenFiles.Last) switch
     {
-        (0, _) when StandardFile.HasTakenBytes => "what is in standard output is not whole",
+        (0, _) when StandardFile.HasTakenBytes => "standard output is incomplete",
         (0, _) => "nothing was written",
         (1, var file) => $"{file} was written before",
         var (count, last) => $"{count} files were written before, the last is {last}",

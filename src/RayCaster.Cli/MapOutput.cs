@@ -6,11 +6,6 @@ namespace RayCaster.Cli;
 internal static class MapOutput
 {
     /// <summary>Reads the scene, casts its rays, and writes both files.</summary>
-    /// <param name="line">The command line.</param>
-    /// <param name="path">The scene.</param>
-    /// <param name="cancellation">Ends the work.</param>
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
-    /// <exception cref="PictureFileException">A file cannot be written, or the map is too large.</exception>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         if (MapKinds.Named(line[Option.Map]!) is not { } kind)

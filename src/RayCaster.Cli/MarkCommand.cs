@@ -26,7 +26,7 @@ internal sealed class MarkCommand : Command
           <submissions>  A folder that contains a folder for each student.
 
         Options:
-          -o, --output <folder>  Where the marks go: marks.csv, class.html for the teacher, and
+          -o, --output <folder>  The folder for the marks: marks.csv, class.html for the teacher, and
                                  feedback.html in a folder for each student.
               --junit <file>     Also writes the marks as JUnit XML.
               --resume           Keeps finished marks of submissions that have not changed.
@@ -59,7 +59,7 @@ internal sealed class MarkCommand : Command
             return ExitCode.Done;
         }
 
-        if (line[Option.Output] is not { } output) throw ProblemException.Usage("where do the marks go? Say it as in -o marks");
+        if (line[Option.Output] is not { } output) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
         if (!quiet && rubric.Source.Run.Count > 0)
             StandardFile.WriteError($"Students' programs run with your rights, within {RubricReport.HeldBy}.\n");
         using var progress = new CountLine(!quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted, "submissions");

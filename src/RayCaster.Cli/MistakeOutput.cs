@@ -4,11 +4,6 @@ namespace RayCaster.Cli;
 internal static class MistakeOutput
 {
     /// <summary>Reads the scene, draws it with the mistakes, and writes the picture.</summary>
-    /// <param name="line">The command line.</param>
-    /// <param name="path">The scene.</param>
-    /// <param name="cancellation">Ends the work.</param>
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
-    /// <exception cref="PictureFileException">The picture cannot be written.</exception>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         var mistakes = NameList.Of(line[Option.Mistake]!, '+', [.. MistakeCatalog.All.Select(mistake => mistake.Id)], "a mistake")
@@ -21,12 +16,7 @@ internal static class MistakeOutput
         if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
 
         var picture = WrongPicture.Draw(scene, mistakes, threads);
-        PictureOutput.Write(output, cancellation, stream =>
-        {
-            using var writer = PictureWriter.Create(format, stream, picture.Width, picture.Height, null);
-            writer.WriteRows(picture.Rgb);
-            writer.Finish();
-        });
+        PictureOutput.Write(output, picture, format, cancellation);
         if (!quiet)
             StandardFile.WriteError($"{PictureOutput.NameOf(output)}: wrong on purpose: " +
                 $"{string.Join("; ", mistakes.Select(mistake => mistake.Cause))}{Environment.NewLine}");

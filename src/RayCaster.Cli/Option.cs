@@ -52,21 +52,13 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
         Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, NoBrowser, Version, Help,
     ];
 
-    /// <summary>The name, with two dashes.</summary>
     public string Name => name;
 
-    /// <summary>The short name, with one dash; empty if there is none.</summary>
     public string Short => shortName;
 
-    /// <summary>Whether a value follows.</summary>
     public bool TakesValue => takesValue;
 
-    /// <summary>The option with a name; null if there is none.</summary>
-    public static Option? Named(string word)
-    {
-        foreach (var option in All)
-            if (word == option.Name || (word == option.Short && word.Length > 0))
-                return option;
-        return word == "-?" ? Help : null;
-    }
+    /// <summary>The option with a long or a short name; null if there is none.</summary>
+    public static Option? Named(string word) =>
+        word == "-?" ? Help : Array.Find(All, option => word == option.Name || (word == option.Short && word.Length > 0));
 }

@@ -13,8 +13,8 @@ internal sealed class OrbitCommand : Command
 
     public override string Help => """
         Description:
-          Draws the frames of a camera that goes once around its target, or along a way of
-          your own: room-0000.png, room-0001.png ...
+          Draws the frames of a camera that goes once around its target, or along a path from
+          a file: room-0000.png, room-0001.png ...
 
         Usage:
           raycaster orbit <scene> --frames <n> [options]
@@ -23,13 +23,13 @@ internal sealed class OrbitCommand : Command
               --frames <n>       How many frames. Without --keys frame 0 is the scene's own
                                  picture, and the camera turns counterclockwise, seen from above
                                  (from where "up" points to).
-              --keys <file>      Where the camera is and when (JSON, docs/frames.md); the first
-                                 frame is at the first key, the last at the last.
-              --only <frames>    Draws only these: as 0..11 (both included), or as 3/8 (the third
-                                 of eight parts), for many machines.
-          -o, --output <folder>  Where the frames go; it must be there. [default: the current one]
+              --keys <file>      The camera's path (JSON, docs/frames.md). The first frame is at
+                                 the first key, the last frame at the last key.
+              --only <frames>    Draws only these frames, for example 0..11 (both included) or 3/8
+                                 (the third of eight parts), for many machines.
+          -o, --output <folder>  An existing folder for the frames. [default: the current one]
           -s, --size <W>x<H>     Overrides the scene's picture size, in pixels.
-              --resume           Leaves out what is there already, whole and of this very scene
+              --resume           Skips frames that exist already, complete and of the same scene
                                  and camera.
           -t, --threads <n>      How many threads cast rays. [default: one per core]
           -q, --quiet            Prints errors only.
@@ -41,13 +41,11 @@ internal sealed class OrbitCommand : Command
 
         """;
 
-    /// <exception cref="ProblemException">The scene or the camera path has errors.</exception>
-    /// <exception cref="PictureFileException">A frame cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = line.Exactly("<scene>")[0];
         var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
-        if (line[Option.Frames] is not { } text) throw ProblemException.Usage("how many frames? Say it as in --frames 48");
+        if (line[Option.Frames] is not { } text) throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
         if (CommandLine.ParseCount(text) is not ({ } frames and <= MostFrames))
             throw ProblemException.Usage($"'{text}' is not a number of frames: it is a whole number from 1 to {MostFrames}");
         var only = line[Option.Only] is { } some ? Rows.Of(some, frames, "frames", "a film") : LineRange.Whole(frames);
@@ -63,7 +61,7 @@ internal sealed class OrbitCommand : Command
         }
 
         var folder = line[Option.Output] ?? "";
-        var name = path == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(path);
+        var name = DrawCommand.NameOf(path);
         var digits = $"D{Math.Max(4, (frames - 1).ToString(CultureInfo.InvariantCulture).Length)}";
         var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
         var (start, drawn) = (Stopwatch.GetTimestamp(), 0);
@@ -88,7 +86,7 @@ internal sealed class OrbitCommand : Command
             StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
                 $"{(folder == "" ? "." : folder)}: {drawn} {(drawn == 1 ? "frame" : "frames")} " +
                 $"of {scene.Camera.Width} x {scene.Camera.Height} pixels drawn, " +
-                $"{only.Count - drawn} there already, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
+                $"{only.Count - drawn} existed already, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
         return ExitCode.Done;
     }
 }

@@ -17,9 +17,7 @@ internal static class PictureOutput
     public static string NameOf(string output) => output == SceneInput.Standard ? "standard output" : output;
 
     /// <summary>Opens the output, writes it and closes it.</summary>
-    /// <param name="output">The file, or "-".</param>
     /// <param name="cancellation">If cancelled, the old file stays.</param>
-    /// <param name="write">Writes the picture.</param>
     /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
     /// <exception cref="PictureFileException">The file cannot be written.</exception>
@@ -37,24 +35,11 @@ internal static class PictureOutput
         file.Commit();
     }
 
-    /// <summary>Writes a picture.</summary>
-    /// <inheritdoc cref="Write(string, CancellationToken, Action{Stream}, TemporaryFileList?)"/>
     public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
-        Write(output, cancellation, stream =>
-    {
-        using var writer = PictureWriter.Create(format, stream, picture.Width, picture.Height);
-        writer.WriteRows(picture.Rgb);
-        writer.Finish();
-    });
+        Write(output, cancellation, stream => PictureFile.Write(stream, picture, format));
 
     /// <summary>Draws some lines of a scene's picture.</summary>
-    /// <param name="output">The file, or "-".</param>
-    /// <param name="format">The picture format.</param>
-    /// <param name="renderer">Draws the scene.</param>
-    /// <param name="lines">Which lines.</param>
     /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
-    /// <param name="showProgress">Whether to show a progress line.</param>
-    /// <param name="cancellation">Stops the work.</param>
     /// <param name="watch">Also gets the lines in order; again from the first line if the picture is drawn again.</param>
     /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,

@@ -50,7 +50,7 @@ internal static class Program
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
             StandardFile.WriteError("raycaster: " +
-                $"{(IsCurrentFolderThere() ? e.Message : "the folder in which it runs is gone")}{Environment.NewLine}");
+                $"{(IsCurrentFolderThere() ? e.Message : "the current folder was deleted")}{Environment.NewLine}");
             return ExitCode.CouldNot;
         }
         catch (Exception e) when (IsOutOfMemory(e))

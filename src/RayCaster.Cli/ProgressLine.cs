@@ -9,7 +9,6 @@ namespace RayCaster.Cli;
 /// <param name="width">Pixels in a line of the picture.</param>
 /// <param name="height">Lines of the picture.</param>
 /// <param name="columns">The terminal's width; less than 20 means unknown.</param>
-/// <param name="clock">The clock.</param>
 /// <param name="what">What is counted for each pixel: rays, or something else if no rays are cast.</param>
 internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock, string what = "rays") : IDisposable
 {
@@ -50,7 +49,6 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         }
     }
 
-    /// <summary>Wipes the line.</summary>
     public void Dispose()
     {
         lock (drawing)

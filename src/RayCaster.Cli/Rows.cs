@@ -19,10 +19,10 @@ internal static class Rows
         }
         if (LineRange.Parse(text) is not { } lines)
             throw ProblemException.Usage(
-                $"'{text}' says no {what}: write the first and the last as in 0..249, " +
-                    $"{(what == "lines" ? "lines counted from the top, " : "")}0 first, or as in 3/8 the third of eight parts");
+                $"'{text}' names no {what}: write the first and the last as in 0..249, " +
+                    $"counted from 0{(what == "lines" ? " at the top" : "")}, or 3/8 for the third of eight parts");
         if (lines.Last > whole.Last)
-            throw new ProblemException($"raycaster: the {what} {lines} are not all there: {of} of {height} {what} has {whole}");
+            throw new ProblemException($"raycaster: the {what} {lines} do not all exist: {of} of {height} {what} has {whole}");
         return lines;
     }
 

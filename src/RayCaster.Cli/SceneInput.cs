@@ -11,7 +11,6 @@ internal static class SceneInput
     /// <param name="size">The picture's size; null for the scene's.</param>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
     /// <param name="quiet">Whether to print no warnings.</param>
-    /// <param name="cancellation">Ends the command after reading.</param>
     /// <returns>The scene; null if it has errors.</returns>
     public static Scene? Read(string path, (int Width, int Height)? size, int? threads, bool quiet, CancellationToken cancellation)
     {
@@ -31,7 +30,6 @@ internal static class SceneInput
     }
 
     /// <summary>Reads a scene with its errors and warnings.</summary>
-    /// <param name="path">The file, or "-".</param>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
     /// <param name="look">Gets the text before it is parsed.</param>
     public static SceneReading Read(string path, int? threads, Action<ReadOnlySpan<byte>>? look = null)

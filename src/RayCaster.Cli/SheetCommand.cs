@@ -9,26 +9,24 @@ internal sealed class SheetCommand : Command
 
     public override string Help => """
         Description:
-          Makes a contact sheet: many pictures, made small, side by side on one.
+          Makes a contact sheet: one picture with small copies of many pictures.
 
         Usage:
           raycaster sheet <picture>... -o <file> [options]
 
         Arguments:
-          <picture>...  PNGs in order; or patterns or folders, whose files come in the order of
-                        their names.
+          <picture>...  PNG files, in order. The files of a pattern or a folder come in the order
+                        of their names.
 
         Options:
           -o, --output <file>  The sheet, a .png.
-              --columns <n>    How many in a row. [default: as many as make a square]
+              --columns <n>    How many copies in a row. [default: about as many as rows]
           -s, --size <W>x<H>   Size of each small picture, in pixels.
-                               [default: no wider than 160, in the shape of the first]
+                               [default: at most 160 wide, in proportion to the first]
           -q, --quiet          Prints errors only.
 
         """;
 
-    /// <exception cref="ProblemException">The command line has a mistake.</exception>
-    /// <exception cref="PictureFileException">A picture cannot be read, or the sheet cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var output = AnimateCommand.OutputOf(line, "sheet");

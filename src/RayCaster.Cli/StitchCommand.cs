@@ -14,29 +14,29 @@ internal sealed class StitchCommand : Command
     public override string Help => """
         Description:
           Joins the parts of a picture that "raycaster <scene> --rows ..." has drawn, here or on
-          many machines. The picture is pixel for pixel the one that is drawn in one go.
+          many machines. The picture has the same pixels as one that is drawn at once.
 
         Usage:
           raycaster stitch <part>... -o <file> [options]
           raycaster stitch <part>... --missing
 
         Arguments:
-          <part>...  Files, patterns like "parts/room.part-*.png", or folders, of which all PNG
-                     files are taken that say that they are parts. The order does not matter.
+          <part>...  Files, patterns like "parts/room.part-*.png", or folders: all PNG files in
+                     them that are parts. The order does not matter.
 
         Options:
           -o, --output <file>    Where to write the picture: .png or .ppm; "-" writes it to a
                                  redirected standard output, as PPM.
               --format <format>  png, ppm or ppm-text (PPM in readable numbers).
-                                 [default: what the file's extension says]
-              --missing          Writes no picture, but the lines that no part holds, one range
-                                 a line in the form that --rows takes; nothing if all are there.
+                                 [default: by the file's extension]
+              --missing          Writes no picture. Prints the lines that no part holds, in the
+                                 form of --rows; nothing if no line is missing.
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
 
-        Refused, with a message that names the files and lines: parts of different scenes, sizes
-        or program versions, lines that are missing, and lines that are there twice (even if
-        they are the same: remove one of the files). A picture that was there stays then.
+        stitch refuses parts of different scenes, sizes or program versions, missing lines, and
+        lines that two parts hold (even if they are equal: remove one of the files). The message
+        names the files and lines, and an existing picture stays as it is.
 
         Examples:
           raycaster stitch room.part-*.png -o room.png
@@ -45,21 +45,19 @@ internal sealed class StitchCommand : Command
           done
 
         Exit codes:
-          0 done, or with --missing: nothing is missing, 1 parts are missing or do not belong
-          together, 2 could not do it, as a part is damaged or the disk full.
+          0 done, or with --missing: no line is missing, 1 lines are missing or parts do not
+          belong together, 2 failed, for example because a part is damaged.
 
         """;
 
-    /// <exception cref="ProblemException">The command line has a mistake, or standard output cannot be written.</exception>
-    /// <exception cref="PictureFileException">A part cannot be read, or the picture cannot be written.</exception>
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
-        if (line.Operands.Count == 0) throw ProblemException.Usage("which parts? Name files, a pattern or a folder");
+        if (line.Operands.Count == 0) throw ProblemException.Usage("no part is given: name files, a pattern or a folder");
         var onlyMissing = line.Has(Option.Missing);
         if (line[Option.Output] is not null == onlyMissing)
             throw ProblemException.Usage(onlyMissing
                 ? "--missing writes no picture: leave -o out"
-                : "stitch needs a name for the picture, as in -o room.png, or --missing to ask what is missing");
+                : "stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines");
         var output = line[Option.Output] ?? "";
         var format = onlyMissing ? PictureFormat.Png
             : line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));

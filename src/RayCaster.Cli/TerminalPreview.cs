@@ -17,8 +17,6 @@ internal sealed class TerminalPreview
     private readonly long[] sums; // red, green, blue and the number of pixels for each cell
     private int linesTaken;
 
-    /// <param name="width">Pixels in a line of the picture.</param>
-    /// <param name="height">Lines of the picture.</param>
     /// <param name="columns">Characters in a line of the terminal.</param>
     /// <param name="lines">Lines that may be used.</param>
     public TerminalPreview(int width, int height, int columns, int lines)

@@ -17,8 +17,6 @@ internal static class TerminalScreen
     public static bool TakesOutput => !Console.IsOutputRedirected;
 
     /// <summary>A preview that fits into the window, with a line for the prompt.</summary>
-    /// <param name="width">Pixels in a line of the picture.</param>
-    /// <param name="height">Lines of the picture.</param>
     public static TerminalPreview Preview(int width, int height)
     {
         var (columns, lines) = !TakesOutput ? (0, 0) : (Width(), Height());

@@ -7,9 +7,9 @@ internal sealed class VaryCommand : Command
 
     public override string Help => """
         Description:
-          Changes the numbers of a scene a little, so that each student gets another scene. It
-          looks similar and shows the same mistakes, which is checked. Comments and layout of the
-          file stay.
+          Changes the numbers of a scene a little, so that each student gets a different scene.
+          It looks similar, and vary checks that it shows the same mistakes. Comments and layout
+          of the file stay.
 
         Usage:
           raycaster vary <scene> --seed <text> -o <file>
@@ -18,8 +18,8 @@ internal sealed class VaryCommand : Command
           <scene>  The scene file.
 
         Options:
-              --seed <text>    For example the student's number: the same seed gives the same scene.
-          -o, --output <file>  Where to write the scene; in the same folder if it names mesh files.
+              --seed <text>    For example a student's number. The same seed gives the same scene.
+          -o, --output <file>  Where to write the scene. If it names mesh files: in the same folder.
           -q, --quiet          Prints errors only.
 
         Examples:
@@ -33,8 +33,8 @@ internal sealed class VaryCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = line.Exactly("<scene>")[0];
-        if (line[Option.Seed] is not { Length: > 0 } seed) throw ProblemException.Usage("whose scene is it to be? Say it as in --seed 12345");
-        if (line[Option.Output] is not { } output) throw ProblemException.Usage("where does the scene go? Say it as in -o mine.json");
+        if (line[Option.Seed] is not { Length: > 0 } seed) throw ProblemException.Usage("vary needs a seed, as in --seed 12345");
+        if (line[Option.Output] is not { } output) throw ProblemException.Usage("vary needs a name for the scene, as in -o mine.json");
         InputFiles.Note([path]);
         InputFiles.Keep(output);
         byte[] text = [];
@@ -48,7 +48,7 @@ internal sealed class VaryCommand : Command
                 $"write {Path.GetFileName(output)} to {folder}");
         if (SceneVariation.Of(text, folder, seed) is not { } varied)
         {
-            StandardFile.WriteError($"{path}: no variation of it shows all the mistakes that it shows; try another seed{Environment.NewLine}");
+            StandardFile.WriteError($"{path}: no variation of it shows all its mistakes; try another seed{Environment.NewLine}");
             return ExitCode.No;
         }
         PictureOutput.Write(output, cancellation, stream => stream.Write(varied));

@@ -30,7 +30,7 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
         if (Result?.Difference is not { } difference) yield break;
         yield return (Layer.Mine, Frame.Of(Result.Mine));
         yield return (Layer.Difference, Frame.Of(SideBySide.Heat(difference)));
-        yield return (Layer.ByObject, Frame.Of(SideBySide.ByObject(Result)));
+        yield return (Layer.ByObject, Frame.Of(HeatMap.ByModel(Result)));
     }
 
     /// <summary>Names the mistake that may have made the picture.</summary>

@@ -9,7 +9,6 @@ namespace RayCaster.Live;
 /// send another Host, Origin or Sec-Fetch-Site.
 /// </summary>
 /// <param name="port">The server's port.</param>
-/// <param name="token">The token.</param>
 internal sealed class Gate(int port, string token)
 {
     private const string Policy = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; " +

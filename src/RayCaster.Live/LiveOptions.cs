@@ -26,7 +26,7 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
           -?, --help         Shows this help. Under "dotnet run", write it after "--".
 
         Exit codes:
-          2 could not do it, 130 interrupted (Ctrl-C), 143 terminated.
+          2 failed, 130 interrupted (Ctrl-C), 143 terminated.
 
         """;
 
@@ -58,7 +58,7 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
                     throw ProblemException.Usage($"one scene at a time, but there are two: {scene}, {operand}");
             }
         }
-        return new(scene ?? throw ProblemException.Usage("which scene? Name a scene file, for example scenes/first.json"), mine, port, opens);
+        return new(scene ?? throw ProblemException.Usage("no scene is given: name a scene file, for example scenes/first.json"), mine, port, opens);
     }
 
     private static string Value(string[] arguments, ref int i) =>

@@ -26,7 +26,6 @@ internal sealed class Studio
         cancellation);
 
     /// <summary>Does work that takes all cores, after the work before it.</summary>
-    /// <param name="work">The work.</param>
     /// <param name="cancellation">Ends the wait.</param>
     public async Task<T> DoAsync<T>(Func<T> work, CancellationToken cancellation)
     {

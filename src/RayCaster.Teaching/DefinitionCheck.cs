@@ -74,8 +74,7 @@ public sealed class DefinitionCheck
 
     private void Choose()
     {
-        var shapes = scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
-        var most = (int)Math.Max(1, MostCrossings / Math.Max(1, shapes) / (Side * Side));
+        var most = (int)Math.Max(1, MostCrossings / Math.Max(1, scene.ShapeCount) / (Side * Side));
         Add(0, 0);
         Add(width, 0);
         Add(0, height);

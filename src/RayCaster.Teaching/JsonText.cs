@@ -1,3 +1,4 @@
+using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Serialization;
 
@@ -9,8 +10,8 @@ internal static class JsonText
     private static readonly JsonSerializerOptions options = new()
     {
         WriteIndented = true,
-        NewLine = JsonForm.Options.NewLine,
-        Encoder = JsonForm.Options.Encoder,
+        NewLine = "\n",
+        Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping, // letters of all languages stay
         PropertyNamingPolicy = JsonNamingPolicy.CamelCase,
         DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull,
         NumberHandling = JsonNumberHandling.AllowNamedFloatingPointLiterals,

@@ -7,7 +7,6 @@ internal static class ModelName
     public const string Background = "the background";
 
     /// <summary>For a sentence: the name in backquotes. A model without a name of its own gets its path in the scene file and its type.</summary>
-    /// <param name="scene">The scene.</param>
     /// <param name="model">The model's index; −1 for the background.</param>
     public static string Of(Scene scene, int model)
     {

@@ -17,7 +17,7 @@ internal enum Answer
 /// <param name="IsEmbree">Whether it is one of those that ours are compared with.</param>
 internal sealed record Way(string Name, Answer Answer, Func<int, double> Draw, bool IsEmbree = false)
 {
-    /// <summary>A way that is asked for no number of threads.</summary>
+    /// <summary>A way without a number of threads.</summary>
     public Way(string name, Answer answer, Func<double> draw) : this(name, answer, _ => draw())
     {
     }
@@ -43,7 +43,7 @@ internal sealed record Way(string Name, Answer Answer, Func<int, double> Draw, b
 /// <summary>How many times as fast one way is as another.</summary>
 internal readonly record struct Ratio(double Median, double LowerQuartile, double UpperQuartile, double OfMinima)
 {
-    /// <summary>Compares run by run: the two runs of a round have met the same weather on the machine.</summary>
+    /// <summary>Compares run by run: other work of the machine slows both runs of a round.</summary>
     public static Ratio Of(Way way, Way peer)
     {
         var ratios = peer.Times.Zip(way.Times, (theirs, ours) => theirs / ours).ToList();
@@ -51,7 +51,7 @@ internal readonly record struct Ratio(double Median, double LowerQuartile, doubl
     }
 }
 
-/// <summary>Few numbers, looked at in order.</summary>
+/// <summary>Quantiles of a few numbers.</summary>
 internal static class Statistics
 {
     public static double Quantile(IEnumerable<double> numbers, double part)
@@ -63,7 +63,7 @@ internal static class Statistics
     }
 }
 
-/// <summary>Runs ways in turn, so that what the machine does besides falls on all of them.</summary>
+/// <summary>Runs ways in turn, so that other work of the machine slows all of them.</summary>
 internal static class Interleaving
 {
     /// <summary>Runs each way until the runtime has compiled it for good and the caches are warm.</summary>

@@ -1,7 +1,6 @@
 namespace RayCaster.Cli.Tests;
 
-/// <summary>What somebody may do to the program from outside: odd names, odd folders, odd inputs. It answers in a line, with exit code 2, and
-/// destroys nothing.</summary>
+/// <summary>Odd names, odd folders and odd inputs: the program answers in a line, with exit code 2, and changes no file.</summary>
 public sealed class AttackTests : IDisposable
 {
     private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
@@ -18,7 +17,7 @@ public sealed class AttackTests : IDisposable
     [InlineData("compare", "-o", "", "a.png", "a.png")]
     [InlineData("orbit", "--frames", "2", "")]
     [InlineData("")]
-    public void AnEmptyName(params string[] arguments)
+    public void AnEmptyNameIsRefused(params string[] arguments)
     {
         raycaster.Run(arguments);
         Assert.Equal(2, raycaster.ExitCode);
@@ -31,7 +30,7 @@ public sealed class AttackTests : IDisposable
     [InlineData("a\r.json", "U+000D")]
     [InlineData("a\u202Egnp.json", "U+202E")]
     [InlineData("a\u2028b.json", "U+2028")]
-    public void ANameThatCouldForgeALine(string name, string shown)
+    public void ANameThatCouldForgeALineIsRefused(string name, string shown)
     {
         if (!OperatingSystem.IsWindows()) raycaster.Write(name, "{}");
         foreach (var arguments in (string[][])[[name], ["check", name], ["compare", name, name], [Room, "-s", "9x9", "-o", name]])
@@ -44,7 +43,7 @@ public sealed class AttackTests : IDisposable
     }
 
     [Fact]
-    public void SuchANameInAFolderOfFrames()
+    public void ANameInAFolderThatCouldForgeALineIsRefused()
     {
         if (OperatingSystem.IsWindows()) return; // has no such names
         Directory.CreateDirectory(raycaster.PathOf("frames"));
@@ -55,7 +54,7 @@ public sealed class AttackTests : IDisposable
     }
 
     [Fact]
-    public void ANameThatIsNotUtf8()
+    public void ANameThatIsNotUtf8IsRefused()
     {
         if (!OperatingSystem.IsLinux()) return; // names are text elsewhere
         raycaster.RunInShell("raycaster \"$(printf 'a\\377.json')\"");
@@ -82,7 +81,7 @@ public sealed class AttackTests : IDisposable
     }
 
     [Fact]
-    public void APipeWhereAFileIsNeeded()
+    public void APipeWhereAFileIsNeededIsRefused()
     {
         if (OperatingSystem.IsWindows()) return; // no sh there
         foreach (var command in (string[])["sheet", "animate"])
@@ -93,31 +92,31 @@ public sealed class AttackTests : IDisposable
     }
 
     [Fact]
-    public void AFolderThatMayNotBeListed()
+    public void AFolderThatMayNotBeListedIsNamed()
     {
-        if (OperatingSystem.IsWindows() || Environment.IsPrivilegedProcess) return; // who may do all
+        if (OperatingSystem.IsWindows() || Environment.IsPrivilegedProcess) return; // such a user may list every folder
         Directory.CreateDirectory(raycaster.PathOf("locked"), UnixFileMode.UserWrite | UnixFileMode.UserExecute);
         raycaster.Run("stitch", "locked", "-o", "x.png");
         Assert.Equal((2, "raycaster: cannot list the folder locked: you may not read it\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
     [Fact]
-    public void ACurrentFolderThatIsGone()
+    public void ADeletedCurrentFolderIsReported()
     {
-        if (OperatingSystem.IsWindows()) return; // where it cannot go
+        if (OperatingSystem.IsWindows()) return; // a current folder cannot be deleted there
         raycaster.RunInShell("mkdir gone; cd gone; rmdir ../gone; raycaster nosuch.json");
-        Assert.Equal((2, "raycaster: the folder in which it runs is gone\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal((2, "raycaster: the current folder was deleted\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
     [Fact]
-    public void StandardInputThatIsClosed()
+    public void ClosedStandardInputIsReported()
     {
         if (OperatingSystem.IsWindows()) return; // no sh there
         raycaster.RunInShell("raycaster check - <&-");
         Assert.Equal((2, "raycaster: the scene is to be read from standard input, but that is closed\n"), (raycaster.ExitCode, raycaster.Error));
     }
 
-    /// <summary>Neither by its name nor by another way to its folder, and whichever command it is.</summary>
+    /// <summary>This holds for every command, and for every path that leads to the file.</summary>
     [Fact]
     public void WhatIsReadIsNotReplaced()
     {
@@ -170,11 +169,12 @@ public sealed class AttackTests : IDisposable
         Assert.StartsWith("room.png is drawn anew: it does not say which scene it shows; only pictures drawn with --rows or --resume do\n",
             raycaster.Error);
         raycaster.Run(Room, "-s", "9x9", "--resume");
-        Assert.Equal("room.png: there already\n", raycaster.Error);
+        Assert.Equal("room.png: exists already\n", raycaster.Error);
     }
 
-    /// <summary>A filter a mesh and thread would take gigabytes here.</summary>
+    /// <summary>One filter for each mesh and thread would take gigabytes here.</summary>
     [Fact]
+    [Trait("kind", "campaign")]
     public void AThousandMeshesFitIntoLittleMemory()
     {
         if (OperatingSystem.IsWindows()) return; // no sh there
@@ -193,7 +193,7 @@ public sealed class AttackTests : IDisposable
     [Theory]
     [InlineData("100000x1")]
     [InlineData("1x100000")]
-    public void TheLedgerOfAPictureOfOneLine(string size)
+    public void TheLedgerOfAPictureOfOneLineCountsRays(string size)
     {
         raycaster.Run(Room, "-s", size, "--ledger", "-o", "line.png");
         Assert.DoesNotContain("0 of 0 rays", raycaster.Error);

@@ -51,7 +51,7 @@ public sealed class CommandLineTests : IDisposable
     [InlineData("'jpg' is not a format: choose png, ppm or ppm-text", "a.json", "--format", "jpg")]
     [InlineData("one scene at a time, but there are 2: a.json, b.json\n", "a.json", "b.json")]
     [InlineData("one scene at a time, but there are 2: a.json, b.png; did you mean -o b.png?", "a.json", "b.png")]
-    [InlineData("which scene?", "--quiet")]
+    [InlineData("no scene is given", "--quiet")]
     public void AMistakeIsOneLineAndAHint(string message, params string[] arguments)
     {
         raycaster.Run(arguments);

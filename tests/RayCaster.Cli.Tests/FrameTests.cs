@@ -18,7 +18,7 @@ public sealed class FrameTests : IDisposable
     {
         Directory.CreateDirectory(raycaster.PathOf("film"));
         raycaster.Run(Room, "-s", "20x15", "-o", "room.png").Run("orbit", Room, "--frames", "3", "-s", "20x15", "-o", "film");
-        Assert.Matches(@"^film: 3 frames of 20 x 15 pixels drawn, 0 there already, \d+\.\d\d s\n$", raycaster.Error);
+        Assert.Matches(@"^film: 3 frames of 20 x 15 pixels drawn, 0 existed already, \d+\.\d\d s\n$", raycaster.Error);
         Assert.Equal(["room-0000.png", "room-0001.png", "room-0002.png"], Frames("film"));
         Assert.Equal(PictureFile.Read(raycaster.PathOf("room.png")).Rgb, PictureFile.Read(raycaster.PathOf("film/room-0000.png")).Rgb);
     }
@@ -41,11 +41,11 @@ public sealed class FrameTests : IDisposable
         File.Delete(raycaster.PathOf("room-0002.png"));
         var before = File.GetLastWriteTimeUtc(raycaster.PathOf("room-0001.png"));
         raycaster.Run("orbit", Room, "--frames", "4", "-s", "20x15", "--resume");
-        Assert.StartsWith(".: 1 frame of 20 x 15 pixels drawn, 3 there already, ", raycaster.Error);
+        Assert.StartsWith(".: 1 frame of 20 x 15 pixels drawn, 3 existed already, ", raycaster.Error);
         Assert.Equal(before, File.GetLastWriteTimeUtc(raycaster.PathOf("room-0001.png")));
         raycaster.Run("orbit", Room, "--frames", "5", "-s", "20x15", "--resume"); // another film: only frame 0 is the same
         Assert.StartsWith("room-0001.png is drawn anew: it shows another scene, another size or other lines\n" +
-            ".: 4 frames of 20 x 15 pixels drawn, 1 there already, ", raycaster.Error);
+            ".: 4 frames of 20 x 15 pixels drawn, 1 existed already, ", raycaster.Error);
     }
 
     [Fact]
@@ -60,14 +60,14 @@ public sealed class FrameTests : IDisposable
 
     [Theory]
     [InlineData("orbit takes <scene>, but nothing is given\n", "orbit")]
-    [InlineData("how many frames? Say it as in --frames 48\n", "orbit", "a.json")]
+    [InlineData("orbit needs a number of frames, as in --frames 48\n", "orbit", "a.json")]
     [InlineData("'0' is not a number of frames: it is a whole number from 1 to 1000000\n", "orbit", "a.json", "--frames", "0")]
-    [InlineData("the frames 5..9 are not all there: a film of 8 frames has 0..7\n", "orbit", "a.json", "--frames", "8", "--only", "5..9")]
+    [InlineData("the frames 5..9 do not all exist: a film of 8 frames has 0..7\n", "orbit", "a.json", "--frames", "8", "--only", "5..9")]
     [InlineData("animate needs a name for the picture, as in -o animate.png\n", "animate", ".")]
     [InlineData("animate writes a PNG, to a file: choose a name with .png\n", "animate", ".", "-o", "a.ppm")]
-    [InlineData("which pictures? Name PNG files, a pattern or a folder with some\n", "animate", ".", "-o", "a.png")]
+    [InlineData("no picture is given: name PNG files, a pattern, or a folder with some\n", "animate", ".", "-o", "a.png")]
     [InlineData(
-        "'2000' is not a number of frames in a second: it is a whole number from 1 to 1000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
+        "'2000' is not a number of frames per second: it is a whole number from 1 to 1000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
     [InlineData("picture file not found: b.png\n", "sheet", "b.png", "-o", "a.png")]
     [InlineData("'x' is not a number of columns\n", "sheet", "b.png", "-o", "a.png", "--columns", "x")]
     public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)

@@ -2,12 +2,11 @@ using System.Diagnostics;
 
 namespace RayCaster.Cli.Tests;
 
-/// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says what there is of its
-/// work.</summary>
+/// <summary>A signal ends every command within moments, whatever it reads, waits for or computes, and a line says which files are
+/// written.</summary>
 public sealed class InterruptionTests : IDisposable
 {
-    /// <summary>After this time a program reads or computes; where it does not yet, the runtime's own answer to a signal has the same
-    /// exit code.</summary>
+    /// <summary>After this time a program reads or computes. If it does not yet, the runtime ends it with the same exit code.</summary>
     private const int StartMilliseconds = 300;
 
     private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");
@@ -16,9 +15,10 @@ public sealed class InterruptionTests : IDisposable
 
     public void Dispose() => raycaster.Dispose();
 
-    /// <summary>All wait at the same time, so that the test waits once.</summary>
+    /// <summary>All processes wait at the same time, so the test waits once.</summary>
     [Fact]
-    public void APipeThatNobodyWritesTo()
+    [Trait("kind", "campaign")]
+    public void ASignalEndsTheWaitForAPipe()
     {
         if (!OperatingSystem.IsLinux()) return; // others may have no mkfifo
         (string Signal, int ExitCode, string Arguments)[] cases =
@@ -47,11 +47,12 @@ public sealed class InterruptionTests : IDisposable
     }
 
     [Theory]
+    [Trait("kind", "campaign")]
     [InlineData("compare large.pbm other.pbm --measures")]
     [InlineData("ROOM -s 10000x10000 --map t -o room.pfm")]
     [InlineData("ROOM -s 30000x30000 -o room.ppm")]
     [InlineData("ROOM -s 30000x30000 --ledger --rows 0..9999 -o a.png")]
-    public void LongWork(string arguments)
+    public void ASignalEndsLongWork(string arguments)
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there
         var comparesFiles = arguments.StartsWith("compare", StringComparison.Ordinal);
@@ -69,9 +70,9 @@ public sealed class InterruptionTests : IDisposable
         Assert.Equal(comparesFiles ? ["large.pbm", "other.pbm"] : [], raycaster.Files);
     }
 
-    /// <summary>The first Ctrl-C has said it all; the second neither hurries nor harms.</summary>
+    /// <summary>A second Ctrl-C neither ends the run sooner nor leaves a file.</summary>
     [Fact]
-    public void TwoSignals()
+    public void ASecondSignalChangesNothing()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there
         using var process = raycaster.Start(Room, "-s", "20000x20000");
@@ -100,7 +101,7 @@ public sealed class InterruptionTests : IDisposable
     [InlineData("sheet frames -o film.png -q")]
     [InlineData("stitch parts -o film.png -q")]
     [InlineData("compare frames/room-0000.png frames/room-0001.png -o film.png")]
-    public void AKillOnTheSpotLeavesAWholePictureAndTheNextRunTidiesUp(string arguments)
+    public void AKillLeavesAWholePictureAndTheNextRunTidiesUp(string arguments)
     {
         Directory.CreateDirectory(raycaster.PathOf("frames"));
         Directory.CreateDirectory(raycaster.PathOf("parts"));
@@ -121,9 +122,10 @@ public sealed class InterruptionTests : IDisposable
         Assert.Equal(["film.png", "frames", "parts"], raycaster.Files);
     }
 
-    /// <summary>What is only decoration never ends a run: here the terminal is gone, and the end is that of the signal that tells of it.</summary>
+    /// <summary>A progress line that cannot be drawn does not end a run: the exit code is that of the signal of the closed terminal.</summary>
     [Fact]
-    public void ATerminalThatIsClosedUnderTheProgressLine()
+    [Trait("kind", "campaign")]
+    public void ATerminalThatIsClosedEndsTheRunAsItsSignalSays()
     {
         if (!OperatingSystem.IsLinux()) return;
         raycaster.Write("terminal.py", """

@@ -85,11 +85,11 @@ public sealed class MarkTests : IDisposable
     {
         if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
-        raycaster.Write(Folder("vandal") + "draw.sh", $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}'");
+        raycaster.Write(Folder("vandal") + "draw.sh", $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}' '{raycaster.PathOf("rubric.json")}'");
         raycaster.Write(Folder("anna") + "draw.sh", "echo marked before").Write(Folder("victim") + "draw.sh", "echo never run");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "-t", "1");
         Assert.Equal(("", 0), (raycaster.Error, raycaster.ExitCode));
-        Assert.Contains("files outside its folder changed while it ran: anna/draw.sh, victim/draw.sh", Table()[2]);
+        Assert.Contains("files outside its folder changed while it ran: anna/draw.sh, victim/draw.sh, ../rubric.json", Table()[2]);
         Assert.StartsWith("victim,0,5,5", Table()[3]);
     }
 
@@ -114,6 +114,18 @@ public sealed class MarkTests : IDisposable
         Assert.Equal((2, "raycaster: the submission 'anna\uFFFDboris,5' has an invisible character in its name: rename the folder\n"),
             (raycaster.ExitCode, raycaster.Error));
         Assert.False(Directory.Exists(raycaster.PathOf("marks")));
+    }
+
+    [Theory]
+    [InlineData("Class.html", "marks", "the submission 'Class.html' is named like a file of the marks: rename the folder")]
+    [InlineData("anna", "class/marks", "the marks cannot go to class/marks, which is in the folder of submissions: name a folder outside it")]
+    public void PlacesThatMarksAndSubmissionsShareAreRefusedBeforeAnyProgramRuns(string student, string output, string problem)
+    {
+        WriteRubric("""  "run": ["touch", "{dir}/ran", "{scene}", "{out}"], """);
+        var folder = Folder(student);
+        raycaster.Run("mark", "rubric.json", "class", "-o", output, "-q");
+        Assert.Equal((2, $"raycaster: {problem}\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.False(File.Exists(raycaster.PathOf(folder + "ran")));
     }
 
     [Fact]
@@ -143,10 +155,10 @@ public sealed class MarkTests : IDisposable
     [Fact]
     public void ASceneIsVariedAndItsMeshesStayWhereTheyAre()
     {
-        var scene = ProjectFolder.PathOf("scenes/weeks/1-planes.json");
-        raycaster.Run("vary", scene, "--seed", "12345", "-o", "mine.json");
+        var scene = SmallScene();
+        raycaster.Run("vary", "planes.json", "--seed", "12345", "-o", "mine.json");
         Assert.Equal(0, raycaster.ExitCode);
-        Assert.NotEqual(File.ReadAllText(scene), File.ReadAllText(raycaster.PathOf("mine.json")));
+        Assert.NotEqual(scene, File.ReadAllText(raycaster.PathOf("mine.json")));
         raycaster.Run("vary", ProjectFolder.PathOf("scenes/mesh.json"), "--seed", "12345", "-o", "mine.json");
         Assert.Contains("names mesh files, whose paths start at its folder", raycaster.Error);
     }
@@ -154,10 +166,21 @@ public sealed class MarkTests : IDisposable
     [Fact]
     public void AVariedSceneGoesToStandardOutputWhenAsked()
     {
-        var scene = ProjectFolder.PathOf("scenes/weeks/1-planes.json");
-        raycaster.Run("vary", scene, "--seed", "12345", "-o", "mine.json").Run("vary", scene, "--seed", "12345", "-q", "-o", "-");
+        SmallScene();
+        raycaster.Run("vary", "planes.json", "--seed", "12345", "-o", "mine.json");
+        raycaster.Run("vary", "planes.json", "--seed", "12345", "-q", "-o", "-");
         Assert.Equal(File.ReadAllText(raycaster.PathOf("mine.json")), raycaster.OutputText);
-        Assert.Equal(["mine.json"], raycaster.Files);
+        Assert.Equal(["mine.json", "planes.json"], raycaster.Files);
+    }
+
+    /// <summary>Writes planes.json, a scene of the course with a smaller picture.</summary>
+    private string SmallScene()
+    {
+        var text = File.ReadAllText(ProjectFolder.PathOf("scenes/weeks/1-planes.json"))
+            .Replace("\"width\": 300, \"height\": 200", "\"width\": 75, \"height\": 50");
+        Assert.Contains("75", text);
+        raycaster.Write("planes.json", text);
+        return text;
     }
 
     [Fact]

@@ -13,13 +13,13 @@ public sealed class MistakeOptionTests : IDisposable
     [Fact]
     public void AWrongPictureIsDrawnAndDiagnosed()
     {
-        raycaster.Run(room, "--mistake", "rows+bgr", "-s", "100x100");
+        raycaster.Run(room, "--mistake", "rows+bgr", "-s", "60x60");
         Assert.Equal((0, true), (raycaster.ExitCode, raycaster.Files.Contains("room.rows+bgr.png")));
         Assert.StartsWith("room.rows+bgr.png: wrong on purpose: row r written as line r", raycaster.Error);
         raycaster.Run("diagnose", room, "room.rows+bgr.png", "--json");
         using var json = JsonDocument.Parse(raycaster.Output);
         Assert.Equal("mistake", json.RootElement.GetProperty("finding").GetString());
-        Assert.Equal(100, json.RootElement.GetProperty("mine").GetProperty("width").GetInt32());
+        Assert.Equal(60, json.RootElement.GetProperty("mine").GetProperty("width").GetInt32());
         Assert.Equal(500, json.RootElement.GetProperty("scene").GetProperty("width").GetInt32());
     }
 
@@ -46,7 +46,7 @@ public sealed class MistakeOptionTests : IDisposable
     public void CheckAnswersForTheShapesOfAWeekAndForWhatIsRequired()
     {
         raycaster.Write(
-            "small.json", File.ReadAllText(room).Replace("\"width\": 500", "\"width\": 100").Replace("\"height\": 500", "\"height\": 100"));
+            "small.json", File.ReadAllText(room).Replace("\"width\": 500", "\"width\": 60").Replace("\"height\": 500", "\"height\": 60"));
         raycaster.Run("check", "small.json", "--json", "--for", "plane,sphere", "--require", "rows,aspect-inv");
         Assert.Equal(1, raycaster.ExitCode);
         using var json = JsonDocument.Parse(raycaster.Output);

@@ -33,10 +33,14 @@ public sealed class PartTests : IDisposable
         Assert.Equal((0, "", ""), (raycaster.ExitCode, raycaster.OutputText, raycaster.Error));
     }
 
-    [Theory]
-    [InlineData("room.json")]
-    [InlineData("mesh.json")]
-    public void StitchedPartsAreThePictureThatIsDrawnInOneGo(string scene)
+    [Fact]
+    public void StitchedPartsAreThePictureThatIsDrawnInOneGo() => AssertStitched("room.json");
+
+    [Fact]
+    [Trait("kind", "campaign")] // lines of a mesh are those of the whole picture: FineMeshTests
+    public void SoAreThoseOfAMesh() => AssertStitched("mesh.json");
+
+    private void AssertStitched(string scene)
     {
         var path = Path.Combine(RayCasterProcess.Scenes, scene);
         raycaster.Run(path, "-s", "200x150", "-o", "whole.png");
@@ -83,23 +87,23 @@ public sealed class PartTests : IDisposable
     }
 
     [Theory]
-    [InlineData("which parts? Name files, a pattern or a folder\n", "stitch")]
-    [InlineData("stitch needs a name for the picture, as in -o room.png, or --missing to ask what is missing\n", "stitch", ".")]
+    [InlineData("no part is given: name files, a pattern or a folder\n", "stitch")]
+    [InlineData("stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines\n", "stitch", ".")]
     [InlineData("--missing writes no picture: leave -o out\n", "stitch", ".", "--missing", "-o", "a.png")]
     [InlineData("there are no parts of a picture in .\n", "stitch", ".", "--missing")]
     [InlineData("no file matches part*.png\n", "stitch", "part*.png", "--missing")]
     [InlineData("picture file not found: a.png\n", "stitch", "a.png", "--missing")]
     [InlineData("no picture format for 'a.gif'", "stitch", ".", "-o", "a.gif")]
     [InlineData("option '--rows' is not one of stitch's\n", "stitch", ".", "--rows", "0..1")]
-    [InlineData("option '--missing' belongs to a command: say which\n", "a.json", "--missing")]
-    [InlineData("'5' says no lines: write the first and the last as in 0..249, lines counted from the top, 0 first, " +
-        "or as in 3/8 the third of eight parts\n", "a.json", "--rows", "5")]
-    [InlineData("'9/8' says no lines", "a.json", "--rows", "9/8")]
-    [InlineData("what --rows and --resume draw is a PNG, which can say what it is part of; choose another name or format\n", "a.json", "--rows",
+    [InlineData("option '--missing' belongs to a command: name the command\n", "a.json", "--missing")]
+    [InlineData("'5' names no lines: write the first and the last as in 0..249, counted from 0 at the top, " +
+        "or 3/8 for the third of eight parts\n", "a.json", "--rows", "5")]
+    [InlineData("'9/8' names no lines", "a.json", "--rows", "9/8")]
+    [InlineData("--rows and --resume write a PNG, which records what it shows; choose another name or format\n", "a.json", "--rows",
         "0..1", "-o", "a.ppm")]
-    [InlineData("what --rows and --resume draw is a PNG", "a.json", "--resume", "--format", "ppm")]
+    [InlineData("--rows and --resume write a PNG", "a.json", "--resume", "--format", "ppm")]
     [InlineData(
-        "--resume looks whether the picture is there already, but what was written to standard output is gone\n", "a.json", "--resume", "-o", "-")]
+        "--resume needs a file: it cannot check what was written to standard output\n", "a.json", "--resume", "-o", "-")]
     public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)
     {
         raycaster.Run(arguments);
@@ -109,7 +113,7 @@ public sealed class PartTests : IDisposable
     }
 
     [Theory]
-    [InlineData("the lines 5..10 are not all there: a picture of 10 lines has 0..9\n", "5..10")]
+    [InlineData("the lines 5..10 do not all exist: a picture of 10 lines has 0..9\n", "5..10")]
     [InlineData("a picture of 10 lines has no 11 parts\n", "1/11")]
     public void LinesThatThePictureDoesNotHaveAreRefused(string message, string rows)
     {
@@ -124,9 +128,9 @@ public sealed class PartTests : IDisposable
         raycaster.Run(Room, "-s", "40x40", "--resume").Run(Room, "-s", "40x40", "--rows", "3/4", "--resume");
         var before = raycaster.Files.Select(file => File.GetLastWriteTimeUtc(raycaster.PathOf(file))).ToArray();
         raycaster.Run(Room, "-s", "40x40", "--resume");
-        Assert.Equal((0, "room.png: there already\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal((0, "room.png: exists already\n"), (raycaster.ExitCode, raycaster.Error));
         raycaster.Run(Room, "-s", "40x40", "--rows", "20..29", "--resume");
-        Assert.Equal((0, "room.part-0020-0029.png: there already\n"), (raycaster.ExitCode, raycaster.Error));
+        Assert.Equal((0, "room.part-0020-0029.png: exists already\n"), (raycaster.ExitCode, raycaster.Error));
         Assert.Equal(before, raycaster.Files.Select(file => File.GetLastWriteTimeUtc(raycaster.PathOf(file))));
     }
 
@@ -139,6 +143,7 @@ public sealed class PartTests : IDisposable
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void WhatAKilledPartLeavesIsFinishedByRunningAgain()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there
@@ -155,11 +160,12 @@ public sealed class PartTests : IDisposable
         var said = "";
         foreach (var rows in (string[])["0..9", "10..2989", "2990..2999"]) said += raycaster.Run([.. size, "--rows", rows, "--resume"]).Error;
         Assert.Matches(
-            @"^room\.part-0000-0009\.png: there already\nroom\.part-0010-2989\.png: lines .*\nroom\.part-2990-2999\.png: there already\n$", said);
+            @"^room\.part-0000-0009\.png: exists already\nroom\.part-0010-2989\.png: lines .*\nroom\.part-2990-2999\.png: exists already\n$", said);
         Assert.Equal(0, raycaster.Run("stitch", ".", "--missing").ExitCode);
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void AStitchThatIsInterruptedLeavesTheOldPicture()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there

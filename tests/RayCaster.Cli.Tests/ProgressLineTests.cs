@@ -66,7 +66,7 @@ public class ProgressLineTests
         Assert.All(Drawn, drawn => Assert.Equal(29, drawn.Length));
     }
 
-    /// <summary>A clock that goes when it is told to.</summary>
+    /// <summary>A clock that the test sets.</summary>
     private sealed class Clock : TimeProvider
     {
         public TimeSpan Now { get; set; }

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace RayCaster.Cli.Tests;
 
-/// <summary>The console app, run as a real process in a folder of its own, which goes away with this.</summary>
+/// <summary>The console app as a real process, in a temporary folder.</summary>
 internal sealed class RayCasterProcess : IDisposable
 {
     /// <summary>The console app itself.</summary>
@@ -24,7 +24,7 @@ internal sealed class RayCasterProcess : IDisposable
 
     public string Error { get; private set; } = "";
 
-    /// <summary>The names of what is in the folder now.</summary>
+    /// <summary>The names of the files and folders in it now.</summary>
     public string[] Files => [.. folder.Names];
 
     public string PathOf(string file) => folder[file];

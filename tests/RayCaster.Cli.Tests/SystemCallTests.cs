@@ -2,8 +2,8 @@ using System.Text.RegularExpressions;
 
 namespace RayCaster.Cli.Tests;
 
-/// <summary>What a command asks of the system, as strace sees it: no network, no other program, no file written but its own. Without strace
-/// the test does nothing.</summary>
+/// <summary>The system calls of a command, by strace: no network, no other program, and only its own files written. Without strace the test does
+/// nothing.</summary>
 [Trait("kind", "campaign")] // strace slows each process down
 public sealed class SystemCallTests : IDisposable
 {

@@ -11,7 +11,7 @@ public partial class FloorTests
         ["Threads"], ["Memory"], ["Numbers"], ["Contracts"], ["Shading"], ["Shapes", "Batches", "Meshes"], ["Pictures"], ["."],
     ];
 
-    /// <summary>Data that what draws and what is drawn share.</summary>
+    /// <summary>Data that the folders share.</summary>
     private static readonly string[] anywhere = ["HitMap"];
 
     [Fact]

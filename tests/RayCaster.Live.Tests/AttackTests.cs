@@ -5,7 +5,7 @@ using System.Text;
 
 namespace RayCaster.Live.Tests;
 
-/// <summary>What strangers on this machine and other pages in the same browser cannot do.</summary>
+/// <summary>Other users of this machine and other pages in the same browser have no access.</summary>
 public class AttackTests
 {
     private static readonly HttpClient client = new(new HttpClientHandler { UseCookies = false, AllowAutoRedirect = false });

@@ -1,7 +1,9 @@
 namespace RayCaster.Live.Tests;
 
-/// <summary>A page whose program ends, starts again, or stands still for a while.</summary>
-public class BreakTests(Chromium chromium) : IClassFixture<Chromium>
+/// <summary>A page whose program ends, starts again, or is suspended for a while.</summary>
+[Collection("browser")]
+[Trait("kind", "campaign")] // starts the real program, three times
+public class BreakTests(Chromium chromium)
 {
     [BrowserFact]
     public async Task CtrlCEndsTheProgramWithAPageOpenAndThePageSaysSo()
@@ -40,9 +42,8 @@ public class BreakTests(Chromium chromium) : IClassFixture<Chromium>
         Assert.Equal(camera, await page.InnerTextAsync("#camera-json"));
     }
 
-    /// <summary>A program that stands still for longer than the server waits for a browser's answer, as while a laptop sleeps.</summary>
+    /// <summary>A program that is suspended for longer than the server waits for a browser's answer, as while a laptop sleeps.</summary>
     [BrowserFact]
-    [Trait("kind", "campaign")] // half a minute of waiting
     public async Task APageContinuesAfterASleep()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there

@@ -13,7 +13,11 @@ public sealed class BrowserFactAttribute : FactAttribute
     }
 }
 
-/// <summary>One browser for all tests of a class.</summary>
+/// <summary>The tests in a browser, which take turns with the one that there is.</summary>
+[CollectionDefinition("browser")]
+public class BrowserCollection : ICollectionFixture<Chromium>;
+
+/// <summary>One browser for all tests.</summary>
 public sealed class Chromium : IAsyncLifetime
 {
     private static readonly string[] flags =

@@ -3,7 +3,8 @@ using Microsoft.Playwright;
 namespace RayCaster.Live.Tests;
 
 /// <summary>The page as a browser shows it, used by mouse and by keyboard.</summary>
-public class BrowserTests(Chromium chromium) : IClassFixture<Chromium>
+[Collection("browser")]
+public class BrowserTests(Chromium chromium)
 {
     [BrowserFact]
     public async Task ThePictureIsTheDefinitionsAndThePageComplainsOfNothing()
@@ -128,6 +129,7 @@ public class BrowserTests(Chromium chromium) : IClassFixture<Chromium>
 
     /// <summary>Makes the pictures of docs/live.md anew if RAYCASTER_DOCS names their folder.</summary>
     [BrowserFact]
+    [Trait("kind", "campaign")]
     public async Task ThePicturesOfTheDocsAreMade()
     {
         var folder = Environment.GetEnvironmentVariable("RAYCASTER_DOCS");

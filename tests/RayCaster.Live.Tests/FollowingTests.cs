@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace RayCaster.Live.Tests;
 
-/// <summary>The picture stays in step with the scene file, however it is saved and whatever is in it.</summary>
+/// <summary>The picture follows the scene file, in whatever way it is saved and whatever it contains.</summary>
 public class FollowingTests
 {
     private static string Moved(double x) => LivePage.Ball.Replace("[6, 0, 2.5]", FormattableString.Invariant($"[{x}, 0, 2.5]"));

@@ -3,7 +3,8 @@ using Microsoft.Playwright;
 namespace RayCaster.Live.Tests;
 
 /// <summary>Fingers on a touch screen, a file that is dropped, and what the page does for people who set their system up.</summary>
-public class HandTests(Chromium chromium) : IClassFixture<Chromium>
+[Collection("browser")]
+public class HandTests(Chromium chromium)
 {
     private const string Distance = """
         () => {

@@ -9,6 +9,7 @@ public class AloneCollection;
 public class MemoryTests
 {
     [Fact]
+    [Trait("kind", "campaign")] // a thousand pictures
     public async Task AThousandSavesTakeNoMoreMemoryThanAHundred()
     {
         await using var page = await LivePage.OpenAsync();

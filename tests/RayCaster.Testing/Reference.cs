@@ -1,6 +1,6 @@
 namespace RayCaster.Testing;
 
-/// <summary>A picture that another program drew, and where it may be doubted (tests/References/README.md).</summary>
+/// <summary>A picture that another program drew, and the pixels in which it is uncertain (tests/References/README.md).</summary>
 /// <param name="Picture">The picture.</param>
 /// <param name="Outline">Not black where the colour hangs on a thousandth of a pixel; null if nowhere.</param>
 internal sealed record Reference(Picture Picture, Picture? Outline)

@@ -13,7 +13,7 @@ internal static class Some
 
     public static Vector3 GridPoint(Random random) => new(Sixteenth(random), Sixteenth(random), Sixteenth(random));
 
-    /// <summary>What crosses a ray by a formula: the triangles of a mesh, or the model itself.</summary>
+    /// <summary>The shapes with a formula: the triangles of a mesh, or the model itself.</summary>
     public static IEnumerable<Model> ShapesOf(Model model) =>
         model is Mesh mesh ? Enumerable.Range(0, mesh.TriangleCount).Select(i => Model.Of(mesh[i])) : [model];
 

@@ -23,7 +23,6 @@ internal sealed partial class Bodies
 
     /// <summary>Finds the bodies.</summary>
     /// <param name="file">The file's name in errors.</param>
-    /// <param name="text">The file's text.</param>
     /// <exception cref="ProblemException">A marker is missing, or its slide belongs to no step.</exception>
     public static Bodies Parse(string file, string text)
     {
@@ -60,25 +59,14 @@ internal sealed partial class Bodies
 
     /// <summary>The file with stubs in place of some bodies.</summary>
     /// <param name="isOpen">Whether students write the bodies of a slide.</param>
-    public string With(Func<string, bool> isOpen) => Replaced(body => isOpen(body.Slide) ? Stub(body) : Inside(body));
-
-    /// <summary>The file with some bodies from another version of it.</summary>
-    /// <param name="other">The other version, which differs only in the bodies.</param>
-    /// <param name="isTaken">Whether the bodies of a slide are taken from the other version.</param>
-    public string WithBodiesOf(Bodies other, Func<string, bool> isTaken)
-    {
-        var next = 0;
-        return Replaced(body => other.All[next++] is var its && isTaken(body.Slide) ? other.Inside(its) : Inside(body));
-    }
-
-    private string Replaced(Func<Body, IEnumerable<string>> inside)
+    public string With(Func<string, bool> isOpen)
     {
         var result = new List<string>();
         var next = 0;
         foreach (var body in All)
         {
             result.AddRange(lines[next..(body.Begin + 1)]);
-            result.AddRange(inside(body));
+            result.AddRange(isOpen(body.Slide) ? Stub(body) : Inside(body));
             next = body.End;
         }
         result.AddRange(lines[next..]);

@@ -15,7 +15,7 @@ internal static class HandOutFolder
     {
         var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
-            throw new ProblemException($"raycaster: {folder} is there already, and not empty\n  Name a new folder: a hand-out overwrites nothing.");
+            throw new ProblemException($"raycaster: {folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
         var files = HandOutFiles.With(isOpen);
         try
         {
@@ -41,14 +41,13 @@ internal static class HandOutFolder
         File.WriteAllBytes(path, content);
     }
 
-    /// <summary>Copies an assembly.</summary>
     private static void CopyLibrary(string name, string folder)
     {
         Directory.CreateDirectory(folder);
         var file = Path.Combine(AppContext.BaseDirectory, name + ".dll");
         if (!File.Exists(file))
             throw new ProblemException($"raycaster: {name}.dll is not beside this program, " +
-                "so a hand-out cannot have it\n  Publish raycaster as separate files, not as one.");
+                "so it cannot be copied into a hand-out\n  Publish raycaster as separate files, not as one.");
         File.Copy(file, Path.Combine(folder, name + ".dll"));
     }
 
@@ -65,17 +64,9 @@ internal static class HandOutFolder
                 cancellation.ThrowIfCancellationRequested();
                 var picture = Path.Combine(scenes, $"step{step:00}", Path.ChangeExtension(Path.GetRelativePath(scenes, file), ".png"));
                 Directory.CreateDirectory(Path.GetDirectoryName(picture)!);
-                WritePicture(picture, Teaching.LabSteps.Draw(scene, step));
+                using var stream = File.Create(picture); // in place: the folder as a whole is there or not
+                PictureFile.Write(stream, Teaching.LabSteps.Draw(scene, step), PictureFormat.Png);
             }
         }
-    }
-
-    /// <summary>Writes a picture in place: the folder as a whole is there or not.</summary>
-    private static void WritePicture(string path, Picture picture)
-    {
-        using var file = File.Create(path);
-        using var writer = PictureWriter.Create(PictureFormat.Png, file, picture.Width, picture.Height);
-        writer.WriteRows(picture.Rgb);
-        writer.Finish();
     }
 }

@@ -44,7 +44,6 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <remarks>The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="BoundsExtensions.PaddedFrom"/>). The
     /// projection itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.</remarks>
     /// <param name="padded">The bounds relative to the camera, padded.</param>
-    /// <param name="camera">The camera.</param>
     /// <param name="margin">Pixels to be added on each side.</param>
     public static Tile Of(Bounds padded, Camera camera, double margin = Margin)
     {

@@ -29,6 +29,11 @@ internal static class ArrayVectors
 
     /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void StoreTo<T>(this Vector64<T> vector, T[] numbers, int place) where T : struct =>
+        vector.StoreUnsafe(ref At(numbers, place, Vector64<T>.Count));
+
+    /// <inheritdoc cref="StoreTo{T}(Vector256{T}, T[], int)"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static void StoreTo<T>(this Vector128<T> vector, T[] numbers, int place) where T : struct =>
         vector.StoreUnsafe(ref At(numbers, place, Vector128<T>.Count));
 

@@ -1,6 +1,5 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
@@ -18,9 +17,9 @@ internal sealed class MeshPainter
     private readonly Scene scene;
     private readonly ScreenSpace screen;
     private readonly Model model;
-    private readonly Vector512<int> background;
+    private readonly int background; // its bytes
     private readonly float[] squares = new float[Tile.MaxSide]; // of the columns' slopes
-    private readonly ulong[] doubts = new ulong[Tile.MaxSide * Tile.MaxSide / FloatPacket.Count]; // of each packet
+    private readonly uint[] doubts = new uint[Tile.MaxSide * Tile.MaxSide / FloatBytes.Count]; // of each packet
     private Tile tile;
     private byte[] rgb = [];
     private int first, step;
@@ -29,7 +28,7 @@ internal sealed class MeshPainter
     {
         (this.screen, this.scene, model) = (screen, scene, scene.Models[index]);
         var (r, g, b) = scene.Background.ToBytes();
-        background = Vector512.Create(r | (g << 8) | (b << 16));
+        background = r | (g << 8) | (b << 16);
         // Beyond this t there is no light, even after rounding.
         var most = 2 * scene.Camera.Reach;
         var light = scene.Attenuation(new ErrorBound(0, most, most * Roundings));
@@ -59,14 +58,15 @@ internal sealed class MeshPainter
     {
         (this.tile, this.rgb, this.first, this.step) = (tile, rgb, first, step);
         for (var i = 0; i < tile.Width; i++) squares[i] = (float)Square((tile.Column + i - screen.CenterX) / screen.Scale);
-        Paint(covered, front, decided);
+        if (FloatBytes.IsWide) Paint<WideFloatPacket>(covered, front, decided);
+        else Paint<FloatPacket>(covered, front, decided);
 
         Doubts.Clear();
-        var packets = (tile.Width + FloatPacket.Count - 1) / FloatPacket.Count;
+        var packets = (tile.Width + FloatBytes.Count - 1) / FloatBytes.Count;
         for (var i = 0; i < packets * tile.Height; i++)
         {
             for (var lanes = doubts[i]; lanes != 0; lanes &= lanes - 1)
-                Doubts.Add(i / packets * TilePixels.Stride + i % packets * FloatPacket.Count + BitOperations.TrailingZeroCount(lanes));
+                Doubts.Add(i / packets * TilePixels.Stride + i % packets * FloatBytes.Count + BitOperations.TrailingZeroCount(lanes));
         }
     }
 
@@ -82,39 +82,29 @@ internal sealed class MeshPainter
     /// <summary>Paints it all and notes which pixels are in doubt.</summary>
     /// <remarks>A ray is √(1 + u² + v²) long where it is 1 deep and moves u across and v upwards: t = unit · √(1 + u² + v²) / w.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private void Paint(float[] covered, float[] front, double[]? decided)
+    private void Paint<F>(float[] covered, float[] front, double[]? decided) where F : struct, IFloatPacket<F>
     {
-        FloatPacket red = model.Color.R, green = model.Color.G, blue = model.Color.B;
-        var (unit, slack) = (Vector512.Create((float)screen.Unit), Vector512.Create((float)Error));
+        var (red, green, blue) = (Lanes.Broadcast<F>(model.Color.R), Lanes.Broadcast<F>(model.Color.G), Lanes.Broadcast<F>(model.Color.B));
+        var unit = Lanes.Broadcast<F>(screen.Unit);
+        var slack = F.PerRow([(float)Error, -(float)Error], 0); // the greatest levels are in the lower row, the least in the upper one
         var packet = 0;
         for (var row = 0; row < tile.Height; row++)
         {
-            var upwards = Vector512.Create((float)(1 + Square((tile.Row + row - screen.CenterY) / screen.Scale)));
-            for (var i = 0; i < tile.Width; i += FloatPacket.Count, packet++)
+            var upwards = Lanes.Broadcast<F>(1 + Square((tile.Row + row - screen.CenterY) / screen.Scale));
+            for (var i = 0; i < tile.Width; i += F.Count, packet++)
             {
                 var at = row * TilePixels.Stride + i;
-                var ends = new FloatPacket(front.Load512(at), covered.Load512(at));
-                var far = FloatPacket.Of(unit * Vector512.Sqrt(upwards + squares.Load512(i)));
-                var light = scene.Attenuation(far / ends);
+                var ends = F.Rows(front, covered, at);
+                var light = scene.Attenuation(unit * F.Sqrt(upwards + F.Row(squares, i)) / ends);
                 var (r, g, b) = (Color.Level(light * red), Color.Level(light * green), Color.Level(light * blue));
-                var least = FloatBytes.Packed(r.Upper - slack, g.Upper - slack, b.Upper - slack);
-                var most = FloatBytes.Packed(r.Lower + slack, g.Lower + slack, b.Lower + slack);
-                var isMiss = Vector512.Equals(ends.Lower, Vector512<float>.Zero).AsInt32();
-                var pixels = Vector512.ConditionalSelect(isMiss, background, least);
-                if (i + FloatPacket.Count <= tile.Width) FloatBytes.Store(pixels, rgb, first + row * step + 3 * i);
-                else FloatBytes.StoreFew(pixels, rgb.AsSpan(first + row * step + 3 * i, 3 * (tile.Width - i)));
-
-                var doubt = (Vector512.Equals(least, most) | isMiss).ExtractMostSignificantBits() ^ FloatBytes.AllLanes;
-                if (decided is not null)
-                    doubt |= IsDecided(decided, at) | (IsDecided(decided, at + Vector512<double>.Count) << Vector512<double>.Count);
+                var doubt = F.Pixels(r + slack, g + slack, b + slack)
+                    .WriteRange(ends, background, rgb, first + row * step + 3 * i, tile.Width - i);
+                for (var k = 0; decided is not null && k < F.Count; k += Packet.Count)
+                    doubt |= Packet.Bits(Packet.Load(decided, at + k) < double.PositiveInfinity) << k;
                 doubts[packet] = doubt;
             }
         }
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static ulong IsDecided(double[] t, int place) =>
-        Vector512.LessThan(t.Load512(place), Vector512.Create(double.PositiveInfinity)).ExtractMostSignificantBits();
 
     private static double Square(double x) => x * x;
 }

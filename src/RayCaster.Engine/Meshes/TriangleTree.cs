@@ -23,7 +23,6 @@ public sealed class TriangleTree
     /// <summary>The least t that a function returns for the triangles that a line may cross, in front of its origin or behind it; null for
     /// none.</summary>
     /// <param name="origin">Where the line begins.</param>
-    /// <param name="direction">Its direction.</param>
     /// <param name="hit">The t of a triangle, by its number in the mesh; null where it has none that counts. A t must lie where the line is within
     /// the triangle's bounds.</param>
     public double? Nearest(Vector3 origin, Vector3 direction, Func<int, double?> hit)

@@ -1,6 +1,5 @@
 using System.Numerics;
 using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
@@ -21,7 +20,7 @@ internal sealed class FloatPainter : IShapeVisitor
     private readonly Camera camera;
     private readonly FloatRays rays;
     private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
-    private readonly ushort[] doubts; // a bit for each pixel of each packet
+    private readonly uint[] doubts = new uint[Tile.MaxStrip * Tile.MaxSide / FloatBytes.Count / 2]; // a bit for each pixel of each packet
     private CoveredTile covered;
     private Tile part;
     private byte[] rgb = [];
@@ -31,7 +30,6 @@ internal sealed class FloatPainter : IShapeVisitor
     {
         (this.scene, camera) = (scene, scene.Camera);
         rays = new(camera);
-        doubts = new ushort[Tile.MaxStrip * Tile.MaxSide / FloatPacket.Count];
     }
 
     /// <summary>Writes a part's bytes, if its width is a multiple of a packet's and the error is small enough.</summary>
@@ -40,17 +38,18 @@ internal sealed class FloatPainter : IShapeVisitor
     public bool Paint(in CoveredTile covered, byte[] rgb, int first, int step)
     {
         (this.covered, part, this.rgb, this.first, this.step) = (covered, covered.Part, rgb, first, step);
-        if (part.Width % FloatPacket.Count != 0 || !covered.View.Accept(this)) return false;
+        if (part.Width % FloatBytes.Count != 0 || !covered.View.Accept(this)) return false;
 
-        var packets = part.Width / FloatPacket.Count;
-        var some = doubts.AsSpan(0, packets * part.Height);
-        for (var place = 0; some.IndexOfAnyExcept((ushort)0) is >= 0 and var next; place++, some = some[(next + 1)..])
+        var packets = part.Width / FloatBytes.Count;
+        var some = doubts.AsSpan(0, packets * ((part.Height + 1) / 2));
+        for (var place = 0; some.IndexOfAnyExcept(0u) is >= 0 and var next; place++, some = some[(next + 1)..])
         {
             place += next;
-            for (uint left = some[next]; left != 0; left &= left - 1)
+            for (var left = some[next]; left != 0; left &= left - 1)
             {
-                var (row, column) = (place / packets, place % packets * FloatPacket.Count + BitOperations.TrailingZeroCount(left));
-                Write(column, row, rgb.AsSpan(first + row * step + 3 * column, 3));
+                var (upper, lane) = Math.DivRem(BitOperations.TrailingZeroCount(left), FloatBytes.Count);
+                var (row, column) = (place / packets * 2 + upper, place % packets * FloatBytes.Count + lane);
+                if (row < part.Height) Write(column, row, rgb.AsSpan(first + row * step + 3 * column, 3));
             }
         }
         return true;
@@ -74,7 +73,9 @@ internal sealed class FloatPainter : IShapeVisitor
         var steepest = -FloatLevel.SlopeOf(brightest, camera.Reach);
         var error = Error(shape, index, GoodError / steepest);
         if (!(error * steepest < MostError)) return false;
-        Paint(shape, color, error);
+        var levels = new FloatLevels(color, camera.Reach, error);
+        if (FloatBytes.IsWide) Paint<P, WideFloatPacket>(shape, levels);
+        else Paint<P, FloatPacket>(shape, levels);
         return true;
     }
 
@@ -96,33 +97,22 @@ internal sealed class FloatPainter : IShapeVisitor
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    private void Paint<P>(P shape, Color color, double error) where P : struct, IPrimitive
+    private void Paint<P, F>(P shape, FloatLevels levels) where P : struct, IPrimitive where F : struct, IFloatPacket<F>
     {
-        Vector3<FloatPacket> origin = camera.Position;
-        var (red, green, blue) = (new FloatLevel(color.R, camera.Reach, error), new FloatLevel(color.G, camera.Reach, error),
-            new FloatLevel(color.B, camera.Reach, error));
+        Vector3<F> origin = camera.Position;
         var isNear = covered.IsNear; // a local stays in a register
-        var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / FloatPacket.Count);
-        for (var row = 0; row < part.Height; row += 2)
+        var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / F.Count);
+        for (int row = 0, next = 0; row < part.Height; row += 2)
         {
-            var upwards = rays.Upwards.Two(part.Row - rays.Strip.Row + row);
-            for (var packet = 0; packet < packets; packet++)
+            var upwards = rays.Upwards.PerRow<F>(part.Row - rays.Strip.Row + row);
+            var (lower, toUpper) = (first + row * step, row + 1 < part.Height ? step : 0);
+            for (var packet = 0; packet < packets; packet++, next++, lower += 3 * F.Count)
             {
-                var direction = camera.Direction(columns.From(firstColumn + packet * FloatPacket.Count), upwards);
-                var crossings = shape.Intersect(new Ray<FloatPacket>(origin, direction));
-                var hit = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
-                Write(row, packet, hit.Lower);
-                if (row + 1 < part.Height) Write(row + 1, packet, hit.Upper);
+                var direction = camera.Direction(columns.Row<F>(firstColumn + packet * F.Count), upwards);
+                var crossings = shape.Intersect(new Ray<F>(origin, direction));
+                var t = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
+                doubts[next] = t.Write(levels, rgb, lower, lower + toUpper);
             }
-        }
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        void Write(int row, int packet, Vector512<float> t)
-        {
-            var least = FloatBytes.Packed(red.Least(t), green.Least(t), blue.Least(t));
-            var most = FloatBytes.Packed(red.Most(t), green.Most(t), blue.Most(t));
-            doubts[row * packets + packet] = (ushort)~Vector512.Equals(least, most).ExtractMostSignificantBits();
-            FloatBytes.Store(least, rgb, first + row * step + packet * 3 * FloatPacket.Count);
         }
     }
 }

@@ -12,7 +12,7 @@ internal sealed class FloatRays(Camera camera)
     public Floats Across { get; } = new(Tile.MaxStrip);
 
     /// <summary>What the directions of each row have in common, from the lowest row.</summary>
-    public Floats Upwards { get; } = new(Tile.MaxSide + FloatPacket.Count); // one row more than the strip has is read
+    public Floats Upwards { get; } = new(Tile.MaxSide + 1); // one row more than the strip has is read
 
     /// <summary>Goes to the strip of a part; returns whether it is a new one.</summary>
     public bool Enter(in Tile part)
@@ -20,12 +20,10 @@ internal sealed class FloatRays(Camera camera)
         var strip = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
         if (strip == Strip) return false;
         Strip = strip;
-        for (var i = 0; i < strip.Width; i += FloatPacket.Count)
-            Across.Set(
-                i, camera.Across(WidePacket.Sequence(strip.Column + i)), camera.Across(WidePacket.Sequence(strip.Column + i + WidePacket.Count)));
-        for (var i = 0; i < strip.Height; i += FloatPacket.Count)
-            Upwards.Set(
-                i, camera.Upwards(WidePacket.Sequence(strip.Row + i)), camera.Upwards(WidePacket.Sequence(strip.Row + i + WidePacket.Count)));
+        for (var i = 0; i < strip.Width; i += 2 * Packet.Count)
+            Across.Set(i, camera.Across(Packet.Sequence(strip.Column + i)), camera.Across(Packet.Sequence(strip.Column + i + Packet.Count)));
+        for (var i = 0; i < strip.Height; i += 2 * Packet.Count)
+            Upwards.Set(i, camera.Upwards(Packet.Sequence(strip.Row + i)), camera.Upwards(Packet.Sequence(strip.Row + i + Packet.Count)));
         return true;
     }
 
@@ -45,25 +43,20 @@ internal sealed class FloatRays(Camera camera)
     {
         private readonly float[] x = new float[count], y = new float[count], z = new float[count];
 
-        /// <summary>Sixteen of them, the same in both rows.</summary>
+        /// <summary>Those of some columns, the same in both rows.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector3<FloatPacket> From(int first) => new(Load(x, first), Load(y, first), Load(z, first));
+        public Vector3<F> Row<F>(int first) where F : struct, IFloatPacket<F> =>
+            new(F.Row(x, first), F.Row(y, first), F.Row(z, first));
 
         /// <summary>One for each of two rows.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector3<FloatPacket> Two(int first) => new(Two(x, first), Two(y, first), Two(z, first));
+        public Vector3<F> PerRow<F>(int first) where F : struct, IFloatPacket<F> => new(F.PerRow(x, first), F.PerRow(y, first), F.PerRow(z, first));
 
-        public void Set(int first, in Vector3<WidePacket> lower, in Vector3<WidePacket> upper)
+        public void Set(int first, in Vector3<Packet> lower, in Vector3<Packet> upper)
         {
-            Vector512.Narrow(lower.X.Lanes, upper.X.Lanes).StoreTo(x, first);
-            Vector512.Narrow(lower.Y.Lanes, upper.Y.Lanes).StoreTo(y, first);
-            Vector512.Narrow(lower.Z.Lanes, upper.Z.Lanes).StoreTo(z, first);
+            Vector256.Narrow(lower.X.Lanes, upper.X.Lanes).StoreTo(x, first);
+            Vector256.Narrow(lower.Y.Lanes, upper.Y.Lanes).StoreTo(y, first);
+            Vector256.Narrow(lower.Z.Lanes, upper.Z.Lanes).StoreTo(z, first);
         }
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static FloatPacket Load(float[] numbers, int first) => FloatPacket.Of(numbers.Load512(first));
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static FloatPacket Two(float[] numbers, int first) => new(Vector512.Create(numbers[first]), Vector512.Create(numbers[first + 1]));
     }
 }

@@ -27,10 +27,10 @@ internal sealed class FloatShader
     /// <summary>A shader for a scene; null if the machine or the scene does not allow it.</summary>
     /// <param name="light">Red, green and blue of its background, then of its models.</param>
     public static FloatShader? For(Scene scene, double[] light, int threads) =>
-        FloatBytes.IsSupported && new FloatShader(scene, light, threads) is { error: < MostError } shader ? shader : null;
+        FloatBytes.IsWide && new FloatShader(scene, light, threads) is { error: < MostError } shader ? shader : null;
 
     /// <summary>Whether it can shade a stream of this form.</summary>
-    public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % FloatPacket.Count == 0;
+    public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % WideFloatPacket.Count == 0;
 
     /// <inheritdoc cref="HitShader.Shade(RayStream, byte[], int, int)"/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -38,18 +38,19 @@ internal sealed class FloatShader
     {
         fixed (long* packed = colors.Packed)
         {
-            for (var i = 0; i < rays.Length; i += 2 * FloatPacket.Count)
+            for (var i = 0; i < rays.Length; i += 2 * WideFloatPacket.Count)
             {
-                var j = Math.Min(i + FloatPacket.Count, rays.Length - FloatPacket.Count); // the last sixteen are done twice if they have no partner
+                // the last sixteen are done twice if they have no partner
+                var j = Math.Min(i + WideFloatPacket.Count, rays.Length - WideFloatPacket.Count);
                 var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
-                var isMiss = new FloatPacket(
+                var isMiss = new WideFloatPacket(
                     Vector512.Equals(lower, Vector512<int>.Zero).AsSingle(), Vector512.Equals(upper, Vector512<int>.Zero).AsSingle());
-                var light = scene.Attenuation(new FloatPacket(NearestAt(rays, i), NearestAt(rays, j)));
-                light = FloatPacket.Select(isMiss, 1, light) * colors.Step; // 1 leaves the background as it is
+                var light = scene.Attenuation(new WideFloatPacket(NearestAt(rays, i), NearestAt(rays, j)));
+                light = WideFloatPacket.Select(isMiss, 1, light) * colors.Step; // 1 leaves the background as it is
                 var (a, b) = (colors.At(packed, lower), colors.At(packed, upper));
-                var red = Color.Level(light * new FloatPacket(a.R, b.R));
-                var green = Color.Level(light * new FloatPacket(a.G, b.G));
-                var blue = Color.Level(light * new FloatPacket(a.B, b.B));
+                var red = Color.Level(light * new WideFloatPacket(a.R, b.R));
+                var green = Color.Level(light * new WideFloatPacket(a.G, b.G));
+                var blue = Color.Level(light * new WideFloatPacket(a.B, b.B));
                 Write(rays, i, red.Lower, green.Lower, blue.Lower, exact, rgb, first, step);
                 Write(rays, j, red.Upper, green.Upper, blue.Upper, exact, rgb, first, step);
             }
@@ -65,7 +66,7 @@ internal sealed class FloatShader
         var least = FloatBytes.Packed(r - slack, g - slack, b - slack);
         FloatBytes.Store(least, rgb, place);
         if (Vector512.EqualsAll(least, FloatBytes.Packed(r + slack, g + slack, b + slack))) return;
-        exact.Shade(rays, pixel, rgb.AsSpan(place, 3 * FloatPacket.Count));
+        exact.Shade(rays, pixel, rgb.AsSpan(place, 3 * WideFloatPacket.Count));
     }
 
     /// <summary>The places of sixteen pixels' colours.</summary>

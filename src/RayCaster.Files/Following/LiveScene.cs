@@ -61,7 +61,6 @@ public sealed class LiveScene : IDisposable
     }
 
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="version">The version that the user has seen.</param>
     /// <returns>Null if it is done; otherwise the reason: the file has changed since, or is broken.</returns>
     /// <exception cref="PictureFileException">It cannot be written.</exception>

@@ -7,7 +7,6 @@ public static class CameraMotion
     private const double LeastAngle = 0.01;
 
     /// <summary>Turns the camera about its target.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="around">The angle about the up direction in radians, counterclockwise seen from above.</param>
     /// <param name="over">The angle towards up in radians; limited so that the view never becomes parallel to up.</param>
     public static Camera Turn(Camera camera, double around, double over)
@@ -25,7 +24,6 @@ public static class CameraMotion
         At(camera, camera.Target + factor * (camera.Position - camera.Target), camera.Target);
 
     /// <summary>Shifts camera and target across the view. The unit is the picture's height at the target.</summary>
-    /// <param name="camera">The camera.</param>
     /// <param name="right">To the right, along U.</param>
     /// <param name="up">Upwards, along V.</param>
     public static Camera Shift(Camera camera, double right, double up)

@@ -14,7 +14,6 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
     /// <summary>How many vertices the file has up to here; null where that is not known yet.</summary>
     public long? VerticesAbove => isInOrder ? verticesBefore + vertexCount : null;
 
-    /// <summary>How many corners the current face has.</summary>
     public int CornerCount { get; private set; }
 
     public void AddVertex(Vector3 vertex)

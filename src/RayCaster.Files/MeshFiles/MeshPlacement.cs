@@ -66,29 +66,21 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     /// <summary>The triangles that have an area: the same array where all have.</summary>
     private static int[] WithoutFlat(int[] indices, Vector3[] vertices, int threads)
     {
-        var kept = new int[Ranges.CountIn(indices.Length) + 1]; // after the sum below: how many indices the ranges before keep
-        Ranges.Each(indices.Length, threads, (start, length) =>
-        {
-            kept[start / Ranges.Usual + 1] = length - 3 * CountFlat(indices.AsSpan(start, length), vertices);
-        });
-        for (var range = 1; range < kept.Length; range++) kept[range] += kept[range - 1];
-        if (kept[^1] == indices.Length) return indices;
+        var flat = 0;
+        Ranges.Each(indices.Length, threads, (start, length) => Interlocked.Add(ref flat, CountFlat(indices.AsSpan(start, length), vertices)));
+        return flat == 0 ? indices : WithoutFlat(indices, vertices, new int[indices.Length - 3 * flat]);
+    }
 
-        var left = GC.AllocateUninitializedArray<int>(kept[^1]);
-        Ranges.Each(indices.Length, threads, (start, length) =>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    private static int[] WithoutFlat(ReadOnlySpan<int> indices, Vector3[] vertices, int[] kept)
+    {
+        for (var to = 0; !indices.IsEmpty; indices = indices[3..])
         {
-            var to = kept[start / Ranges.Usual];
-            if (kept[start / Ranges.Usual + 1] - to == length)
-                indices.AsSpan(start, length).CopyTo(left.AsSpan(to));
-            else
-                for (var i = start; i < start + length; i += 3)
-                {
-                    if (IsFlat(indices.AsSpan(i, 3), vertices)) continue;
-                    indices.AsSpan(i, 3).CopyTo(left.AsSpan(to));
-                    to += 3;
-                }
-        });
-        return left;
+            if (IsFlat(indices, vertices)) continue;
+            indices[..3].CopyTo(kept.AsSpan(to));
+            to += 3;
+        }
+        return kept;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]

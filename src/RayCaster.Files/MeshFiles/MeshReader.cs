@@ -2,7 +2,7 @@ namespace RayCaster.Files;
 
 /// <summary>
 /// Reads a mesh file in blocks, several at once, and joins them in file order. If a block is broken, one thread reads all blocks again in
-/// order: it finds the first mistake first, and knows how many vertices stand above it.
+/// order. So the first mistake is reported, with the number of vertices above it.
 /// </summary>
 internal static class MeshReader
 {

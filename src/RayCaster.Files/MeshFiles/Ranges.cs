@@ -10,7 +10,7 @@ internal static class Ranges
 
     /// <summary>Does the work on each range of an array, given as start and length.</summary>
     public static void Each(int arrayLength, int threads, Action<int, int> work) =>
-        EachPiece(CountIn(arrayLength), threads, i => work(i * Usual, Math.Min(Usual, arrayLength - i * Usual)));
+        EachPiece((int)((arrayLength + Usual - 1L) / Usual), threads, i => work(i * Usual, Math.Min(Usual, arrayLength - i * Usual)));
 
     /// <summary>Does pieces 0 to count − 1 of some work: on one thread in order, on several in any order.</summary>
     /// <param name="count">How many pieces.</param>
@@ -32,6 +32,4 @@ internal static class Ranges
             ExceptionDispatchInfo.Throw(several.InnerExceptions[0]);
         }
     }
-
-    public static int CountIn(int arrayLength) => (int)((arrayLength + Usual - 1L) / Usual);
 }

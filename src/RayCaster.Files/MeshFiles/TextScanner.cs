@@ -88,7 +88,6 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
     public double NextNumber(string what) => ToNumber(NextInLine(), what);
 
     /// <summary>Reads the word that came last as a number.</summary>
-    /// <param name="word">The word.</param>
     /// <param name="what">What the number is, for a message.</param>
     /// <exception cref="MeshFileException">It is something else, NaN, or beyond the largest number.</exception>
     public double ToNumber(ReadOnlySpan<byte> word, string what)

@@ -35,9 +35,6 @@ public sealed class PartFile : IDisposable
         return new PartFile(path, file, reader, facts);
     });
 
-    /// <inheritdoc cref="Holds(string, PartFacts, out string)"/>
-    public static bool Holds(string path, PartFacts facts) => Holds(path, facts, out _);
-
     /// <summary>Whether a file exists, can be read to its last pixel, and holds these lines of this picture.</summary>
     /// <param name="path">The file.</param>
     /// <param name="facts">What it should hold.</param>

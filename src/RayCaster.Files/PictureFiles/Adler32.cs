@@ -3,7 +3,6 @@ namespace RayCaster.Files;
 /// <summary>The checksum at the end of a zlib stream (RFC 1950, clause 8).</summary>
 internal static class Adler32
 {
-    /// <summary>The checksum of no bytes.</summary>
     public const uint OfNothing = 1;
 
     /// <summary>The largest prime below 2^16.</summary>
@@ -12,7 +11,6 @@ internal static class Adler32
     /// <summary>The sums of this many bytes cannot overflow.</summary>
     private const int BytesAtOnce = 5552;
 
-    /// <summary>Adds bytes to a checksum.</summary>
     public static uint Add(uint sum, ReadOnlySpan<byte> bytes)
     {
         var (a, b) = (sum & 0xFFFF, sum >> 16);

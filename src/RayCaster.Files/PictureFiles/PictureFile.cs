@@ -49,19 +49,22 @@ public static class PictureFile
 
     /// <summary>Writes a picture. An old file is replaced at the end, and stays if anything fails.</summary>
     /// <param name="path">The file.</param>
-    /// <param name="picture">The picture.</param>
     /// <param name="format">The format; the extension's if left out.</param>
     /// <exception cref="PictureFileException">The extension names no format, or the file cannot be written.</exception>
     public static void Write(string path, Picture picture, PictureFormat? format = null)
     {
         format ??= PictureFormats.ByExtension(path);
         using var file = new ReplacedFile(path);
-        using (var writer = PictureWriter.Create(format.Value, file, picture.Width, picture.Height))
-        {
-            writer.WriteRows(picture.Rgb);
-            writer.Finish();
-        }
+        Write(file, picture, format.Value);
         file.Commit();
+    }
+
+    /// <summary>Writes a picture to a stream, which is left open.</summary>
+    public static void Write(Stream output, Picture picture, PictureFormat format)
+    {
+        using var writer = PictureWriter.Create(format, output, picture.Width, picture.Height);
+        writer.WriteRows(picture.Rgb);
+        writer.Finish();
     }
 
     /// <summary>Opens a file for reading; errors name the file.</summary>

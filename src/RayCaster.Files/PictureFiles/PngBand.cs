@@ -49,7 +49,6 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
     /// <summary>The checksum of a chunk IDAT with <see cref="Data"/>.</summary>
     public uint Crc { get; private set; }
 
-    /// <summary>How many bytes were compressed.</summary>
     public long FilteredBytes { get; private set; }
 
     /// <summary>The checksum of the bytes that were compressed.</summary>
@@ -83,7 +82,6 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
         End();
     });
 
-    /// <summary>Waits for the work that <see cref="Start"/> began.</summary>
     public void Wait() => task?.GetAwaiter().GetResult();
 
     /// <summary>Compresses lines on this thread.</summary>

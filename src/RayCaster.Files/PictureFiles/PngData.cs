@@ -4,10 +4,8 @@ namespace RayCaster.Files;
 /// <param name="chunks">The chunks, at the first IDAT.</param>
 internal sealed class PngData(PngChunkReader chunks) : Stream
 {
-    private uint lastFour;
-
     /// <summary>The last four bytes that were read, as a number. At the end of the data they are its checksum.</summary>
-    public uint LastFour => lastFour;
+    public uint LastFour { get; private set; }
 
     public override bool CanRead => true;
 
@@ -33,7 +31,7 @@ internal sealed class PngData(PngChunkReader chunks) : Stream
             chunks.Next();
         }
         var count = chunks.Read(buffer);
-        foreach (var value in buffer[Math.Max(0, count - 4)..count]) lastFour = lastFour << 8 | value;
+        foreach (var value in buffer[Math.Max(0, count - 4)..count]) LastFour = LastFour << 8 | value;
         return count;
     }
 

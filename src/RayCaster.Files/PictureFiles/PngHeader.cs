@@ -5,7 +5,6 @@ namespace RayCaster.Files;
 /// <summary>A PNG's first chunk, IHDR, which describes its pixels.</summary>
 internal readonly record struct PngHeader(int Width, int Height, int BitDepth, int ColorType, bool Interlaced)
 {
-    /// <summary>The chunk's length.</summary>
     public const int Bytes = 13;
 
     /// <summary>The colour type of samples red, green, blue.</summary>

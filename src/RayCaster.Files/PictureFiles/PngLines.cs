@@ -15,8 +15,6 @@ internal sealed class PngLines
     public uint CheckSum { get; private set; }
 
     /// <param name="data">The decompressed data, at the first line of the pass.</param>
-    /// <param name="header">The picture.</param>
-    /// <param name="pass">The pass.</param>
     /// <param name="checkSum">The checksum of the passes before.</param>
     public PngLines(Stream data, PngHeader header, PngPass pass, uint checkSum)
     {

@@ -29,18 +29,6 @@ internal sealed class PnmBytes
     /// <summary>Takes the next byte; −1 at the end.</summary>
     public int Next() => at < end || Fill() ? buffer[at++] : -1;
 
-    /// <summary>The next bytes, fewer at the end.</summary>
-    public byte[] Take(int count)
-    {
-        var bytes = new byte[count];
-        for (var i = 0; i < count; i++)
-        {
-            if (Next() is not (>= 0 and var value)) return bytes[..i];
-            bytes[i] = (byte)value;
-        }
-        return bytes;
-    }
-
     /// <summary>Reads some of the next bytes; an empty buffer is bypassed.</summary>
     /// <returns>How many; 0 at the end.</returns>
     public int Read(Span<byte> bytes)

@@ -18,9 +18,11 @@ internal sealed class PnmReader
     private PnmReader(PnmBytes file, long mostBytes)
     {
         this.file = file;
-        var start = file.Take(2);
-        kind = start.Length < 2 ? 0 : start[1] - '0';
-        if (kind is < 1 or > 6) throw new PictureFileException($"it begins with '{PictureFile.Printable(start)}'; P1 to P6 can be read, and PNG");
+        file.Next(); // P
+        var digit = file.Next();
+        kind = digit - '0';
+        if (kind is < 1 or > 6)
+            throw new PictureFileException($"it begins with 'P{PictureFile.Printable(digit < 0 ? [] : [(byte)digit])}'; P1 to P6 can be read, and PNG");
         width = ReadNumber("the width");
         height = ReadNumber("the height");
         maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval");

@@ -8,7 +8,6 @@ public static class CameraEdit
 {
     /// <summary>The text with the camera's position and target.</summary>
     /// <param name="utf8">The text of a scene without errors, with or without a byte order mark.</param>
-    /// <param name="camera">The camera.</param>
     public static byte[] Write(ReadOnlyMemory<byte> utf8, Camera camera)
     {
         var mark = utf8.Span.StartsWith(Encodings.Utf8Mark) ? Encodings.Utf8Mark.Length : 0;

@@ -3,8 +3,8 @@ using System.Text.Json;
 namespace RayCaster.Files;
 
 /// <summary>
-/// Says why a text is not JSON. Runs only after <see cref="Utf8JsonReader"/> has refused the text: it knows where the last good token
-/// ends, what JSON allows there, and looks at what follows instead.
+/// Says why a text is not JSON, after <see cref="Utf8JsonReader"/> has refused it: compares what follows the last good token with what JSON
+/// allows there.
 /// </summary>
 /// <param name="tree">The tokens before the mistake.</param>
 /// <param name="open">The arrays and objects that are open at the mistake.</param>

@@ -2,10 +2,9 @@ using System.Text.Json;
 
 namespace RayCaster.Files;
 
-/// <summary>A JSON text as a tree whose values know their places in the text. Comments and trailing commas are allowed.</summary>
+/// <summary>A JSON text as a tree, with the place of each value in the text. Comments and trailing commas are allowed.</summary>
 internal sealed class JsonTree
 {
-    /// <summary>How deep arrays and objects may be nested.</summary>
     public const int MaxDepth = 64;
 
     private Node[] nodes;
@@ -90,7 +89,5 @@ internal sealed class JsonTree
     }
 
     /// <summary>Ends an array or object.</summary>
-    /// <param name="opening">The number of its token.</param>
-    /// <param name="end">The place after its closing bracket.</param>
     private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next, lastClosed) = (end, count, opening);
 }

@@ -33,12 +33,6 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         }
     }
 
-    /// <summary>The first element of an array; null if it has none.</summary>
-    public JsonValue? First => node + 1 < tree[node].Next ? new(tree, node + 1) : null;
-
-    /// <summary>The next element of an array; null after the last.</summary>
-    public JsonValue? After(JsonValue element) => tree[element.node].Next < tree[node].Next ? new(tree, tree[element.node].Next) : null;
-
     /// <summary>The three elements of an array; false if it has more or fewer.</summary>
     public bool IsOfThree(out JsonValue first, out JsonValue second, out JsonValue third)
     {
@@ -50,13 +44,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     }
 
     /// <summary>The keys of an object in the order of the text.</summary>
-    public IEnumerable<JsonValue> Keys
-    {
-        get
-        {
-            for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next) yield return new(tree, key);
-        }
-    }
+    public IEnumerable<JsonValue> Keys => Content.Where((_, i) => i % 2 == 0);
 
     /// <summary>The value of a key of an object, the first if the key is repeated; null if it is missing.</summary>
     public JsonValue? Find(string name) => FindKey(name) is { } key ? new(tree, key.node + 1) : null;

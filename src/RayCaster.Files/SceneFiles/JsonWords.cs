@@ -3,7 +3,6 @@ using System.Text;
 namespace RayCaster.Files;
 
 /// <summary>Finds blanks and words in a text that is not JSON.</summary>
-/// <param name="text">The text.</param>
 internal readonly ref struct JsonWords(SourceText text)
 {
     private readonly ReadOnlySpan<byte> utf8 = text.Utf8;

@@ -36,7 +36,6 @@ internal static class PrimitiveList
 
     public static readonly string[] Names = Array.ConvertAll(All, type => type.Name);
 
-    /// <summary>The keys of all types together.</summary>
     public static IEnumerable<string> KeysOfAllTypes()
     {
         var o = SceneObject.Describing(out var keys);

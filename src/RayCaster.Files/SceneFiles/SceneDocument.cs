@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>A scene file while it is read: its text, the problems found so far, and the mesh files that it names.</summary>
-/// <param name="text">The text.</param>
 /// <param name="folder">The folder where paths of mesh files start.</param>
 /// <param name="threads">How many threads read and place a large mesh; one per core if left out.</param>
 internal sealed class SceneDocument(SourceText text, string folder, int? threads = null)

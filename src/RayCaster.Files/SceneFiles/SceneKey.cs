@@ -27,7 +27,6 @@ internal sealed record SceneKey(string Name, KeyKind Kind, string Meaning, bool 
 
     public string[] Choices { get; init; } = [];
 
-    /// <summary>The keys of an object.</summary>
     public IReadOnlyList<SceneKey> Members { get; init; } = [];
 }
 
@@ -60,10 +59,8 @@ internal sealed record Limits(double Least, double Most, bool IsOpen)
         private init;
     }
 
-    /// <summary>Whether 0 is refused although it is between the limits.</summary>
     public bool IsZeroRefused { get; private init; }
 
-    /// <summary>Whether a finite number is allowed.</summary>
     public bool Allow(double number) =>
         (IsOpen ? number > Least && number < Most : number >= Least && number <= Most) && !(IsZeroRefused && number == 0);
 }

@@ -3,12 +3,12 @@ using System.Text.Json;
 namespace RayCaster.Files;
 
 /// <summary>
-/// An object of a scene file. A reader asks for its keys, one call each. A wrong value is reported with its place, and the call returns NaN;
-/// every comparison with NaN is false, so rules that compare values report nothing more.
+/// An object of a scene file. Each call reads one key. A wrong value is reported with its place, and the call returns NaN; every comparison with
+/// NaN is false, so rules that compare values report nothing more.
 /// </summary>
 /// <remarks>
-/// The same calls describe the keys: an object made by <see cref="Describing"/> has no text, reports nothing, and collects the keys that it
-/// is asked for. The editors' schema is made from that, so it cannot differ from what is read.
+/// The same calls describe the keys: an object made by <see cref="Describing"/> has no text, reports nothing, and collects the keys that are
+/// read. The editors' schema is made from these, so it cannot differ from the reader.
 /// <para>Messages are built in methods of their own, which the runtime need not compile for a scene without mistakes.</para>
 /// </remarks>
 internal sealed class SceneObject
@@ -18,15 +18,14 @@ internal sealed class SceneObject
 
     private readonly SceneDocument? document;
     private readonly string path;
-    private readonly List<string> asked = [];
+    private readonly List<string> keysRead = [];
     private readonly List<SceneKey>? described;
     private JsonValue json;
     private int? index;        // in the array at that path
     private int errorsBefore;
     private int? keyCount;     // null where a key may be there twice
-    private int found, likely; // keys that were asked for and are there; where the next may be
+    private int found, likely; // the number of keys read that exist; where the next may be
 
-    /// <param name="document">The scene file.</param>
     /// <param name="path">The object's path, empty for the scene itself; for the elements of an array, the array's path.</param>
     private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
 
@@ -38,7 +37,7 @@ internal sealed class SceneObject
     /// <summary>Whether no error was found in this object so far.</summary>
     public bool IsSound => document is null || document.ErrorCount == errorsBefore;
 
-    /// <summary>An object without text that collects the keys it is asked for.</summary>
+    /// <summary>An object without text that collects the keys that are read.</summary>
     public static SceneObject Describing(out IReadOnlyList<SceneKey> keys)
     {
         var described = new List<SceneKey>();
@@ -47,7 +46,6 @@ internal sealed class SceneObject
     }
 
     /// <summary>An object; null, after a report, if the value is none.</summary>
-    /// <param name="document">The scene file.</param>
     /// <param name="value">What should be an object.</param>
     /// <param name="path">Its path, empty for the outermost.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
@@ -176,9 +174,11 @@ internal sealed class SceneObject
         described?.Add(new(key, KeyKind.Objects, meaning, true));
         if (Take(key, meaning, true) is not { } value || !IsArray(value, key, "objects")) yield break;
         var (i, o) = (0, new SceneObject(document!, PathOf(key)));
-        for (var next = value.First; next is { } element && !document!.IsHopeless; next = value.After(element), i++)
-            if (o.Begin(element, i))
-                yield return o;
+        foreach (var element in value.Content)
+        {
+            if (document!.IsHopeless) yield break;
+            if (o.Begin(element, i++)) yield return o;
+        }
     }
 
     /// <summary>Refuses a value that was read, or one of its elements: <paramref name="message"/> follows the path.</summary>
@@ -188,13 +188,13 @@ internal sealed class SceneObject
     /// <summary>Warns of a value: <paramref name="message"/> follows the path.</summary>
     public void Warn(string key, FormattableString message) => Report(false, Place(key, null), key, FormattableString.Invariant(message));
 
-    /// <summary>Refuses the keys that were not asked for.</summary>
-    /// <param name="allowed">Keys that are right although they were not asked for.</param>
+    /// <summary>Refuses the keys that were not read.</summary>
+    /// <param name="allowed">Keys that are right although they were not read.</param>
     public void Close(params IEnumerable<string> allowed)
     {
         if (document is null || found == keyCount) return;
-        asked.AddRange(allowed);
-        new WrongKeys(this, document, json.Keys).RefuseUnknown(asked);
+        keysRead.AddRange(allowed);
+        new WrongKeys(this, document, json.Keys).RefuseUnknown(keysRead);
     }
 
     /// <summary>Reports a problem at a value; at the object's opening brace where the value is null.</summary>
@@ -219,7 +219,7 @@ internal sealed class SceneObject
             return false;
         }
         (json, index, errorsBefore, keyCount, found, likely) = (value, place, document!.ErrorCount, value.CountKeys(), 0, 0);
-        asked.Clear();
+        keysRead.Clear();
         if (keyCount is null) new WrongKeys(this, document, json.Keys).RefuseRepeated();
         return true;
     }
@@ -230,11 +230,11 @@ internal sealed class SceneObject
         document!.Add(true, value.Start, value.End, whole, $"{name ?? whole} must be an object in braces {{ }}, but is {value.InWords}");
     }
 
-    /// <summary>The value of a key, which is asked for only once. Null, after an error if it is required, where the key is missing.</summary>
+    /// <summary>The value of a key, which is read only once. Null if the key is missing, which is an error for a required key.</summary>
     private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
     {
         if (document is null) return null;
-        asked.Add(key);
+        keysRead.Add(key);
         var value = keyCount is null ? json.Find(key) : json.Find(key, ref likely);
         if (value is not null) found++;
         else if (isRequired) Report(true, null, key, " is missing: " + (words is null ? meaning : WrongValue.OneOf(words)));

@@ -26,15 +26,9 @@ public static class Spelling
     /// </remarks>
     public static string? Nearest(string word, IEnumerable<string> known)
     {
-        foreach (var candidate in known)
-            if (candidate.Equals(word, StringComparison.OrdinalIgnoreCase))
-                return candidate;
-
+        if (known.FirstOrDefault(candidate => candidate.Equals(word, StringComparison.OrdinalIgnoreCase)) is { } same) return same;
         foreach (var (other, ours) in Synonyms)
-            if (other.Equals(word, StringComparison.OrdinalIgnoreCase))
-                foreach (var candidate in known)
-                    if (candidate == ours)
-                        return candidate;
+            if (other.Equals(word, StringComparison.OrdinalIgnoreCase) && known.Contains(ours)) return ours;
 
         var least = word.Length switch { <= 1 => 0, <= 4 => 1, <= 8 => 2, _ => 3 } + 1;
         string? nearest = null;

@@ -17,8 +17,6 @@ internal static class WrongValue
     }
 
     /// <summary>An array that has not three elements, or no array.</summary>
-    /// <param name="value">The value.</param>
-    /// <param name="form">What is allowed.</param>
     public static string Vector(JsonValue value, string form)
     {
         if (value.Kind != JsonTokenType.StartArray) return $" must be {form}, but is {value.InWords}";

@@ -2,30 +2,30 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Teaching;
 
-/// <summary>A mistake that runs through a whole picture: what must be done to it so that it agrees with the right one.</summary>
+/// <summary>A change of the whole picture that makes it agree with the right one.</summary>
 /// <param name="Turn">How the picture must be turned or mirrored.</param>
 /// <param name="Right">By how many pixels it must be moved to the right after that.</param>
 /// <param name="Down">By how many lines it must be moved down.</param>
-/// <param name="Colors">What was done to its colours and must be undone; null for nothing.</param>
+/// <param name="Colors">The change of its colours that must be undone; null for none.</param>
 /// <param name="Bytes">By how many bytes all its bytes must be moved towards the end of the file.</param>
 /// <param name="SidesSwapped">Whether its bytes are in the right order, but width and height are swapped.</param>
 public sealed record Change(
     Turn Turn = Turn.None, int Right = 0, int Down = 0, ColorChange? Colors = null, int Bytes = 0, bool SidesSwapped = false)
 {
-    /// <summary>How much must be said to describe it; of changes that do the same the simplest is told.</summary>
+    /// <summary>How complex the change is. Of changes with the same effect, the simplest is reported.</summary>
     internal int Complexity =>
         (Turn == Turn.None ? 0 : 100) + (Right == 0 && Down == 0 ? 0 : 100 + Math.Abs(Right) + Math.Abs(Down))
         + (Colors is null ? 0 : 100) + (Bytes == 0 ? 0 : 100 + Math.Abs(Bytes));
 
-    /// <summary>What makes the picture agree, in words that follow "when".</summary>
+    /// <summary>The change in words that follow "when".</summary>
     public string Description
     {
         get
         {
             if (SidesSwapped)
                 return "its width and height are swapped and its bytes left as they are: the header names them the wrong way round";
-            if (Bytes < 0) return $"all bytes are moved by {-Bytes} towards the beginning: there is something too much after the header";
-            if (Bytes > 0) return $"all bytes are moved by {Bytes} towards the end: something after the header is missing";
+            if (Bytes < 0) return $"all bytes are moved by {-Bytes} towards the beginning: the header is followed by bytes that do not belong there";
+            if (Bytes > 0) return $"all bytes are moved by {Bytes} towards the end: bytes after the header are missing";
             List<string> parts = [];
             if (Turn != Turn.None) parts.Add("it is " + Turning);
             if (Right != 0 || Down != 0) parts.Add("it is moved " + Moving);
@@ -57,7 +57,7 @@ public sealed record Change(
     }
 
     /// <summary>
-    /// Mends a picture. Where nothing moves to, and where a colour may come from the right one, the result is the reference's own.
+    /// Corrects a picture. A pixel that nothing moves to gets the reference's colour; so does a byte that may come from the right one.
     /// </summary>
     /// <param name="mine">The picture in question; its sides are those of the reference, or swapped where the change swaps them.</param>
     /// <param name="reference">The one that it should be.</param>

@@ -3,11 +3,11 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Finds what was done to a whole picture. Thousands of changes are tried on a few hundred pixels, and the few that may be it on all.
+/// Finds a change of the whole picture. Thousands of changes are tried on a few hundred pixels, and the best few on all pixels.
 /// </summary>
 internal sealed class ChangeFinder
 {
-    /// <summary>How far a picture is looked for beside its place.</summary>
+    /// <summary>The largest shift that is tried, in pixels.</summary>
     public const int MaxShift = 16;
 
     private const int SampleCount = 384, Finalists = 6, Edge = 12;
@@ -20,7 +20,7 @@ internal sealed class ChangeFinder
     /// <param name="mine">The picture in question.</param>
     /// <param name="reference">The one that it should be.</param>
     /// <param name="before">Their difference; null if the sizes differ.</param>
-    /// <param name="outlines">What tells pixels on outlines.</param>
+    /// <param name="outlines">Recognises pixels on outlines.</param>
     private ChangeFinder(Picture mine, Picture reference, PictureDifference? before, IOutlines outlines)
     {
         (this.mine, this.reference, this.before, this.outlines) = (mine, reference, before, outlines);
@@ -29,14 +29,14 @@ internal sealed class ChangeFinder
         for (var i = 0; i < 50 * SampleCount && edges.Count < SampleCount; i++)
         {
             var (x, y) = (random.Next(reference.Width), random.Next(reference.Height));
-            if (IsEdge(x, y)) edges.Add((x, y));
+            if (reference.IsEdge(x, y, Edge)) edges.Add((x, y));
         }
     }
 
     /// <summary>The simplest change that makes the pictures agree, else the one that nearly does; null if there is none.</summary>
     public static Recognition? Find(Picture mine, Picture reference, PictureDifference? before, IOutlines outlines)
     {
-        // Whatever is done to a picture of one colour, it stays one: it agrees with none, and says nothing.
+        // No change turns a picture of one colour into one of several.
         if (mine.IsOneColor || reference.IsOneColor) return null;
         return new ChangeFinder(mine, reference, before, outlines).Find();
     }
@@ -74,12 +74,13 @@ internal sealed class ChangeFinder
             if (change.Bytes == 0 && !change.SidesSwapped && fullTests++ >= Finalists) continue;
             var difference = new PictureDifference(change.Undo(mine, reference), reference);
             var recognition = new Recognition(change, difference, VerdictOn(change, difference));
-            if (recognition.IsWorthTelling(before) && (best is null || Rank(recognition).CompareTo(Rank(best)) < 0)) best = recognition;
+            if (recognition.IsReported(before) && (best is null || Rank(recognition).CompareTo(Rank(best)) < 0)) best = recognition;
         }
         return best;
     }
 
-    /// <summary>A formula that is guessed can undo rounding neither exactly nor a little wrong: its range of bytes includes truncation.</summary>
+    /// <summary>A guessed formula allows each byte a range that includes truncation, so it cannot tell exact, rounded and truncated bytes
+    /// apart.</summary>
     private Likeness VerdictOn(Change change, PictureDifference difference)
     {
         var verdict = Likenesses.Of(difference, outlines);
@@ -97,7 +98,7 @@ internal sealed class ChangeFinder
     private static (bool, int, int) Rank(Recognition r) =>
         (r.Likeness == Likeness.Wrong, r.Likeness == Likeness.Wrong ? r.Difference.Wrong : 0, r.Change.Complexity);
 
-    /// <summary>In how many samples the pictures differ after a change; null as soon as they are too many.</summary>
+    /// <summary>How many samples differ after a change; null if they are too many.</summary>
     private int? Misses(Change change)
     {
         var places = TurnedPlaces.Of(change.Turn, mine.Width, mine.Height);
@@ -132,7 +133,7 @@ internal sealed class ChangeFinder
     private int? PlaceIn(TurnedPlaces places, int x, int y) =>
         (uint)x < (uint)reference.Width && (uint)y < (uint)reference.Height ? (places.Start + x * places.Right + y * places.Down) * 3 : null;
 
-    /// <summary>What formulas may have led from the reference's channels to those of a picture that was turned and moved like this.</summary>
+    /// <summary>Formulas that may have changed the reference's channels to those of a picture that was turned and moved like this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private List<Tone> Tones(Turn turn, int right, int down)
     {
@@ -169,15 +170,10 @@ internal sealed class ChangeFinder
         return tones;
     }
 
-    /// <summary>1/2.2 and the like instead of a number that is nearly so.</summary>
+    /// <summary>A usual gamma, such as 1/2.2, in place of a number within 2 % of it.</summary>
     private static double Plain(double exponent)
     {
-        foreach (var plain in (ReadOnlySpan<double>)[0.5, 1 / 2.2, 1 / 1.8, 1 / 2.4, 2, 2.2, 1.8, 2.4])
-            if (Math.Abs(exponent / plain - 1) < 0.02) return plain;
-        return exponent;
+        double[] usual = [0.5, 1 / 2.2, 1 / 1.8, 1 / 2.4, 2, 2.2, 1.8, 2.4];
+        return usual.FirstOrDefault(plain => Math.Abs(exponent / plain - 1) < 0.02, exponent);
     }
-
-    private bool IsEdge(int x, int y) =>
-        (x + 1 < reference.Width && PictureDifference.Levels(reference[x, y], reference[x + 1, y]) > Edge)
-        || (y + 1 < reference.Height && PictureDifference.Levels(reference[x, y], reference[x, y + 1]) > Edge);
 }

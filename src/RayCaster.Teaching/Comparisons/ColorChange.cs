@@ -2,14 +2,14 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What was done to the colours of a picture, the same in every pixel.</summary>
+/// <summary>A change of a picture's colours, the same in every pixel.</summary>
 public abstract record ColorChange
 {
     private protected ColorChange()
     {
     }
 
-    /// <summary>What undoes it, in words that follow "when"; c is a channel of the right picture from 0 to 1.</summary>
+    /// <summary>What undoes it, in words that follow "when"; c is a channel of the right picture, 0 to 1.</summary>
     public abstract string Description { get; }
 
     /// <summary>The place, from 0, at which the changed colour has the original's channel.</summary>
@@ -32,7 +32,7 @@ public sealed record ChannelOrder(string Order) : ColorChange
         "BGR" => "red and blue are swapped",
         "GRB" => "red and green are swapped",
         "RBG" => "green and blue are swapped",
-        _ => $"its channels are moved round: the bytes of a pixel stand in the order {Order[0]}, {Order[1]}, {Order[2]}",
+        _ => $"its channels are reordered: the bytes of a pixel stand in the order {Order[0]}, {Order[1]}, {Order[2]}",
     };
 
     /// <inheritdoc/>
@@ -52,9 +52,9 @@ public sealed record Tone : ColorChange
     /// <summary>The negative.</summary>
     public static Tone Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", c => 1 - c) { IsInverted = true };
 
-    /// <summary>What the standard sRGB does to light before it becomes bytes.</summary>
+    /// <summary>The gamma curve of the standard sRGB.</summary>
     public static Tone Srgb { get; } =
-        new("the gamma of sRGB is taken off it: the bytes are to be linear",
+        new("the gamma of sRGB is removed: the bytes must be linear",
             c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055)
         {
             IsSrgb = true,
@@ -91,7 +91,7 @@ public sealed record Tone : ColorChange
 
     /// <summary>c · factor + offset, clamped.</summary>
     public static Tone Linear(double factor, double offset) => new(
-        FormattableString.Invariant($"its brightness is mended: it shows {Times(factor)}{Plus(offset)} instead of c"),
+        FormattableString.Invariant($"its brightness is corrected: it shows {Times(factor)}{Plus(offset)} instead of c"),
         c => factor * c + offset)
     {
         Factor = factor,
@@ -99,7 +99,7 @@ public sealed record Tone : ColorChange
     };
 
     private static string Gamma(double exponent) =>
-        exponent < 1 ? FormattableString.Invariant($" (gamma {1 / exponent:0.##}; the bytes are to be linear)") : "";
+        exponent < 1 ? FormattableString.Invariant($" (gamma {1 / exponent:0.##}; the bytes must be linear)") : "";
 
     private static string Times(double factor) => factor == 1 ? "c" : FormattableString.Invariant($"{factor:0.####} c");
 
@@ -107,12 +107,12 @@ public sealed record Tone : ColorChange
         offset == 0 ? "" : FormattableString.Invariant($" {(offset < 0 ? '−' : '+')} {Math.Abs(offset) * 255:0.#}/255");
 }
 
-/// <summary>For each changed byte the least and the greatest byte that it may come from, and a likely one.</summary>
+/// <summary>For each changed byte the least and the greatest byte that it may come from.</summary>
 internal sealed class ToneTable
 {
     private readonly byte[] least = new byte[256], greatest = new byte[256];
 
-    /// <param name="formula">What was done to a channel from 0 to 1, before rounding; it rises or falls all the way.</param>
+    /// <param name="formula">The change of a channel, 0 to 1, before rounding; it is monotonic.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public ToneTable(Func<double, double> formula)
     {
@@ -144,10 +144,9 @@ internal sealed class ToneTable
         for (var i = 0; i < 256; i++) least[i] = greatest[i] = (byte)i;
     }
 
-    /// <summary>No change.</summary>
     public static ToneTable Same { get; } = new();
 
-    /// <summary>The byte before the change: of those that it may be the one nearest to what is expected.</summary>
+    /// <summary>The byte before the change: of the possible ones, the one nearest to the expected byte.</summary>
     public byte Undo(byte after, byte expected) => Math.Clamp(expected, least[after], greatest[after]);
 
     private static double Level(Func<double, double> formula, double before) =>

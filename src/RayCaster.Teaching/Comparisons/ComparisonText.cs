@@ -16,10 +16,9 @@ public static class ComparisonText
         _ => "wrong",
     };
 
-    /// <summary>All that is to be said, in whole lines.</summary>
-    /// <param name="comparison">The comparison.</param>
-    /// <param name="mine">What the picture in question is called.</param>
-    /// <param name="reference">What the one that it should be is called.</param>
+    /// <summary>The comparison in whole lines.</summary>
+    /// <param name="mine">The name of the picture in question.</param>
+    /// <param name="reference">The name of the picture that it should be.</param>
     public static string Of(PictureComparison comparison, string mine, string reference)
     {
         var text = new StringBuilder();
@@ -36,9 +35,9 @@ public static class ComparisonText
         text.Append(comparison.Likeness switch
         {
             Likeness.Identical => $"{mine} and {reference} are identical: {Count(d.Pixels, "pixel")}.\n",
-            Likeness.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed in 1 % of them.\n",
+            Likeness.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed for up to 1 % of them.\n",
             Likeness.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n",
-            Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but it is allowed in 1 % of them only.\n",
+            Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but only 1 % may be.\n",
             _ => $"{mine} is wrong: {Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n",
         });
         if (comparison.Likeness == Likeness.OutlinesOnly && d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n");
@@ -63,7 +62,7 @@ public static class ComparisonText
         var last = d.Mine.Height - 1;
         text.Append($"  In the middle of the widest wrong place: column {x}, line {y} from the top (row {last - y} from the bottom): " +
             $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n");
-        text.Append($"  All lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
+        text.Append($"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n");
         var (red, green, blue) = d.WrongByChannel;
         text.Append($"  Red differs in {Number(red)} of them, green in {Number(green)}, blue in {Number(blue)}.\n");
@@ -118,7 +117,7 @@ public static class ComparisonText
     /// <summary>"1,000".</summary>
     internal static string Number(int number) => number.ToString("N0", CultureInfo.InvariantCulture);
 
-    /// <summary>A share in percent; only what is all is "100 %", only what is nothing is "0 %".</summary>
+    /// <summary>A share in percent; "100 %" only for all, and "0 %" only for none.</summary>
     internal static string Share(int part, int whole)
     {
         if (part == whole) return "100 %";

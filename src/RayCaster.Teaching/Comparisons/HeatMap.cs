@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// The colours of differences: from black over purple, red and orange to a pale yellow, each lighter than the one before, so that the order
-/// is seen on any screen, in print and by the colour-blind (nine colours of the scale "inferno" of matplotlib, S. van der Walt and N. Smith 2015).
+/// The colours of differences: black, purple, red, orange, pale yellow. Each is lighter than the one before, so the order is visible in print
+/// and to colour-blind people (nine colours of the scale "inferno" of matplotlib, S. van der Walt and N. Smith 2015).
 /// </summary>
 public static class HeatMap
 {
@@ -11,7 +11,7 @@ public static class HeatMap
         (0, 0, 4), (31, 12, 72), (85, 15, 109), (136, 34, 106), (186, 54, 85), (227, 89, 51), (249, 140, 10), (249, 201, 50), (252, 255, 164),
     ];
 
-    /// <summary>The colour of a difference: black for none, at once visible for 1 level, then by the logarithm.</summary>
+    /// <summary>The colour of a difference: black for none, clearly visible for 1 level, then by the logarithm.</summary>
     /// <param name="levels">0 … 255.</param>
     public static (byte R, byte G, byte B) Of(int levels)
     {
@@ -20,6 +20,18 @@ public static class HeatMap
         var below = Math.Min((int)place, scale.Length - 2);
         var (a, b, share) = (scale[below], scale[below + 1], place - below);
         return (Between(a.R, b.R, share), Between(a.G, b.G, share), Between(a.B, b.B, share));
+    }
+
+    /// <summary>Each model in one colour: the larger the share of its pixels that are wrong, the hotter. Black if the pictures were not compared
+    /// model by model.</summary>
+    public static Picture ByModel(PictureComparison comparison)
+    {
+        var picture = new Picture(comparison.Reference.Width, comparison.Reference.Height);
+        if (comparison.ByModels is not { } byModels) return picture;
+        var colors = byModels.Models.ToDictionary(model => model.Model, model => Of((int)Math.Ceiling(255 * model.Share)));
+        for (var i = 0; i < picture.Width * picture.Height; i++)
+            picture[i % picture.Width, i / picture.Width] = colors.GetValueOrDefault(byModels.ModelAt(i));
+        return picture;
     }
 
     private static byte Between(byte a, byte b, double share) => (byte)(a + (b - a) * share + 0.5);

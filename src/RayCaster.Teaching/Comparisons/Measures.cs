@@ -1,13 +1,12 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// The difference of two pictures as single numbers, over all bytes of all channels, for those who want numbers. None of them says whether
-/// a picture is right: a missing ball may cost less than a truncated byte everywhere. All but SSIM agree with those of ImageMagick 6's
-/// <c>compare</c>, which has no SSIM.
+/// The difference of two pictures as single numbers, over all bytes of all channels. No such number tells whether a picture is right: a
+/// missing ball may change it less than truncated bytes do. All but SSIM agree with ImageMagick 6's <c>compare</c>, which has no SSIM.
 /// </summary>
 public sealed class Measures
 {
-    /// <summary>Measures.</summary>
+    /// <summary>Computes all measures.</summary>
     public Measures(PictureDifference difference)
     {
         var (mine, reference) = (difference.Mine, difference.Reference);

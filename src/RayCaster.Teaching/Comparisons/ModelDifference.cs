@@ -2,23 +2,23 @@ namespace RayCaster.Teaching;
 
 /// <summary>How a wrong picture shows one model, or the background.</summary>
 /// <param name="Model">The model's place in the scene; −1 for the background.</param>
-/// <param name="Name">What it is called in texts for people.</param>
+/// <param name="Name">Its name in texts for people.</param>
 /// <param name="Pixels">How many pixels show it in the scene's own picture.</param>
-/// <param name="Wrong">How many of them are beyond rounding.</param>
+/// <param name="Wrong">How many of them differ by more than rounding.</param>
 public sealed record ModelDifference(int Model, string Name, int Pixels, int Wrong)
 {
-    /// <summary>Whether nearly all of its pixels show what is seen without it.</summary>
+    /// <summary>Whether nearly all of its pixels show what the scene without it shows.</summary>
     public bool IsMissing { get; init; }
 
-    /// <summary>The colour that explains nearly all of its pixels in place of its own; null if there is none.</summary>
+    /// <summary>Another colour of the model that would give nearly all of its pixels; null for none.</summary>
     public Color? OtherColor { get; init; }
 
     /// <summary>The colour that it has in the scene.</summary>
     public Color Color { get; init; }
 
     /// <summary>
-    /// What its wrong pixels show instead, the most frequent first: a model's place, or −1 for the background, and in how many pixels
-    /// surely that and nothing else. What another program may draw where there is nothing in the scene is not among it.
+    /// What its wrong pixels show instead, the most frequent first: a model's place, or −1 for the background, and the number of pixels whose
+    /// colour fits only that.
     /// </summary>
     public IReadOnlyList<(int Model, int Pixels)> Shows { get; init; } = [];
 

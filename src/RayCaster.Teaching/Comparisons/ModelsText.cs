@@ -3,12 +3,12 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What a comparison says of a scene's models.</summary>
+/// <summary>A comparison in words, model by model.</summary>
 internal static class ModelsText
 {
     private const int MostSentences = 6, MostRows = 20;
 
-    /// <summary>Says which models are wrong and how, or why nothing can be said of them.</summary>
+    /// <summary>Adds which models are wrong and how, or why they cannot be compared.</summary>
     public static void Append(StringBuilder text, PictureComparison comparison, SceneDifference scene, string mine)
     {
         if (!scene.IsReferenceOwn)
@@ -16,11 +16,11 @@ internal static class ModelsText
             var own = scene.ReferenceToOwn;
             text.Append(scene.IsMineOwn
                 ? $"The scene's own picture is {mine}, not the reference: are the two swapped?\n"
-                : $"The reference is not the picture of this scene, from which {ComparisonText.Part(own.Wrong, own.Pixels)} differ; " +
-                    "so nothing is said of models.\n");
+                : $"The reference is not the picture of this scene: {ComparisonText.Part(own.Wrong, own.Pixels)} differ. " +
+                    "So its models are not compared.\n");
             return;
         }
-        // Where a change of the whole picture explains all, its models are not to blame.
+        // A change of the whole picture explains the difference, not single models.
         if (comparison.Recognition is not null || comparison.Mine.IsOneColor) return;
         foreach (var sentence in Sentences(comparison.Scene!, scene)) text.Append(sentence).Append('\n');
         if (scene.ReferenceToOwn.Wrong > 0)
@@ -32,8 +32,7 @@ internal static class ModelsText
     /// <summary>The models that are wrong somewhere, most wrong first.</summary>
     private static void AppendTable(StringBuilder text, SceneDifference scene)
     {
-        var width = 5;
-        foreach (var model in scene.Models) width = Math.Max(width, model.Name.Length);
+        var width = scene.Models.Select(model => model.Name.Length).Append(5).Max();
         text.Append($"\n  {"model".PadRight(width)}      pixels       wrong\n");
         var (rows, right) = (0, 0);
         foreach (var model in scene.Models)
@@ -46,7 +45,7 @@ internal static class ModelsText
         text.Append('\n');
     }
 
-    /// <summary>What is said of the models that are wrong, a sentence each.</summary>
+    /// <summary>A sentence for each wrong model.</summary>
     public static IEnumerable<string> Sentences(Scene scene, SceneDifference all)
     {
         var (pixels, unexplained) = (0, 0);
@@ -55,8 +54,8 @@ internal static class ModelsText
             pixels += model.Pixels;
             if (!model.IsMissing && model.OtherColor is null) unexplained += model.Wrong;
         }
-        if (unexplained > pixels / 2) // what is behind a "missing" model may as well be a picture taken from elsewhere
-            return ["No single model explains it. Is the camera another one, or its target, which sets the light?"];
+        if (unexplained > pixels / 2) // a picture from another camera position makes models look "missing", too
+            return ["No single model explains it. Is the camera different, or its target? The target also sets the light."];
         var meant = Meant(all);
         var edges = all.Models.Sum(model => model.Wrong) - meant.Sum(model => model.Wrong);
         var agree = meant.Count != 1 ? ""
@@ -65,14 +64,14 @@ internal static class ModelsText
             .OfType<string>().Take(MostSentences).Select(sentence => $"{sentence}{agree}.");
     }
 
-    /// <summary>The models that are to be spoken of: single pixels of one beside a wrong one are its edges, or where it ties.</summary>
+    /// <summary>The models to report. A model with only a few wrong pixels beside a wrong model is left out: these are edges or ties.</summary>
     public static IReadOnlyList<ModelDifference> Meant(SceneDifference all)
     {
         var most = all.Models.Select(model => model.Wrong).DefaultIfEmpty().Max();
         return [.. all.Models.Where(model => model.Wrong > 0 && (model.Wrong >= 0.01 * most || model.Wrong >= 0.01 * model.Pixels))];
     }
 
-    /// <summary>What can be said of a model beyond how much of it is wrong; null for nothing.</summary>
+    /// <summary>How a model is wrong; null if only the number of its wrong pixels is known.</summary>
     private static string? Sentence(Scene scene, ModelDifference model)
     {
         if (model.IsMissing)
@@ -93,7 +92,7 @@ internal static class ModelsText
 
     private static string PartOf(ModelDifference model) => $"{model.Name}: {ComparisonText.Share(model.Wrong, model.Pixels)} of its pixels";
 
-    /// <summary>By what a colour must be multiplied to give another; null if no number does.</summary>
+    /// <summary>The number by which one colour is multiplied to give the other; null if there is none.</summary>
     private static double? Factor(Color to, Color from)
     {
         var (sumTo, sumFrom) = (to.R + to.G + to.B, from.R + from.G + from.B);
@@ -107,10 +106,8 @@ internal static class ModelsText
     /// <summary>" (`wall` 70 %, the background 20 %)".</summary>
     private static string Behind(Scene scene, ModelDifference model)
     {
-        var parts = new List<string>();
-        for (var i = 0; i < Math.Min(3, model.Shows.Count); i++)
-            parts.Add($"{ModelName.Of(scene, model.Shows[i].Model)} {ComparisonText.Share(model.Shows[i].Pixels, model.Wrong)}");
-        return parts.Count == 0 ? "" : $" ({string.Join(", ", parts)})";
+        var parts = model.Shows.Take(3).Select(shown => $"{ModelName.Of(scene, shown.Model)} {ComparisonText.Share(shown.Pixels, model.Wrong)}");
+        return model.Shows.Count == 0 ? "" : $" ({string.Join(", ", parts)})";
     }
 
     private static string Name(Color c) => string.Create(CultureInfo.InvariantCulture, $"({c.R:0.###}, {c.G:0.###}, {c.B:0.###})");

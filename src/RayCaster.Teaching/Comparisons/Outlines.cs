@@ -1,22 +1,22 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Tells pixels that may show either side of an outline from wrong ones.</summary>
+/// <summary>Separates pixels on outlines, which may show either side, from wrong pixels.</summary>
 internal interface IOutlines
 {
-    /// <summary>Whether all pixels beyond rounding are such.</summary>
+    /// <summary>Whether all pixels that differ by more than rounding are on outlines.</summary>
     bool HoldAllWrong(PictureDifference difference);
 }
 
 /// <summary>
-/// Judges by the pictures alone: a pixel may show the colour of one of its neighbours, in thin lines, and in a small part of all
-/// outlines only: half a pixel's shift changes about half of them.
+/// Decides by the pictures alone. A pixel may show the colour of a neighbour, but only in thin lines, and only on a small part of all outlines:
+/// a shift by half a pixel changes about half of them.
 /// </summary>
 internal sealed class PictureOutlines : IOutlines
 {
-    /// <summary>How far the neighbour's colour may be from the one that its model has one pixel on: attenuation goes on.</summary>
+    /// <summary>How many levels a pixel may differ from its neighbour on the same model, because of the attenuation.</summary>
     private const int Shading = 2;
 
-    /// <summary>One of so many pixels on outlines may be turned.</summary>
+    /// <summary>One in so many pixels on outlines may show the other side.</summary>
     private const int Rarity = 20;
 
     public static readonly PictureOutlines Instance = new();
@@ -32,19 +32,17 @@ internal sealed class PictureOutlines : IOutlines
         return (difference.Wrong - 1) * Rarity < OnOutlines(difference.Reference);
     }
 
-    /// <summary>How many pixels differ from the one on their right or the one below.</summary>
+    /// <summary>How many pixels differ from the pixel to the right or below.</summary>
     private static int OnOutlines(Picture picture)
     {
         var count = 0;
         for (var y = 0; y < picture.Height; y++)
             for (var x = 0; x < picture.Width; x++)
-                if ((x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > Shading)
-                    || (y + 1 < picture.Height && PictureDifference.Levels(picture[x, y], picture[x, y + 1]) > Shading))
-                    count++;
+                if (picture.IsEdge(x, y, Shading)) count++;
         return count;
     }
 
-    /// <summary>Whether the pixel is the upper left one of four that are all beyond rounding.</summary>
+    /// <summary>Whether the pixel is the upper left one of four that all differ by more than rounding.</summary>
     private static bool IsThick(PictureDifference difference, int x, int y) =>
         x + 1 < difference.Mine.Width && y + 1 < difference.Mine.Height
         && difference.LevelsAt(x + 1, y) > 1 && difference.LevelsAt(x, y + 1) > 1 && difference.LevelsAt(x + 1, y + 1) > 1;

@@ -1,12 +1,12 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Whether a picture is what it should be, where not, and what was done to it, as far as the two pictures and the scene tell.</summary>
+/// <summary>Compares a picture with the one that it should be: whether it is right, where it is wrong, and which change explains that.</summary>
 public sealed class PictureComparison
 {
-    /// <summary>Compares; pictures of different sizes too.</summary>
+    /// <summary>Compares two pictures, which may have different sizes.</summary>
     /// <param name="mine">The picture in question.</param>
     /// <param name="reference">The one that it should be.</param>
-    /// <param name="scene">What the reference shows; its camera's size does not matter. Without it nothing is said of models.</param>
+    /// <param name="scene">The reference's scene, in any size; without it, models are not compared.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     public PictureComparison(Picture mine, Picture reference, Scene? scene = null, int? threads = null)
     {
@@ -29,7 +29,7 @@ public sealed class PictureComparison
     /// <summary>The one that it should be.</summary>
     public Picture Reference { get; }
 
-    /// <summary>What the reference shows, if that was given.</summary>
+    /// <summary>The reference's scene; null if it was not given.</summary>
     public Scene? Scene { get; }
 
     /// <summary>The verdict; pictures of different sizes are <see cref="Likeness.Wrong"/>.</summary>
@@ -38,7 +38,7 @@ public sealed class PictureComparison
     /// <summary>Where the pictures differ; null if their sizes do.</summary>
     public PictureDifference? Difference { get; }
 
-    /// <summary>What was done to the whole picture; null where it is not wrong, or nothing known explains it.</summary>
+    /// <summary>A change of the whole picture that explains the difference; null if there is none.</summary>
     public Recognition? Recognition { get; }
 
     /// <summary>The difference model by model; null without a scene, or if the sizes differ.</summary>

@@ -37,36 +37,31 @@ public sealed class PictureDifference
     /// <summary>Pixels that differ by 1 level: rounding.</summary>
     public int OffByOne => count[1];
 
-    /// <summary>Those of <see cref="OffByOne"/> in which no channel is lighter than it should be: truncating gives only such.</summary>
+    /// <summary>Those of <see cref="OffByOne"/> with no channel lighter than it should be, as truncation makes them.</summary>
     public int OneDarker { get; private set; }
 
     /// <summary>Pixels in which a channel differs by more than 1 level.</summary>
     public int Wrong => CountBeyond(1);
 
-    /// <summary>The same channel by channel.</summary>
+    /// <summary>The same for each channel.</summary>
     public (int R, int G, int B) WrongByChannel { get; }
 
     /// <summary>The largest difference of a channel anywhere.</summary>
     public int Largest { get; }
 
     /// <summary>
-    /// A pixel to look at: in the middle of the widest wrong area, as far from right pixels as any, so that it is not on an outline; null if none is
-    /// beyond rounding.
+    /// The pixel in the middle of the widest wrong area. It is as far from right pixels as possible, so it is not on an outline. Null if no pixel
+    /// differs by more than rounding.
     /// </summary>
     public (int X, int Y)? WrongMiddle => WrongArea is null ? null : FindMiddle();
 
     /// <summary>
-    /// The columns and the lines, counted from the top, between which all pixels beyond rounding lie, ends included; null if there are none.
+    /// The first and the last column and line, from the top, with a pixel that differs by more than rounding; null if there is none.
     /// </summary>
     public (int Left, int Top, int Right, int Bottom)? WrongArea { get; private set; }
 
     /// <summary>How many pixels differ by more than so many levels in a channel.</summary>
-    public int CountBeyond(int levels)
-    {
-        var pixels = 0;
-        for (var i = levels + 1; i < count.Length; i++) pixels += count[i];
-        return pixels;
-    }
+    public int CountBeyond(int levels) => count.Skip(levels + 1).Sum();
 
     /// <summary>The largest difference of a pixel's three channels.</summary>
     /// <param name="x">The column.</param>
@@ -101,7 +96,11 @@ public sealed class PictureDifference
         var largest = Math.Max(dark, light);
         levels[pixel] = (byte)largest;
         count[largest]++;
-        if (largest > 1) Surround(pixel % Mine.Width, pixel / Mine.Width);
+        if (largest > 1)
+        {
+            var (x, y) = (pixel % Mine.Width, pixel / Mine.Width);
+            WrongArea = WrongArea is var (left, top, right, _) ? (Math.Min(left, x), top, Math.Max(right, x), y) : (x, y, x, y);
+        }
         else if (light == 0) OneDarker++;
     }
 
@@ -117,7 +116,7 @@ public sealed class PictureDifference
         var middle = places[places.Length / 2];
         return (middle % width, middle / width);
 
-        // Of the four neighbours that come before a pixel, or after it; what is beyond the border counts as right.
+        // The least of the four neighbours before a pixel, or after it; beyond the border all is right.
         int Least(int i, int step)
         {
             var (x, y) = (i % width, i / width);
@@ -125,12 +124,5 @@ public sealed class PictureDifference
             var other = i + step * width;
             return Math.Min(Math.Min(away[i + step], away[other]), Math.Min(away[other - 1], away[other + 1]));
         }
-    }
-
-    private void Surround(int x, int y)
-    {
-        WrongArea = WrongArea is var (left, top, right, _)
-            ? (Math.Min(left, x), top, Math.Max(right, x), y)
-            : (x, y, x, y);
     }
 }

@@ -3,13 +3,13 @@ namespace RayCaster.Teaching;
 /// <summary>A wrong picture of a scene, model by model.</summary>
 public sealed class SceneDifference
 {
-    /// <summary>So many models at most are tried one by one as what a wrong pixel shows.</summary>
+    /// <summary>The most models that are drawn alone, to find which one a wrong pixel shows.</summary>
     private const int MostTried = 32;
 
-    /// <summary>So many models at most are left out one by one, to see whether they are missing.</summary>
+    /// <summary>The most models that are left out one by one, to find whether they are missing.</summary>
     private const int MostLeftOut = 8;
 
-    /// <summary>The share of pixels that a claim must explain: on outlines nothing is certain.</summary>
+    /// <summary>The share of pixels that an explanation must cover; pixels on outlines are uncertain.</summary>
     private const double Nearly = 0.99;
 
     private readonly Scene scene;
@@ -28,13 +28,13 @@ public sealed class SceneDifference
         Models = IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
     }
 
-    /// <summary>The reference beside the picture that the scene really gives.</summary>
+    /// <summary>The difference of the reference and the scene's own picture.</summary>
     public PictureDifference ReferenceToOwn { get; }
 
-    /// <summary>Whether the reference is the scene's picture but for outlines and the like: at most 2 % of its pixels are beyond rounding.</summary>
+    /// <summary>Whether the reference is the scene's own picture: at most 2 % of its pixels differ by more than rounding.</summary>
     public bool IsReferenceOwn { get; }
 
-    /// <summary>Whether the picture in question is the scene's own, and the reference is not: they may have been swapped.</summary>
+    /// <summary>Whether the picture in question is the scene's own picture and the reference is not: they may be swapped.</summary>
     public bool IsMineOwn { get; }
 
     /// <summary>The models that the scene's picture shows, and the background, most wrong first; empty if the reference is not that
@@ -97,7 +97,7 @@ public sealed class SceneDifference
     }
 
     /// <summary>
-    /// What each wrong pixel shows, of all that has a hit there: a model's place plus 2, 1 for the background, 0 for nothing that is certain.
+    /// What each wrong pixel shows, of all models with a hit there: a model's place plus 2, 1 for the background, 0 if none or several fit.
     /// </summary>
     private int[] Shown(List<ModelDifference> models)
     {
@@ -107,10 +107,7 @@ public sealed class SceneDifference
         for (var i = 0; i < shown.Length; i++)
             if (IsWrong(i) && hits.Model[i] >= 0) Note(i, -1, background);
 
-        var byPixels = new List<ModelDifference>(models);
-        byPixels.RemoveAll(model => model.Model < 0);
-        byPixels.Sort((a, b) => b.Pixels.CompareTo(a.Pixels));
-        foreach (var model in byPixels[..Math.Min(MostTried, byPixels.Count)])
+        foreach (var model in models.Where(model => model.Model >= 0).OrderByDescending(model => model.Pixels).Take(MostTried))
         {
             var alone = scene with { Models = [scene.Models[model.Model]] };
             new Renderer(alone, threads).CastHits(others);
@@ -153,7 +150,7 @@ public sealed class SceneDifference
         return explained >= Nearly * model.Pixels;
     }
 
-    /// <summary>The colour that, in the light that falls on each of the model's pixels, gives the bytes that are there.</summary>
+    /// <summary>The colour that gives the bytes of the model's pixels if it is multiplied by their attenuation; null if none does.</summary>
     private Color? OtherColor(ModelDifference model)
     {
         var channels = (ReadOnlySpan<double>)[Channel(model, 0), Channel(model, 1), Channel(model, 2)];
@@ -165,7 +162,7 @@ public sealed class SceneDifference
         return explained >= Nearly * model.Pixels ? color : null;
     }
 
-    /// <summary>The sum of a channel's bytes by the sum of the light, which rounding hardly moves.</summary>
+    /// <summary>The sum of a channel's bytes divided by the sum of the attenuations; rounding changes it little.</summary>
     private double Channel(ModelDifference model, int channel)
     {
         double bytes = 0, light = 0;

@@ -1,16 +1,16 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Knows the scene: a pixel may show what it would show if its ray passed a thousandth of a pixel beside, and of several models at the same
-/// distance any. Where that is too much work it leaves the judgement to <see cref="PictureOutlines"/>.
+/// Decides by the scene. A pixel may show what a ray a thousandth of a pixel beside it would show, and any of several models at the same
+/// distance. If that is too much work, <see cref="PictureOutlines"/> decides.
 /// </summary>
 /// <param name="scene">The scene in the pictures' size.</param>
 internal sealed class SceneOutlines(Scene scene) : IOutlines
 {
-    /// <summary>In pixels: a program that computes in floats is less far away, half a pixel's shift is much more.</summary>
+    /// <summary>In pixels: more than the error of a program that computes in floats, and much less than a shift by half a pixel.</summary>
     private const double Nudge = 1e-3;
 
-    /// <summary>Parameters that differ by less, relatively, are equal but for their last bits.</summary>
+    /// <summary>If t of two models differ by less, relatively, either may show.</summary>
     private const double Tie = 1e-12;
 
     /// <summary>Rays times shapes, about a second.</summary>
@@ -25,13 +25,8 @@ internal sealed class SceneOutlines(Scene scene) : IOutlines
         return true;
     }
 
-    /// <summary>Whether so many pixels are not too much work.</summary>
-    public bool CanJudge(long pixels)
-    {
-        long shapes = 1;
-        foreach (var model in scene.Models) shapes += model is Mesh mesh ? mesh.TriangleCount : 1;
-        return pixels * 9 * shapes <= MostWork;
-    }
+    /// <summary>Whether the work for so many pixels is small enough.</summary>
+    public bool CanJudge(long pixels) => pixels * 9 * (1 + scene.ShapeCount) <= MostWork;
 
     /// <summary>Whether another right program may show a colour in a pixel.</summary>
     public bool MayShow((byte R, byte G, byte B) color, int x, int y)
@@ -50,7 +45,7 @@ internal sealed class SceneOutlines(Scene scene) : IOutlines
         return false;
     }
 
-    /// <summary>Where the ray through a place in the picture meets each model, +∞ for not at all.</summary>
+    /// <summary>The t at which the ray through a place in the picture hits each model; +∞ for no hit.</summary>
     /// <returns>The least of them.</returns>
     private double Cross(double column, double row, double[] crossings)
     {

@@ -27,23 +27,10 @@ public static class SideBySide
     /// <summary>The heat map alone.</summary>
     public static Picture Heat(PictureDifference difference)
     {
-        var colors = new (byte, byte, byte)[256];
-        for (var levels = 0; levels < 256; levels++) colors[levels] = HeatMap.Of(levels);
+        var colors = Enumerable.Range(0, 256).Select(HeatMap.Of).ToArray();
         var picture = new Picture(difference.Mine.Width, difference.Mine.Height);
         for (var y = 0; y < picture.Height; y++)
             for (var x = 0; x < picture.Width; x++) picture[x, y] = colors[difference.LevelsAt(x, y)];
-        return picture;
-    }
-
-    /// <summary>Each model in one colour: the larger the share of its pixels that are wrong, the hotter. Black if the pictures were not compared
-    /// model by model.</summary>
-    public static Picture ByObject(PictureComparison comparison)
-    {
-        var picture = new Picture(comparison.Reference.Width, comparison.Reference.Height);
-        if (comparison.ByModels is not { } byModels) return picture;
-        var colors = byModels.Models.ToDictionary(model => model.Model, model => HeatMap.Of((int)Math.Ceiling(255 * model.Share)));
-        for (var i = 0; i < picture.Width * picture.Height; i++)
-            picture[i % picture.Width, i / picture.Width] = colors.GetValueOrDefault(byModels.ModelAt(i));
         return picture;
     }
 

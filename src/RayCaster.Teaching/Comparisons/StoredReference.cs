@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Checks whether this build still draws a scene as its stored reference picture shows it. If a change in the course library has made them
-/// differ, this build cannot judge other pictures.
+/// Checks whether this build still draws a scene like its stored reference picture. If a change in the course library has changed the picture,
+/// this build cannot judge other pictures.
 /// </summary>
 public static class StoredReference
 {
@@ -17,8 +17,7 @@ public static class StoredReference
     {
         if (!ScalarRenderer.IsChanged || Find(path) is not { } file) return null;
         var reference = PictureFile.Read(file);
-        var shapes = scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
-        if ((long)reference.Width * reference.Height * shapes > MostWork) return null;
+        if ((long)reference.Width * reference.Height * scene.ShapeCount > MostWork) return null;
         var inItsSize = scene with { Camera = scene.Camera.WithSize(reference.Width, reference.Height) };
         var comparison = new PictureComparison(ScalarRenderer.Render(inItsSize), reference);
         return comparison.Likeness.IsSame() ? null

@@ -27,7 +27,7 @@ internal static class StructuralSimilarity
             for (var y = i * band; y < Math.Min(mine.Height, (i + 1) * band); y++) sums[y] = lines.SimilarityOf(y);
         });
         var sum = 0.0;
-        foreach (var line in sums) sum += line; // in order, so that the threads do not show in the last bits
+        foreach (var line in sums) sum += line; // in order, so that the last bits do not depend on the threads
         return sum / ((double)mine.Width * mine.Height * 3);
     }
 

@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The eight ways to lay a picture on a table.</summary>
+/// <summary>The eight ways to turn and mirror a picture.</summary>
 public enum Turn
 {
     /// <summary>As it is.</summary>
@@ -30,16 +30,15 @@ public enum Turn
 
 /// <summary>Where a pixel of a turned picture comes from, as a place in reading order: Start + x · Right + y · Down.</summary>
 /// <param name="Start">The place that the upper left pixel comes from.</param>
-/// <param name="Right">The way to the next pixel's on the right.</param>
-/// <param name="Down">The way to the next pixel's below.</param>
+/// <param name="Right">The step of the place for a step to the right.</param>
+/// <param name="Down">The step of the place for a step down.</param>
 internal readonly record struct TurnedPlaces(int Start, int Right, int Down)
 {
-    /// <summary>Whether the turn changes width for height.</summary>
+    /// <summary>Whether the turn swaps width and height.</summary>
     public static bool SwapsSides(Turn turn) => turn >= Turn.Transposed;
 
-    /// <param name="turn">How the picture is turned.</param>
-    /// <param name="width">Its width before that.</param>
-    /// <param name="height">Its height before that.</param>
+    /// <param name="width">Its width before the turn.</param>
+    /// <param name="height">Its height before the turn.</param>
     public static TurnedPlaces Of(Turn turn, int width, int height)
     {
         var last = width * height - 1;

@@ -15,70 +15,49 @@ internal readonly struct Derivation : IReal<Derivation>
     {
     }
 
-    /// <summary>How it was computed.</summary>
     public Term Term => term ?? new(Operation.Constant, 0);
 
-    /// <summary>The value.</summary>
     public double Value => term?.Value ?? 0;
 
-    /// <inheritdoc/>
     public static implicit operator Derivation(double value) => new(new Term(Operation.Constant, value));
 
-    /// <inheritdoc/>
     public static Derivation operator +(Derivation a, Derivation b) => new(Operation.Add, a.Value + b.Value, a, b);
 
-    /// <inheritdoc/>
     public static Derivation operator -(Derivation a, Derivation b) => new(Operation.Subtract, a.Value - b.Value, a, b);
 
-    /// <inheritdoc/>
     public static Derivation operator -(Derivation a) => new(Operation.Negate, -a.Value, a);
 
-    /// <inheritdoc/>
     public static Derivation operator *(Derivation a, Derivation b) => new(Operation.Multiply, a.Value * b.Value, a, b);
 
-    /// <inheritdoc/>
     public static Derivation operator /(Derivation a, Derivation b) => new(Operation.Divide, a.Value / b.Value, a, b);
 
-    /// <inheritdoc/>
     public static Derivation operator <(Derivation a, Derivation b) => new(Operation.Less, Mask(a.Value < b.Value), a, b);
 
-    /// <inheritdoc/>
     public static Derivation operator >(Derivation a, Derivation b) => new(Operation.Greater, Mask(a.Value > b.Value), a, b);
 
-    /// <inheritdoc/>
     public static Derivation operator <=(Derivation a, Derivation b) => new(Operation.LessOrEqual, Mask(a.Value <= b.Value), a, b);
 
-    /// <inheritdoc/>
     public static Derivation operator >=(Derivation a, Derivation b) => new(Operation.GreaterOrEqual, Mask(a.Value >= b.Value), a, b);
 
-    /// <inheritdoc/>
     public static Derivation operator &(Derivation a, Derivation b) => new(Operation.And, Mask(a.Value != 0 && b.Value != 0), a, b);
 
-    /// <inheritdoc/>
     public static Derivation operator |(Derivation a, Derivation b) => new(Operation.Or, Mask(a.Value != 0 || b.Value != 0), a, b);
 
-    /// <inheritdoc/>
     public static Derivation Sqrt(Derivation x) => new(Operation.SquareRoot, Math.Sqrt(x.Value), x);
 
-    /// <inheritdoc/>
     public static Derivation Min(Derivation a, Derivation b) => new(Operation.Min, Math.Min(a.Value, b.Value), a, b);
 
-    /// <inheritdoc/>
     public static Derivation Max(Derivation a, Derivation b) => new(Operation.Max, Math.Max(a.Value, b.Value), a, b);
 
-    /// <inheritdoc/>
     public static Derivation Select(Derivation mask, Derivation a, Derivation b) =>
         new(Operation.Select, mask.Value != 0 ? a.Value : b.Value, mask, a, b);
 
-    /// <inheritdoc/>
     public static Derivation If(Derivation mask, Derivation value) =>
         new(Operation.If, mask.Value != 0 ? value.Value : double.NaN, mask, value);
 
-    /// <inheritdoc/>
     public static Derivation Or(Derivation value, Derivation instead) =>
         new(Operation.Instead, double.IsNaN(value.Value) ? instead.Value : value.Value, value, instead);
 
-    /// <inheritdoc/>
     public static Derivation Named(Derivation value, string name, string formula)
     {
         var step = new StepName(name, formula);
@@ -87,7 +66,6 @@ internal readonly struct Derivation : IReal<Derivation>
         return named;
     }
 
-    /// <inheritdoc/>
     public static Vector3<Derivation> Named(Vector3<Derivation> value, string name, string formula)
     {
         var step = new StepName(name, formula);

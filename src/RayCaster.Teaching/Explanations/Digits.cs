@@ -5,14 +5,12 @@ namespace RayCaster.Teaching;
 /// <summary>Numbers for people: six significant digits, a true minus sign.</summary>
 internal static class Digits
 {
-    /// <summary>A number.</summary>
     public static string Of(double value) => Of(value, 6);
 
     /// <summary>A number for one value, a vector for three.</summary>
     public static string Of(IReadOnlyList<double> values) =>
         values is [var only] ? Of(only) : $"({string.Join(", ", values.Select(value => Of(value)))})";
 
-    /// <summary>A vector.</summary>
     public static string Of(Vector3 v) => Of([v.X, v.Y, v.Z]);
 
     /// <summary>Two different numbers, with enough digits to show the difference.</summary>

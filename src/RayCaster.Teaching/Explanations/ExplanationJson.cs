@@ -5,9 +5,7 @@ namespace RayCaster.Teaching;
 /// </summary>
 internal static class ExplanationJson
 {
-    /// <summary>The text.</summary>
-    /// <param name="pixel">The pixel.</param>
-    /// <param name="reference">The same pixel in another picture; null for none.</param>
+    /// <summary>The text, with the same pixel in another picture if there is one.</summary>
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null) => JsonText.Of(new
     {
         Pixel = new { pixel.Column, pixel.Line, pixel.Row, pixel.Scene.Camera.Width, pixel.Scene.Camera.Height },

@@ -9,9 +9,7 @@ internal sealed class ExplanationText
 
     private readonly StringBuilder text = new();
 
-    /// <summary>The text, in lines.</summary>
-    /// <param name="pixel">The pixel.</param>
-    /// <param name="reference">The same pixel in another picture; null for none.</param>
+    /// <summary>The text, in lines, with the same pixel in another picture if there is one.</summary>
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null)
     {
         var writer = new ExplanationText();
@@ -141,40 +139,21 @@ internal sealed class ExplanationText
 
     private static string Mesh(MeshExplanation mesh)
     {
-        var parts = new List<string>();
-        Add(mesh.Missed, "passed by");
-        Add(mesh.Behind, "behind the camera");
-        Add(mesh.UnderBias, "under the bias");
-        Add(mesh.BeforeNear, "nearer than zNear");
-        Add(mesh.BeyondFar, "beyond zFar");
-        Add(mesh.Counting, "hit");
         var which = mesh.Triangle is { } triangle
             ? $"; number {triangle}, from 0, is {(mesh.Counting > 0 ? "the nearest" : "the one that comes nearest")}:"
             : "";
-        return $"{mesh.Triangles} {(mesh.Triangles == 1 ? "triangle" : "triangles")} tried: {string.Join(", ", parts)}{which}";
-
-        void Add(int count, string what)
-        {
-            if (count > 0) parts.Add($"{count} {what}");
-        }
+        return $"{mesh.Triangles} {(mesh.Triangles == 1 ? "triangle" : "triangles")} tried: " + Counted((mesh.Missed, "passed by"),
+            (mesh.Behind, "behind the camera"), (mesh.UnderBias, "under the bias"), (mesh.BeforeNear, "nearer than zNear"),
+            (mesh.BeyondFar, "beyond zFar"), (mesh.Counting, "hit")) + which;
     }
 
-    private static string Others(OtherModels others)
-    {
-        var parts = new List<string>();
-        Add(others.Hidden, "hidden by a nearer one");
-        Add(others.Behind, "behind the camera");
-        Add(others.UnderBias, "under the bias");
-        Add(others.BeforeNear, "nearer than zNear");
-        Add(others.BeyondFar, "beyond zFar");
-        Add(others.Missed, "passed by");
-        return $"{others.Count} other {(others.Count == 1 ? "model" : "models")}: {string.Join(", ", parts)}";
+    private static string Others(OtherModels others) =>
+        $"{others.Count} other {(others.Count == 1 ? "model" : "models")}: " + Counted((others.Hidden, "hidden by a nearer one"),
+            (others.Behind, "behind the camera"), (others.UnderBias, "under the bias"), (others.BeforeNear, "nearer than zNear"),
+            (others.BeyondFar, "beyond zFar"), (others.Missed, "passed by"));
 
-        void Add(int count, string what)
-        {
-            if (count > 0) parts.Add($"{count} {what}");
-        }
-    }
+    private static string Counted(params IEnumerable<(int Count, string What)> parts) =>
+        string.Join(", ", parts.Where(part => part.Count > 0).Select(part => $"{part.Count} {part.What}"));
 
     /// <summary>Steps in lines, with the equals signs in one column.</summary>
     private void Steps(int indent, IReadOnlyList<FormulaStep> steps)

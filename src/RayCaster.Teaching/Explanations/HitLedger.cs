@@ -43,7 +43,6 @@ public sealed class HitLedger
     internal (byte R, byte G, byte B)? OnlyColor { get; private set; }
 
     /// <summary>Judges all rays. In a large picture or a scene of many models, judges a grid of at most <see cref="MostSampled"/> rays.</summary>
-    /// <param name="scene">The scene.</param>
     /// <param name="cancellation">Ends the work with an <see cref="OperationCanceledException"/>.</param>
     public static HitLedger Take(Scene scene, CancellationToken cancellation = default)
     {
@@ -73,12 +72,7 @@ public sealed class HitLedger
     }
 
     /// <summary>Whether judging a scene is quick enough to be done without a request. All triangles of meshes are counted.</summary>
-    public static bool IsQuick(Scene scene)
-    {
-        var parts = 0L;
-        foreach (var model in scene.Models) parts += model is Mesh mesh ? mesh.TriangleCount : 1;
-        return parts <= MostPartsOfQuick;
-    }
+    public static bool IsQuick(Scene scene) => scene.ShapeCount <= MostPartsOfQuick;
 
     /// <summary>The table, and in words what is unusual.</summary>
     public string Report()

@@ -49,12 +49,6 @@ public sealed class LedgerEntry(string label)
     }
 
     /// <summary>The outcome with the most rays; among equals, the first.</summary>
-    private Outcome Commonest(Outcome first, Outcome last)
-    {
-        var most = first;
-        for (var outcome = first + 1; outcome <= last; outcome++)
-            if (this[outcome] > this[most])
-                most = outcome;
-        return most;
-    }
+    private Outcome Commonest(Outcome first, Outcome last) =>
+        Enum.GetValues<Outcome>().Where(outcome => outcome >= first && outcome <= last).MaxBy(outcome => this[outcome]);
 }

@@ -32,42 +32,27 @@ internal static class LedgerTable
             : Text($"What became of the rays, model by model, judged from {ledger.Rays:N0} of {pixels:N0}:\n"));
         if (ledger.Models.Count == 0) return;
 
-        var order = new int[ledger.Models.Count];
-        for (var i = 0; i < order.Length; i++) order[i] = i;
-        if (order.Length > MostLines)
-        {
-            Array.Sort(order, (a, b) => (-ledger.Models[a].Hits, a).CompareTo((-ledger.Models[b].Hits, b)));
-            Array.Sort(order, 0, MostLines);
-        }
-        var shown = order.AsSpan(0, Math.Min(MostLines, order.Length));
-
-        var columns = Array.FindAll(Columns, column => column.Outcome == Outcome.Shows || Occurs(ledger, column.Outcome));
-        var labels = "model".Length;
-        foreach (var i in shown) labels = Math.Max(labels, ledger.Models[i].Label.Length);
+        var byHits = Enumerable.Range(0, ledger.Models.Count).OrderByDescending(i => ledger.Models[i].Hits);
+        var shown = byHits.Take(MostLines).Order().Select(i => ledger.Models[i]).ToArray();
+        var columns = Array.FindAll(Columns,
+            column => column.Outcome == Outcome.Shows || ledger.Models.Any(entry => entry[column.Outcome] > 0));
+        var labels = Math.Max("model".Length, shown.Max(entry => entry.Label.Length));
         var width = Math.Max(9, Text($"{ledger.Rays:N0}").Length);
 
         text.Append("  ").Append("model".PadRight(labels));
         foreach (var column in columns) text.Append("  ").Append(column.Title.PadLeft(width));
         text.Append('\n');
-        foreach (var i in shown)
+        foreach (var entry in shown)
         {
-            text.Append("  ").Append(ledger.Models[i].Label.PadRight(labels));
+            text.Append("  ").Append(entry.Label.PadRight(labels));
             foreach (var column in columns)
             {
-                var count = ledger.Models[i][column.Outcome];
+                var count = entry[column.Outcome];
                 text.Append("  ").Append((count == 0 ? "-" : Text($"{count:N0}")).PadLeft(width));
             }
             text.Append('\n');
         }
-        if (order.Length > MostLines) text.Append(Text($"  and {order.Length - MostLines:N0} models with fewer hits\n"));
-    }
-
-    private static bool Occurs(HitLedger ledger, Outcome outcome)
-    {
-        foreach (var entry in ledger.Models)
-            if (entry[outcome] > 0)
-                return true;
-        return false;
+        if (ledger.Models.Count > MostLines) text.Append(Text($"  and {ledger.Models.Count - MostLines:N0} models with fewer hits\n"));
     }
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);

@@ -52,13 +52,11 @@ internal static class LedgerVerdict
             case Outcome.UnderBias:
                 return Text($"bias is {camera.Bias:G7}: only t > bias is a hit. Make it smaller; 1e-6 is usual.");
             case Outcome.BeforeNear:
-                var greatest = double.NegativeInfinity;
-                foreach (var entry in group) greatest = Math.Max(greatest, entry.GreatestBeforeNear);
+                var greatest = group.Max(entry => entry.GreatestBeforeNear);
                 return Text($"zNear is {camera.ZNear:G7}, but their crossings lie at z = {greatest:G7} and less. Make zNear smaller, ") +
                     "or move the camera back.";
             case Outcome.BeyondFar:
-                var least = double.PositiveInfinity;
-                foreach (var entry in group) least = Math.Min(least, entry.LeastBeyondFar);
+                var least = group.Min(entry => entry.LeastBeyondFar);
                 return Text($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {least:G7} and more. Make zFar greater.");
             case Outcome.Outside:
                 return HitsOf(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
@@ -90,11 +88,7 @@ internal static class LedgerVerdict
     private static int HitsOf(Scene scene, Vector3 position, Vector3 target, double fovY)
     {
         var camera = new Camera(scene.Camera.Parameters with { Position = position, Target = target, FovY = fovY, Width = Side, Height = Side });
-        var hits = 0;
-        foreach (var model in new Renderer(scene with { Camera = camera }, 1).CastHits().Model)
-            if (model >= 0)
-                hits++;
-        return hits;
+        return new Renderer(scene with { Camera = camera }, 1).CastHits().Model.Count(model => model >= 0);
     }
 
     private static void OfLight(HitLedger ledger, List<string> sentences)

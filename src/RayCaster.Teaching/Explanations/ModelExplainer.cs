@@ -1,7 +1,6 @@
 namespace RayCaster.Teaching;
 
 /// <summary>Explains models for one ray: evaluates their formulas over <see cref="Derivation"/>, which records each step.</summary>
-/// <param name="scene">The scene.</param>
 /// <param name="cast">The ray with its nearest hit.</param>
 /// <param name="shown">The place of the model that the pixel shows; null for none.</param>
 internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
@@ -9,7 +8,6 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
     private readonly Ray<Derivation> ray = new(
         ((Vector3<Derivation>)cast.Origin).As("P", ""), ((Vector3<Derivation>)cast.Direction).As("d", ""));
 
-    /// <summary>Explains a model.</summary>
     public ModelExplanation Explain(Trial trial)
     {
         var part = trial.Mesh is { } mesh ? mesh.Triangle : 0;

@@ -42,8 +42,7 @@ public sealed record SlabExplanation(char Axis, double Lo, double Hi, double T0,
 
 /// <summary>The outcomes of a mesh's triangles.</summary>
 /// <param name="Triangles">How many there are.</param>
-/// <param name="Triangle">The index of the triangle that is explained: the nearest that counts, else the one that is nearest to counting; null
-/// for none.</param>
+/// <param name="Triangle">The index of the explained triangle: the nearest that counts, else the nearest one that does not; null for none.</param>
 /// <param name="Missed">How many the ray misses.</param>
 /// <param name="Behind">How many lie behind the camera.</param>
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias.</param>

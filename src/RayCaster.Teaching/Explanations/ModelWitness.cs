@@ -1,7 +1,6 @@
 namespace RayCaster.Teaching;
 
 /// <summary>Finds what becomes of rays, for one model.</summary>
-/// <param name="model">The model.</param>
 /// <param name="origin">Where all rays start.</param>
 internal sealed class ModelWitness(Model model, Vector3 origin)
 {
@@ -14,7 +13,6 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
     public int Cost => Math.Max(1, blocks.Length);
 
     /// <summary>What becomes of a ray.</summary>
-    /// <param name="ray">The ray.</param>
     /// <param name="t">The t that counts, else that of a crossing that does not; NaN if there is none.</param>
     /// <returns><see cref="Outcome.Shows"/> for a hit, whatever else is in the scene.</returns>
     public Outcome Judge(Ray ray, out double t) =>
@@ -57,7 +55,7 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
         return outcome;
     }
 
-    /// <summary>A model without a formula tells only whether it is hit. So it is tried again without clip planes, then in the opposite
+    /// <summary>A model without a formula returns only its hit. So it is tried again without clip planes, then in the opposite
     /// direction.</summary>
     private Outcome JudgeByAsking(Ray ray, out double t)
     {

@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Checks the lines of a picture while they are drawn, and tells at the end whether it looks like a mistake: it has one colour, or only the
-/// background's and black. It stops at the third colour, so a usual picture costs nothing.
+/// Checks the lines of a picture while they are drawn. A picture looks like a mistake if it has one colour, or only the background's and black.
+/// The check stops at the third colour, so a usual picture costs nothing.
 /// </summary>
 /// <param name="background">The scene's background.</param>
 public sealed class OddPicture(Color background)

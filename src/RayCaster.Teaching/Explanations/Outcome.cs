@@ -42,17 +42,13 @@ public enum Outcome
 /// <summary>Decides which crossings count, and puts outcomes into groups.</summary>
 internal static class Outcomes
 {
-    /// <summary>How many outcomes there are.</summary>
     public const int Count = (int)Outcome.NoNumber + 1;
 
     /// <summary>Why a crossing does not count; <see cref="Outcome.Shows"/> if it does, whatever else is in the scene.</summary>
     /// <param name="t">The crossing; where it is NaN or infinite, the outcome is <see cref="Outcome.NoNumber"/>.</param>
-    /// <param name="ray">The ray.</param>
     public static Outcome Of(double t, Ray ray) => Of(t, ray.Clip, ray.ZPerT);
 
     /// <inheritdoc cref="Of(double, Ray)"/>
-    /// <param name="t">The crossing.</param>
-    /// <param name="clip">Which crossings count.</param>
     /// <param name="zPerT">The z of one unit of t.</param>
     public static Outcome Of(double t, ClipRange clip, double zPerT) =>
         !double.IsFinite(t) ? Outcome.NoNumber
@@ -62,10 +58,8 @@ internal static class Outcomes
         : clip.IsWithinFar(t * zPerT) ? Outcome.Shows
         : Outcome.BeyondFar;
 
-    /// <summary>Whether a crossing counts.</summary>
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;
 
-    /// <summary>Whether there is no crossing.</summary>
     public static bool IsMiss(this Outcome outcome) => outcome >= Outcome.Outside;
 
     /// <summary>The group, for other programs: shows, hidden, notNeeded, refused or missed.</summary>

@@ -24,7 +24,6 @@ public sealed class PixelExplanation
     }
 
     /// <summary>Explains a pixel.</summary>
-    /// <param name="scene">The scene.</param>
     /// <param name="column">c, from the left, from 0.</param>
     /// <param name="line">The picture's line, from the top, from 0: row r = Height − 1 − line of the formulas.</param>
     /// <exception cref="ArgumentOutOfRangeException">The picture has no such pixel.</exception>

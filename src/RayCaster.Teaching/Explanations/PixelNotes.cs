@@ -6,7 +6,6 @@ internal static class PixelNotes
     /// <summary>If two t agree this well, last bits of a formula decide which is less.</summary>
     private const double AlmostEqual = 1e-12;
 
-    /// <summary>The notes, one sentence each.</summary>
     public static IReadOnlyList<string> Of(PixelExplanation pixel) =>
         [.. Definition(pixel), .. Background(pixel), .. Outline(pixel), .. Ties(pixel), .. Faces(pixel), .. Light(pixel)];
 

@@ -130,7 +130,6 @@ public sealed record SectionView(double Left, double Right, double Bottom, doubl
 
 /// <summary>The section of one model.</summary>
 /// <param name="Index">Its place in the scene.</param>
-/// <param name="Name">Its name.</param>
 /// <param name="Color">Its colour as #rrggbb.</param>
 /// <param name="Lines">Lines of points (u, v).</param>
 public sealed record ModelSection(int Index, string Name, string Color, IReadOnlyList<double[][]> Lines)
@@ -141,7 +140,6 @@ public sealed record ModelSection(int Index, string Name, string Color, IReadOnl
 
 /// <summary>A crossing in the drawing.</summary>
 /// <param name="Model">The model's place in the scene.</param>
-/// <param name="Name">Its name.</param>
 /// <param name="T">The ray parameter.</param>
 /// <param name="At">Where it lies, (u, v).</param>
 /// <param name="Verdict">shows, hidden, notNeeded, refused or missed.</param>

@@ -44,10 +44,8 @@ internal static class Reasons
         return a == b ? $"{left} = {Digits.Of(a)} {sign} {right} = {Digits.Of(b)}" : $"{left} = {first} {sign} {right} = {second}";
     }
 
-    /// <summary>The step with a name; null if there is none.</summary>
     public static FormulaStep? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name);
 
-    /// <summary>The values of all steps with a name.</summary>
     public static double[] Values(IReadOnlyList<FormulaStep> steps, string name) =>
         [.. steps.Where(step => step.Name == name).Select(step => step.Value)];
 

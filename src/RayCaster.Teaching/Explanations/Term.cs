@@ -11,7 +11,6 @@ internal enum Operation
 }
 
 /// <summary>A number and what it was computed from: a formula with its numbers, as a tree.</summary>
-/// <param name="operation">The operation.</param>
 /// <param name="value">The result; for a comparison 1 for true and 0 for false.</param>
 /// <param name="a">The first operand; for a choice the mask.</param>
 /// <param name="b">The second operand.</param>
@@ -20,22 +19,16 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
 {
     private const int Huge = 1_000_000;
 
-    /// <summary>The operation.</summary>
     public Operation Operation => operation;
 
-    /// <summary>The result.</summary>
     public double Value => value;
 
-    /// <summary>The first operand; for a choice the mask.</summary>
     public Term A => a!;
 
-    /// <summary>The second operand.</summary>
     public Term B => b!;
 
-    /// <summary>Whether there is a second operand.</summary>
     public bool HasB => b is not null;
 
-    /// <summary>The third operand.</summary>
     public Term C => c!;
 
     /// <summary>The name and the source text of a step; null for other terms.</summary>
@@ -88,7 +81,6 @@ internal sealed class StepName(string name, string formula)
     /// <summary>A number that grows in the order in which steps are computed.</summary>
     public long Number { get; } = Interlocked.Increment(ref count);
 
-    /// <summary>As on the slide.</summary>
     public string Name => name;
 
     /// <summary>As in the code, on one line and without the brackets around it.</summary>

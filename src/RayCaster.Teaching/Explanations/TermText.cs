@@ -21,7 +21,6 @@ internal sealed class TermText(IReadOnlySet<double>? known = null)
         return Text(formula.Is(Operation.Name) ? formula.A.Chosen : formula, Condition, leads: true, isRoot: true);
     }
 
-    /// <param name="term">The term.</param>
     /// <param name="rank">The least rank that needs no brackets here.</param>
     /// <param name="leads">Whether it begins the formula or a bracket; elsewhere a negative number needs brackets.</param>
     /// <param name="isRoot">Whether it is the whole formula.</param>
@@ -49,7 +48,6 @@ internal sealed class TermText(IReadOnlySet<double>? known = null)
         };
     }
 
-    /// <summary>The sign of a comparison.</summary>
     public static string Comparison(Operation operation) => operation switch
     {
         Operation.Less => "<",

@@ -3,9 +3,6 @@ namespace RayCaster.Teaching;
 /// <summary>The crossings of one model with a ray, in plain doubles. Quick enough to choose from thousands of models.</summary>
 internal readonly struct Trial
 {
-    /// <param name="model">The model.</param>
-    /// <param name="index">Its place in the scene.</param>
-    /// <param name="ray">The ray.</param>
     public Trial(Model model, int index, Ray ray)
     {
         (Model, Index) = (model, index);
@@ -18,15 +15,13 @@ internal readonly struct Trial
         }
         else if (model.Intersect(Plain(ray)) is { } crossings)
             (Near, Far) = (crossings.Near, crossings.Far);
-        else // a model in plain doubles and ifs: without clipping it tells where it would be hit
+        else // a model in plain doubles and ifs: without clipping it returns where it would be hit
             (Near, Far) = (Hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
         Outcome = Hit is null ? Reason(ray, Near, Far) : Outcome.Shows;
     }
 
-    /// <summary>The model.</summary>
     public Model Model { get; }
 
-    /// <summary>Its place in the scene.</summary>
     public int Index { get; }
 
     /// <summary>The t of the first crossing that counts, or null.</summary>
@@ -35,7 +30,6 @@ internal readonly struct Trial
     /// <summary>The crossings; NaN for none.</summary>
     public double Near { get; }
 
-    /// <inheritdoc cref="Near"/>
     public double Far { get; }
 
     /// <summary>Why it is not hit, for the crossing that comes closer to counting; <see cref="Outcome.Shows"/> for a hit.</summary>
@@ -44,7 +38,6 @@ internal readonly struct Trial
     /// <summary>The outcomes of a mesh's triangles; null for other shapes.</summary>
     public MeshExplanation? Mesh { get; }
 
-    /// <summary>A ray for a formula.</summary>
     public static Ray<Scalar> Plain(Ray ray) => new(ray.Origin, ray.Direction);
 
     private static Outcome Reason(Ray ray, double near, double far)

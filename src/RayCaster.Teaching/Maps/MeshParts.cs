@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Finds which triangle of a mesh each pixel shows. The renderer only tells which mesh, and at which t.</summary>
+/// <summary>Finds which triangle of a mesh each pixel shows. The renderer only returns which mesh, and at which t.</summary>
 internal static class MeshParts
 {
     /// <summary>The index of the triangle at each pixel, in the order of the hit map; 0 where a pixel shows no mesh.</summary>

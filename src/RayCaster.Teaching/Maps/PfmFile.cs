@@ -15,7 +15,6 @@ public static class PfmFile
 
     /// <summary>Writes a map, little-endian (scale −1.0).</summary>
     /// <param name="output">Where the bytes go; stays open.</param>
-    /// <param name="map">The map.</param>
     public static void Write(Stream output, NumberMap map)
     {
         output.Write(Encoding.ASCII.GetBytes($"{(map.Channels == 1 ? "Pf" : "PF")}\n{map.Width} {map.Height}\n-1.0\n"));

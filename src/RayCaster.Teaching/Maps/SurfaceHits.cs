@@ -1,7 +1,6 @@
 namespace RayCaster.Teaching;
 
 /// <summary>Normals and surface parameters at a picture's hits.</summary>
-/// <param name="scene">The scene.</param>
 /// <param name="hits">The hits of its pixels.</param>
 internal sealed class SurfaceHits(Scene scene, HitMap hits)
 {

@@ -12,6 +12,9 @@ public sealed class ClassMarks
     /// </summary>
     private const string Kept = ".kept";
 
+    private const string Table = "marks.csv";
+    private const string Page = "class.html";
+
     private readonly Rubric rubric;
     private readonly string output;
     private readonly SubmissionRunner runner;
@@ -23,7 +26,7 @@ public sealed class ClassMarks
         (this.rubric, this.output) = (rubric, output);
         runner = new(rubric, new(rubric.Source.Run.Count > 0 ? Containment.Here : Containment.None));
         marker = new(rubric);
-        others = new([.. rubric.Scenes.Select(scene => scene.Path)], submissions);
+        others = new([rubric.Path, .. rubric.Scenes.Select(scene => scene.Path)], submissions);
     }
 
     /// <summary>Options for marking a class.</summary>
@@ -44,6 +47,7 @@ public sealed class ClassMarks
     public static IReadOnlyList<StudentMarks> Mark(Rubric rubric, string submissions, string output, Options options, CancellationToken cancellation)
     {
         var all = Submission.In(submissions);
+        RefuseSharedPlaces(all, submissions, output);
         var marks = new ClassMarks(rubric, submissions, output);
         var done = new ConcurrentDictionary<string, StudentMarks>();
         try
@@ -60,10 +64,21 @@ public sealed class ClassMarks
             ExceptionDispatchInfo.Throw(several.InnerExceptions[0]);
         }
         StudentMarks[] inOrder = [.. all.Select(submission => done[submission.Student])];
-        Write(Path.Combine(output, "marks.csv"), MarksTable.Of(rubric, inOrder));
-        Write(Path.Combine(output, "class.html"), ClassPage.Of(rubric, inOrder));
+        Write(Path.Combine(output, Table), MarksTable.Of(rubric, inOrder));
+        Write(Path.Combine(output, Page), ClassPage.Of(rubric, inOrder));
         if (options.JUnit is { } file) Write(file, JUnitReport.Of(rubric, inOrder));
         return inOrder;
+    }
+
+    /// <summary>Marks and submissions must not write to the same place, which would show only after all programs have run.</summary>
+    private static void RefuseSharedPlaces(IReadOnlyList<Submission> all, string submissions, string output)
+    {
+        var above = Path.GetFullPath(submissions).TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar;
+        if ((Path.GetFullPath(output) + Path.DirectorySeparatorChar).StartsWith(above, StringComparison.OrdinalIgnoreCase))
+            throw new PictureFileException($"the marks cannot go to {output}, which is in the folder of submissions: name a folder outside it");
+        foreach (var submission in all)
+            if (submission.Student.ToLowerInvariant() is Table or Page)
+                throw new PictureFileException($"the submission '{submission.Student}' is named like a file of the marks: rename the folder");
     }
 
     private StudentMarks MarkOne(Submission submission, bool resume, CancellationToken cancellation)

@@ -19,6 +19,9 @@ public sealed class Rubric
     /// <summary>The hints on the students' pages; null for none. The answer is never shown.</summary>
     public required HintLevel? Hint { get; init; }
 
+    /// <summary>The rubric's file, as a full path.</summary>
+    public required string Path { get; init; }
+
     /// <summary>The parts that have points, in the order of the table.</summary>
     public required IReadOnlyList<RubricItem> Items { get; init; }
 

@@ -24,7 +24,7 @@ public static class RubricReader
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text.</param>
-    /// <param name="displayName">What messages call it.</param>
+    /// <param name="displayName">The file; messages name it so.</param>
     /// <param name="folder">Where the paths of scenes start.</param>
     /// <param name="report">All that is wrong with it and its scenes.</param>
     public static Rubric? Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, out string report)
@@ -32,13 +32,14 @@ public static class RubricReader
         var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         digest.AppendData(utf8.Span);
         var sceneReports = new StringBuilder();
-        var rubric = SceneReader.Parse(utf8, displayName, folder, "the rubric", o => ReadRubric(o, folder, digest, sceneReports), out var problems);
+        var rubric = SceneReader.Parse(utf8, displayName, folder, "the rubric",
+            o => ReadRubric(o, displayName, folder, digest, sceneReports), out var problems);
         report = new SceneReading(null, problems).Report() + sceneReports;
         return rubric;
     }
 
     /// <summary>Reads the outermost object; without text it describes the keys.</summary>
-    internal static Rubric? ReadRubric(SceneObject o, string folder, IncrementalHash? digest, StringBuilder sceneReports)
+    internal static Rubric? ReadRubric(SceneObject o, string path, string folder, IncrementalHash? digest, StringBuilder sceneReports)
     {
         o.OptionalText("$schema", "Where editors find the schema of rubrics; the program does not use it.");
         var title = o.OptionalText("title", "What is marked, for the heads of pages.") ?? "Marks";
@@ -55,6 +56,7 @@ public static class RubricReader
         return !o.IsSound || digest is null ? null : new(scenes, Convert.ToHexStringLower(digest.GetHashAndReset()))
         {
             Title = title,
+            Path = Path.GetFullPath(path),
             Hint = hint switch { "question" => HintLevel.Question, "symptom" => HintLevel.Symptom, _ => null },
             Items = items,
             Source = source,

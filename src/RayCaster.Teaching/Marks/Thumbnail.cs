@@ -22,11 +22,7 @@ internal static class Thumbnail
     public static byte[] ToPng(this Picture picture)
     {
         using var bytes = new MemoryStream();
-        using (var writer = PictureWriter.Create(PictureFormat.Png, bytes, picture.Width, picture.Height))
-        {
-            writer.WriteRows(picture.Rgb);
-            writer.Finish();
-        }
+        PictureFile.Write(bytes, picture, PictureFormat.Png);
         return bytes.ToArray();
     }
 

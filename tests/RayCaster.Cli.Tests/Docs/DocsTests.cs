@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace RayCaster.Cli.Tests.Docs;
 
-/// <summary>What the documents show is what is there.</summary>
+/// <summary>The documents show what the program prints and draws.</summary>
 public class DocsTests
 {
     public static TheoryData<string> Documents => new(new[] { "README.md" }

@@ -3,7 +3,7 @@ using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Cli.Tests.Docs;
 
-/// <summary>What SECURITY.md and docs/limits.md promise is held by the tests that they name, and those are there.</summary>
+/// <summary>The tests that SECURITY.md and docs/limits.md name exist, and the sources keep the promises about files, programs and variables.</summary>
 public class PromisesTests
 {
     public static TheoryData<string> Documents => new("SECURITY.md", "docs/limits.md");
@@ -72,7 +72,7 @@ public class PromisesTests
                 Assert.Contains($"`{variable.Groups[1].Value}`", Read("SECURITY.md"));
     }
 
-    /// <summary>What is promised of the live page is held by tests of its own.</summary>
+    /// <summary>The sources of the live page, whose promises have tests of their own.</summary>
     private static IEnumerable<string> LivePage() =>
         SourceFiles().Where(path => path.Contains($"{Path.DirectorySeparatorChar}RayCaster.Live{Path.DirectorySeparatorChar}"))
             .Select(path => Path.GetFileName(path));

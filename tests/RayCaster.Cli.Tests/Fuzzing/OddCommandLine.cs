@@ -16,7 +16,7 @@ internal static class OddCommandLine
         "--" + new string('y', 5000), "scene.json", "scene.json", "scene.json",
     ];
 
-    /// <summary>Words between zeros, which no command line can hold.</summary>
+    /// <summary>Words separated by NUL, which no command line can contain.</summary>
     public static SeedFile Next(Random random)
     {
         var line = Enumerable.Range(0, random.Next(8)).Select(_ => words[random.Next(words.Length)]);

@@ -2,7 +2,7 @@ using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Cli.Tests.Fuzzing;
 
-/// <summary>Whatever a command line holds, it is understood or refused in words.</summary>
+/// <summary>Any command line is run or refused in words.</summary>
 public class OddCommandLineTests
 {
     [Fact]

@@ -13,7 +13,7 @@ public sealed class ProcessTests : IDisposable
 
     [Fact]
     [Trait("kind", "campaign")]
-    public void SpoiltScenesMeshesAndPictures()
+    public void SpoiltFilesEndInAPictureOrInWords()
     {
         foreach (var mesh in Directory.GetFiles(Corpus.SceneFolder, "*.obj")) File.Copy(mesh, raycaster.PathOf(Path.GetFileName(mesh)));
         const string camera = """{ "position": [9, 0, 0], "target": [0, 0, 0], "width": 9, "height": 5 }""";
@@ -45,7 +45,7 @@ public sealed class ProcessTests : IDisposable
 
     [Fact]
     [Trait("kind", "campaign")]
-    public void OddCommandLines()
+    public void OddCommandLinesEndInAPictureOrInWords()
     {
         raycaster.Write("scene.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0], "width": 9, "height": 9 }, "models": [] }""");
         for (var i = 0; i < Sample; i++)

@@ -31,11 +31,12 @@ public sealed class HandOutCommandTests : IDisposable
         Assert.Equal(0, difference.Largest);
 
         app.Run("handout", "lab1");
-        Assert.Equal("raycaster: lab1 is there already, and not empty\n  Name a new folder: a hand-out overwrites nothing.\n", app.Error);
+        Assert.Equal("raycaster: lab1 exists already, and is not empty\n  Name a new folder: handout overwrites nothing.\n", app.Error);
         Assert.Equal(ExitCode.CouldNot, app.ExitCode);
     }
 
     [Fact]
+    [Trait("kind", "campaign")]
     public void AKilledRunLeavesNoHandOutAndTheNextOneTidiesUp()
     {
         using (var process = app.Start("handout", "lab1"))

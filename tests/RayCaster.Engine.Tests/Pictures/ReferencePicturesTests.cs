@@ -9,7 +9,7 @@ public class ReferencePicturesTests
     [MemberData(nameof(References))]
     public void ThePictureIsTheOneThatPovRayDraws(string name) => PictureAssert.Equal(name, Renderer.Render(Reference.SceneOf(name)));
 
-    /// <summary>A reference that half a pixel does not change would notice little else.</summary>
+    /// <summary>A reference that a shift by half a pixel does not change would show few other errors.</summary>
     [Theory]
     [MemberData(nameof(References))]
     public void EveryReferenceNoticesHalfAPixel(string name)

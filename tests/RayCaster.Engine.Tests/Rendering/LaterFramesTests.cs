@@ -1,6 +1,6 @@
 namespace RayCaster.Engine.Tests.Rendering;
 
-/// <summary>What is kept of models from frame to frame changes no bit.</summary>
+/// <summary>Data that are kept from frame to frame change no bit of the picture.</summary>
 public class LaterFramesTests
 {
     [Fact]

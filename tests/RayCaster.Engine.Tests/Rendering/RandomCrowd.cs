@@ -1,7 +1,6 @@
 namespace RayCaster.Engine.Tests.Rendering;
 
-/// <summary>Seeded scenes of so many models that they are found in crowds: small ones and large ones, in one place or all around the
-/// camera.</summary>
+/// <summary>Seeded scenes of so many models that they are drawn in batches: small ones and large ones, in one place or around the camera.</summary>
 internal static class RandomCrowd
 {
     public static Scene Make(Random random)

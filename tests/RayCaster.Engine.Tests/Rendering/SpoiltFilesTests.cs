@@ -2,7 +2,7 @@ using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Engine.Tests.Rendering;
 
-/// <summary>What is read of spoilt files is drawn, whatever it is, and as the definition draws it.</summary>
+/// <summary>Scenes that are read from corrupted files are drawn as the definition draws them.</summary>
 public class SpoiltFilesTests
 {
     [Fact]

@@ -1,6 +1,6 @@
 namespace RayCaster.Engine.Tests.Rendering;
 
-/// <summary>Where a model can show at all is told by its bounds; no pixel that hits it lies elsewhere.</summary>
+/// <summary>The bounds of a model contain every pixel that hits it.</summary>
 public class TileTests
 {
     /// <summary>Boxes that begin exactly where a ray passes, in a picture so wide that the padding of their bounds is less than what the

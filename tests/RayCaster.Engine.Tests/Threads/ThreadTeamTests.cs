@@ -1,6 +1,6 @@
 namespace RayCaster.Engine.Tests.Threads;
 
-/// <summary>Work in pieces is done, all of it, however many threads come.</summary>
+/// <summary>All pieces of the work are done, on any number of threads.</summary>
 public class ThreadTeamTests
 {
     [Theory]

@@ -20,7 +20,7 @@ public class FuzzingTests
     [Trait("kind", "campaign")]
     public void SpoiltPicturesDoNoHarm() => Campaign.Run("picture", 5000, random => new Mutation(random, Corpus.Pictures).Next(), Reading.OfPicture);
 
-    /// <summary>What is always refused at its first byte tries nothing.</summary>
+    /// <summary>A file that is always refused at its first byte tests nothing.</summary>
     [Fact]
     [Trait("kind", "campaign")]
     public void ManySpoiltFilesAreStillRead()
@@ -42,7 +42,7 @@ public class FuzzingTests
         });
     }
 
-    /// <summary>The files that once did harm, and some that are made to.</summary>
+    /// <summary>The files that broke a promise before, and some that are made for it.</summary>
     [Theory]
     [MemberData(nameof(KeptFiles))]
     public void AKeptFileDoesNoHarm(string name) => Reading.OfFile(new(name, File.ReadAllBytes(Path.Combine(Corpus.Kept, name))));

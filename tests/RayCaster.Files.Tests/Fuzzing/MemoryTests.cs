@@ -18,6 +18,7 @@ public class MemoryTests
         "[|1|]", "{\"camera\":{\"fovY\":|9|}}", "{\"camera\":{\"fovY\":0.|0|1}}", "{\"|\\u0061|\":1}", "|é|", "|\u001b|", "| |");
 
     [Theory]
+    [Trait("kind", "campaign")]
     [MemberData(nameof(Scenes))]
     public void ASceneTakesNoMoreThanIsSaid(string shape) => Reading.OfScene(new("a.json", Filled(shape)));
 
@@ -62,6 +63,7 @@ public class MemoryTests
     };
 
     [Theory]
+    [Trait("kind", "campaign")]
     [MemberData(nameof(Meshes))]
     public void AMeshTakesNoMoreThanIsSaid(string name, string shape) => Reading.OfMesh(new(name, Filled(shape)));
 
@@ -70,6 +72,7 @@ public class MemoryTests
             "P3 |#\n|", "P2 |9|");
 
     [Theory]
+    [Trait("kind", "campaign")]
     [MemberData(nameof(Pictures))]
     public void APictureTakesNoMoreThanIsSaid(string shape) => Reading.OfPicture(new("a.ppm", Filled(shape)));
 
@@ -102,6 +105,7 @@ public class MemoryTests
     /// <summary>What is small in the file and large in memory: lines as long as they may be, in all kinds of pixels, and pictures of one bit a
     /// pixel.</summary>
     [Theory]
+    [Trait("kind", "campaign")]
     [InlineData(1_000_000, 1, 16, 6, false)]
     [InlineData(1_000_000, 1, 8, 2, false)]
     [InlineData(1_000_000, 1, 1, 0, false)]
@@ -122,8 +126,8 @@ public class MemoryTests
         Promise.Within(MemoryLimit.OfPicture(file.Length, width, height), () => PictureFile.Read(new MemoryStream(file.ToArray())));
     }
 
-    /// <summary>Of a pipe no more is read than the header asks for, though it never ends, and no more memory is taken than for what has
-    /// come.</summary>
+    /// <summary>A pipe is read only as far as the header says, even if it never ends, and memory is taken only for the bytes that have
+    /// arrived.</summary>
     [Theory]
     [InlineData("P6 5 5 255\n", 5, 5)]
     [InlineData("P5 1000 1000 65535\n", 1000, 1000)]

@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.Fuzzing;
 
-/// <summary>Bytes that come once and promise no length.</summary>
+/// <summary>A stream without a length that cannot seek.</summary>
 internal class Pipe(byte[] bytes) : Stream
 {
     /// <summary>How many bytes were read.</summary>
@@ -43,7 +43,7 @@ internal class Pipe(byte[] bytes) : Stream
     protected virtual byte? ByteAt(long place) => place < bytes.Length ? bytes[place] : null;
 }
 
-/// <summary>A beginning, and then the same again and again.</summary>
+/// <summary>Some bytes, and then a repetition without end.</summary>
 internal sealed class EndlessPipe(string beginning, string again) : Pipe([])
 {
     protected override byte? ByteAt(long place) =>

@@ -3,7 +3,7 @@ using RayCaster.Testing.Fuzzing;
 namespace RayCaster.Files.Tests.Fuzzing;
 
 /// <summary>
-/// Reads any bytes as the file that they pretend to be, and holds the reader to its promises: it answers or refuses in words, and takes no more
+/// Reads any bytes as a file of some type, and checks the promises of the reader: it reads or refuses them in words, and takes no more
 /// memory than docs/limits.md says.
 /// </summary>
 internal static class Reading

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace RayCaster.Files.Tests.MeshFiles;
 
-/// <summary>Wherever a file is cut into blocks, and however many threads read them: what is read is the same, and so is what is refused.</summary>
+/// <summary>The result and the error do not depend on the blocks into which a file is cut, nor on the number of threads.</summary>
 public sealed class BlocksTests : IDisposable
 {
     private const string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

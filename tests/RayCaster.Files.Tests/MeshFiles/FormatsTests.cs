@@ -2,7 +2,7 @@ using System.Text;
 
 namespace RayCaster.Files.Tests.MeshFiles;
 
-/// <summary>What is written in any format is what is read.</summary>
+/// <summary>A mesh that is written in any format is read back unchanged.</summary>
 public class FormatsTests
 {
     private static readonly MeshData knot = MeshGenerator.TorusKnot(2, 3, 1.9, 0.75, 0.4, rings: 20, sides: 5);

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace RayCaster.Files.Tests.MeshFiles;
 
-/// <summary>What stands behind the rows that a PLY's header promises was surely meant to be seen: it is an error, unless it is blank.</summary>
+/// <summary>Bytes after the rows that a PLY's header promises are an error, unless they are blanks.</summary>
 public class PlyRestTests
 {
     private const string Header =
@@ -13,7 +13,7 @@ public class PlyRestTests
     [Theory]
     [InlineData("")]
     [InlineData("\n\n \r\n")]
-    public void BlanksMayFollow(string rest)
+    public void BlanksMayFollowTheLastRow(string rest)
     {
         Assert.Equal(3, Read(Encoding.ASCII.GetBytes(Ascii + rest)).Indices.Length);
         Assert.Equal(3, Read([.. Binary(), .. Encoding.ASCII.GetBytes(rest)]).Indices.Length);
@@ -24,7 +24,7 @@ public class PlyRestTests
         Assert.Throws<MeshFileException>(() => Read(Encoding.ASCII.GetBytes(Ascii + "\n3 0 1 2\n"))).Message);
 
     [Fact]
-    public void SoAreBytesTooMany()
+    public void BytesTooManyAreRefused()
     {
         var file = Binary();
         Assert.Equal($"a.ply(byte {file.Length}): there is more in the file than the rows that its header promises",

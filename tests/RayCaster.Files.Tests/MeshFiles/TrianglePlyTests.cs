@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.MeshFiles;
 
-/// <summary>The short way to read a PLY of triangles comes to what the long one does, or leaves it to that.</summary>
+/// <summary>The fast reader of triangle PLYs gives the same result as the general one, or leaves the file to it.</summary>
 public class TrianglePlyTests
 {
     private static readonly MeshData mesh = new(

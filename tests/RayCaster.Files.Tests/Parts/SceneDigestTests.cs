@@ -34,7 +34,7 @@ public class SceneDigestTests
     [InlineData("\"#00FF7f\"", "\"#00FE7f\"")]
     [InlineData("\"fovY\": 60", "\"fovY\": 60.00000000000001")]
     [InlineData("\"type\": \"mesh\", \"file\": \"./tetrahedron.obj\", \"scale\": 2,", "\"type\": \"sphere\", \"center\": [0, 0, 0], \"radius\": 2")]
-    public void SoDoesEveryWordAndTheLastBit(string from, string to)
+    public void EveryWordAndTheLastBitChangeIt(string from, string to)
     {
         if (!Everything.Contains(from)) return; // one of two ways in which a line may end
         Assert.NotEqual(DigestOf(Everything), DigestOf(Everything.Replace(from, to)) ?? throw new InvalidDataException(from));
@@ -109,7 +109,7 @@ public class SceneDigestTests
         static string DigestOf(Talkative model) => SceneDigest.Of(new(new(new(new(5, 0, 0), Vector3.Zero)), [model]));
     }
 
-    /// <summary>Written down once from this code: a digest that changes with a new version would part what belongs together.</summary>
+    /// <summary>This value was computed once by this code: if a new version changed the digest, old and new parts could not be joined.</summary>
     [Fact]
     public void ItIsTheSameEverywhereAndForEver()
     {

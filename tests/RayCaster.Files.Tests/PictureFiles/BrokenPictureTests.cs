@@ -50,6 +50,7 @@ public class BrokenPictureTests
     }
 
     [Theory]
+    [Trait("kind", "campaign")]
     [InlineData("grey-1.netpbm.png")]
     [InlineData("palette-2.imagemagick-adam7.png")]
     [InlineData("rgb-8.netpbm-paeth.png")]
@@ -69,6 +70,7 @@ public class BrokenPictureTests
     }
 
     [Theory]
+    [Trait("kind", "campaign")]
     [InlineData("bitmap.imagemagick-p1.pbm")]
     [InlineData("greymap-5.netpbm-p2.pgm")]
     [InlineData("pixmap-1000.netpbm-p3.ppm")]

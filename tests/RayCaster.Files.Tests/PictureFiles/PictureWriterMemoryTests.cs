@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.PictureFiles;
 
-/// <summary>Runs while no other test does, since it counts what all threads allocate.</summary>
+/// <summary>Runs alone, because it counts the allocations of all threads.</summary>
 [CollectionDefinition(nameof(PictureWriterMemoryTests), DisableParallelization = true)]
 [Collection(nameof(PictureWriterMemoryTests))]
 public class PictureWriterMemoryTests

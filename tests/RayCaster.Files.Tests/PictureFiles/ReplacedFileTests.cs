@@ -99,7 +99,7 @@ public sealed class ReplacedFileTests : IDisposable
         Assert.Equal("cannot write /dev/raycaster-test: its folder is for devices, not for files", refused.Message);
     }
 
-    /// <summary>Wherever it lies, and by whatever link it is named: the type is looked at, not the name.</summary>
+    /// <summary>The type of the file decides, not its name or its folder.</summary>
     [Theory]
     [InlineData("mknod room.png c 1 3")]
     [InlineData("mknod room.png b 7 200")]

@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.PictureFiles;
 
-/// <summary>What killed writers leave goes, and nothing else does.</summary>
+/// <summary>The next writer deletes the files of killed writers, and no others.</summary>
 public sealed class TemporaryFileTests : IDisposable
 {
     private readonly TemporaryFolder folder = new();
@@ -15,7 +15,7 @@ public sealed class TemporaryFileTests : IDisposable
         Assert.Empty(folder.Names);
     }
 
-    /// <summary>However many files are written: what the list does not have is not looked for.</summary>
+    /// <summary>The number of files written does not matter: files that are not in the list are not searched for.</summary>
     [Fact]
     public void AListOfAFolderIsMadeOnce()
     {
@@ -89,7 +89,7 @@ public sealed class TemporaryFileTests : IDisposable
         Assert.Equal("precious", File.ReadAllText(folder["precious"]));
     }
 
-    /// <summary>Writers that find each other's files between making and locking: each must still bring its own to the end.</summary>
+    /// <summary>Writers may find each other's files before they are locked: each must still finish its own.</summary>
     [Fact]
     public void ManyWritersOfOneTargetDoNotDisturbEachOther()
     {

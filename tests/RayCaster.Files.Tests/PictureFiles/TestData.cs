@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.PictureFiles;
 
-/// <summary>Pictures that other programs wrote; Data/make.sh tells how.</summary>
+/// <summary>Pictures that other programs wrote, by Data/make.sh.</summary>
 internal static class TestData
 {
     public static string Folder { get; } = ProjectFolder.PathOf("tests/RayCaster.Files.Tests/PictureFiles/Data");

@@ -3,8 +3,7 @@ using System.IO.Compression;
 
 namespace RayCaster.Files.Tests.PictureFiles;
 
-/// <summary>PNGs whose checksums are right and that are wrong all the same (ISO/IEC 15948, clause 5): they are refused, here as by other
-/// programs.</summary>
+/// <summary>PNGs with right checksums that are wrong in another way (ISO/IEC 15948, clause 5) are refused, as other programs do.</summary>
 public sealed class WronglyMadePngTests : IDisposable
 {
     private static readonly byte[] lines = new byte[10 * 31];
@@ -14,7 +13,7 @@ public sealed class WronglyMadePngTests : IDisposable
     public void Dispose() => folder.Dispose();
 
     [Fact]
-    public void ARightOneIsRead() => Assert.Equal(10, Read(Data(Zlib)).Width);
+    public void ARightPngIsRead() => Assert.Equal(10, Read(Data(Zlib)).Width);
 
     [Fact]
     public void DataMayBeInManyChunks() => Assert.Equal(10, Read([.. Data(Zlib[..5]), .. Data(Zlib[5..])]).Width);
@@ -22,28 +21,28 @@ public sealed class WronglyMadePngTests : IDisposable
     [Theory]
     [InlineData(1)]
     [InlineData(4)]
-    public void DataWithoutTheirChecksum(int missing) => Refused("its compressed data do not end with their checksum", Data(Zlib[..^missing]));
+    public void DataWithoutTheirChecksumAreRefused(int missing) => Refused("its compressed data do not end with their checksum", Data(Zlib[..^missing]));
 
     [Fact]
-    public void DataThatAreCut() => Refused("the file is cut short: its data end in line 0 of 10", Data(Zlib[..5]));
+    public void DataThatAreCutAreRefused() => Refused("the file is cut short: its data end in line 0 of 10", Data(Zlib[..5]));
 
     [Fact]
-    public void DataInTwoRuns() =>
+    public void DataInTwoRunsAreRefused() =>
         Refused("its chunks IDAT do not follow one another", [.. Data(Zlib[..5]), .. Chunk("tIME", []), .. Data(Zlib[5..])]);
 
     [Fact]
-    public void APaletteAfterTheData() => Refused("its palette comes after its data", [.. Data(Zlib), .. Chunk("PLTE", [1, 2, 3])]);
+    public void APaletteAfterTheDataIsRefused() => Refused("its palette comes after its data", [.. Data(Zlib), .. Chunk("PLTE", [1, 2, 3])]);
 
     [Fact]
-    public void TwoPalettes() => Refused("it has two palettes", [.. Chunk("PLTE", [1, 2, 3]), .. Chunk("PLTE", [1, 2, 3]), .. Data(Zlib)]);
+    public void TwoPalettesAreRefused() => Refused("it has two palettes", [.. Chunk("PLTE", [1, 2, 3]), .. Chunk("PLTE", [1, 2, 3]), .. Data(Zlib)]);
 
     [Fact]
-    public void ATypeThatIsNotOfLetters() =>
+    public void ATypeThatIsNotOfLettersIsRefused() =>
         Refused("its chunk at byte 33 is of the type a1b2, which is not four letters", [.. Chunk("a1b2", []), .. Data(Zlib)]);
 
-    /// <summary>Their data would go into the animation as they are, and no program could show it.</summary>
+    /// <summary>Otherwise the animation would contain damaged data, and no program could show it.</summary>
     [Fact]
-    public void AnAnimationTakesNoneOfThem()
+    public void AnAnimationRefusesWrongPngs()
     {
         var (good, cut) = (folder.Write("good.png", Png(Data(Zlib))), folder.Write("cut.png", Png(Data(Zlib[..^2]))));
         using var animation = new MemoryStream();
@@ -56,14 +55,14 @@ public sealed class WronglyMadePngTests : IDisposable
             Assert.Throws<PictureFileException>(() => AnimationFile.Write(new MemoryStream(), [film], 25)).Message);
     }
 
-    /// <summary>Else it would not be drawn anew, and not be stitched either.</summary>
+    /// <summary>Otherwise --resume would not draw it again, and stitch could not read it.</summary>
     [Fact]
-    public void APartOfSuchDataIsNotThere()
+    public void APartWithCutDataDoesNotCount()
     {
         var facts = new PartFacts(10, 10, LineRange.Whole(10), "digest", "1.0.0");
         var text = Chunk(
             "tEXt", [.. System.Text.Encoding.ASCII.GetBytes(PartFacts.Keyword), 0, .. System.Text.Encoding.ASCII.GetBytes(facts.ToString())]);
-        Assert.True(PartFile.Holds(folder.Write("good.png", Png([.. text, .. Data(Zlib)])), facts));
+        Assert.True(PartFile.Holds(folder.Write("good.png", Png([.. text, .. Data(Zlib)])), facts, out _));
         Assert.False(PartFile.Holds(folder.Write("cut.png", Png([.. text, .. Data(Zlib[..^6])])), facts, out var reason));
         Assert.Contains("the file is cut short", reason);
     }

@@ -3,7 +3,7 @@ using System.Text.RegularExpressions;
 
 namespace RayCaster.Files.Tests.SceneFiles;
 
-/// <summary>docs/scene-file.md says what is so.</summary>
+/// <summary>docs/scene-file.md agrees with the program.</summary>
 public class SceneFileDocumentTests
 {
     private static readonly string Document = File.ReadAllText(Path.Combine(SceneFolders.Root, "docs/scene-file.md")).ReplaceLineEndings("\n");

@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.SceneFiles;
 
-/// <summary>What every scene of the project keeps to, since students learn from it.</summary>
+/// <summary>Rules for every scene of the project, because students learn from them.</summary>
 public class SceneFolderTests
 {
     public static TheoryData<string> Scenes =>

@@ -2,8 +2,8 @@ using System.Text;
 
 namespace RayCaster.Files.Tests.SceneFiles;
 
-/// <summary>To refuse a scene is no more work than so many times its bytes: what is looked for is counted, and twice the file is at most about
-/// twice the work.</summary>
+/// <summary>The work to refuse a scene grows in proportion to its bytes: the keys that are compared are counted, and a file of twice the length
+/// needs at most about twice as many.</summary>
 public sealed class WorkTests : IDisposable
 {
     private readonly TemporaryFolder folder = new();

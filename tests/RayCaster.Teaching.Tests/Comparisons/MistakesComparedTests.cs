@@ -20,7 +20,7 @@ public class MistakesComparedTests
     [InlineData("pix-int", "Every pixel of")]
     public void AreRecognised(string mistake, string text)
     {
-        var scene = SceneFolder.Read(ProjectFolder.PathOf("scenes/mistakes/generic.json"));
+        var scene = SceneFolder.Small("mistakes/generic");
         var comparison = new PictureComparison(SlideCaster.Render(scene, Planted.Named(mistake)), Renderer.Render(scene), scene);
         Assert.Contains(text, ComparisonText.Of(comparison, "mine.png", "reference.png"));
     }

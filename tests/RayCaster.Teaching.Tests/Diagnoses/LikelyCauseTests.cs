@@ -5,7 +5,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 /// <summary>Pictures of scenes with a wrong number in them: no mistake of the program makes these, and none may be accused.</summary>
 public class LikelyCauseTests
 {
-    private static readonly Scene room = SceneFolder.Small("room"), generic = SceneFolder.Small("mistakes/generic");
+    private static readonly Scene room = SceneFolder.Small("room", 5), generic = SceneFolder.Small("mistakes/generic", 4);
 
     [Fact]
     public void AFartherTargetIsNoMistakeOfThePrograms()

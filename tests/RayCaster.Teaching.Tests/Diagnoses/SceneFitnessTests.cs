@@ -17,6 +17,7 @@ public class SceneFitnessTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // each mistake of the catalogue in five scenes
     public void TheProjectsSetOfTestScenesHidesNothing()
     {
         var fitness = SceneFitness.Of([.. SceneFolder.Files("scenes/mistakes").Select(file => SceneFolder.Small(SceneFolder.NameOf(file)))]);

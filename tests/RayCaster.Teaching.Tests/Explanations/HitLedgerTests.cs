@@ -17,7 +17,7 @@ public class HitLedgerTests
     [Fact]
     public void AModelShowsInAsManyPixelsAsTheRendererFinds()
     {
-        for (var seed = 0; seed < 60; seed++)
+        for (var seed = 0; seed < 20; seed++)
         {
             var scene = RandomScene.Make(new Random(seed));
             var (ledger, hits) = (HitLedger.Take(scene), new Renderer(scene).CastHits());

@@ -8,15 +8,22 @@ public class MarkerTests
 {
     private static readonly Rubric whole = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
 
-    /// <summary>The course's rubric with half of its scenes, which show all that is planted here.</summary>
+    /// <summary>The course's rubric with half of its scenes, which show all that is planted here, in pictures a quarter as large.</summary>
     private static readonly Rubric rubric =
-        new([.. whole.Scenes.Where(scene => scene.Name is "1-planes" or "3-inside" or "4-flat" or "4-all")], "")
+        new([.. whole.Scenes.Where(scene => scene.Name is "1-planes" or "3-inside" or "4-flat" or "4-all").Select(Small)], "")
         {
             Title = whole.Title,
+            Path = whole.Path,
             Hint = whole.Hint,
             Items = whole.Items,
             Source = whole.Source,
         };
+
+    private static MarkedScene Small(MarkedScene scene)
+    {
+        var camera = scene.Scene.Camera;
+        return scene with { Judge = new(scene.Scene with { Camera = camera.WithSize(camera.Width / 2, camera.Height / 2) }) };
+    }
 
     private static StudentMarks Mark(Func<Scene, Picture?> draw) => new Marker(rubric).Mark("somebody", "",
         [.. rubric.Scenes.Select(
@@ -42,16 +49,21 @@ public class MarkerTests
     }
 
     [Theory]
-    [InlineData("r-nosq", "ok", "8")]
     [InlineData("rad", "ok", "4")] // follow-through: all shapes are elsewhere, and only the camera costs
     [InlineData("near-root-only", "ok", "8")] // shows in one scene only
-    [InlineData("aspect-inv", "circ-nosq", "4 9")]
     [InlineData("att-no2", "plane-cull", "3 5")]
     public void AMistakeCostsItsOwnItemAndNoOther(string mistake, string second, string lost)
     {
         var marks = Mark(mistake, second);
         Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
     }
+
+    [Theory]
+    [Trait("kind", "campaign")] // more of the same
+    [InlineData("r-nosq", "ok", "8")]
+    [InlineData("aspect-inv", "circ-nosq", "4 9")]
+    public void OtherMistakesCostTheirOwnItems(string mistake, string second, string lost) =>
+        AMistakeCostsItsOwnItemAndNoOther(mistake, second, lost);
 
     [Theory]
     [InlineData("ok", "circle triangle", "9 10")]

@@ -6,7 +6,7 @@ namespace RayCaster.Teaching.Tests.Marks;
 public class SceneVariationTests
 {
     private static readonly byte[] scene = Encoding.UTF8.GetBytes(File.ReadAllText(ProjectFolder.PathOf("scenes/weeks/3-boxes.json"))
-        .Replace("\"width\": 300, \"height\": 200", "\"width\": 75, \"height\": 50"));
+        .Replace("\"width\": 300, \"height\": 200", "\"width\": 48, \"height\": 32"));
 
     private static readonly string annas = Vary("anna");
 

@@ -18,7 +18,7 @@ internal static class Campaign
     /// <summary>How long a campaign lasts; nothing for a sample.</summary>
     public static TimeSpan Time { get; } = TimeSpan.FromMinutes(Number("RAYCASTER_MINUTES") ?? 0);
 
-    /// <summary>Tries inputs until one does harm.</summary>
+    /// <summary>Tries inputs until one breaks a promise.</summary>
     /// <param name="name">Names the file of a find.</param>
     /// <param name="sample">How many inputs, where no time is given.</param>
     /// <param name="make">Makes an input.</param>

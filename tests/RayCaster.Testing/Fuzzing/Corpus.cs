@@ -1,11 +1,11 @@
 namespace RayCaster.Testing.Fuzzing;
 
-/// <summary>The files that mutation starts from: every good and broken file of the tests, and those kept because they once did harm.</summary>
+/// <summary>The files that are corrupted: every good and broken file of the tests, and files that broke a promise before.</summary>
 internal static class Corpus
 {
     private const string KeptFolder = "tests/RayCaster.Files.Tests/Fuzzing/Kept";
 
-    /// <summary>Where a file goes that has done harm; from then on it is a test.</summary>
+    /// <summary>The folder for files that broke a promise; they are tests from then on.</summary>
     public static string Kept { get; } = ProjectFolder.PathOf(KeptFolder);
 
     /// <summary>Scene files; the meshes that they name are found from <see cref="SceneFolder"/>.</summary>
@@ -33,7 +33,7 @@ internal static class Corpus
 
     public static string SceneFolder { get; } = ProjectFolder.PathOf("tests/RayCaster.Files.Tests/Good");
 
-    /// <summary>The files with some extensions that once did harm, and some that are made to.</summary>
+    /// <summary>The files with some extensions that broke a promise before, and some that are made for it.</summary>
     public static IEnumerable<SeedFile> KeptFiles(params string[] extensions) => FilesIn(KeptFolder, extensions);
 
     /// <summary>All forms of a small mesh, with what writers of other programs add.</summary>

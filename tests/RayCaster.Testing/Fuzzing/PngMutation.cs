@@ -4,7 +4,7 @@ using System.Text;
 
 namespace RayCaster.Testing.Fuzzing;
 
-/// <summary>Spoils what is inside a PNG, under checksums that are right, or nothing behind them would ever be tried.</summary>
+/// <summary>Corrupts the content of PNG chunks and corrects their checksums; with wrong checksums the content would never be read.</summary>
 internal static class PngMutation
 {
     private static readonly string[] types = ["IHDR", "PLTE", "IDAT", "IEND", "tRNS", "gAMA", "tEXt", "ABCD", "\0\0\0\0", "idat"];

@@ -1,9 +1,9 @@
 namespace RayCaster.Testing.Fuzzing;
 
-/// <summary>What every reader keeps, whatever a file holds.</summary>
+/// <summary>What every reader promises for any file.</summary>
 internal static class Promise
 {
-    /// <summary>A message is for people: short, without what moves a cursor, and no stack trace.</summary>
+    /// <summary>A message is short, and has no control characters and no stack trace.</summary>
     public static void Wholesome(string text)
     {
         Assert.InRange(text.Length, 0, 60_000);

@@ -78,7 +78,7 @@ internal sealed record Target(
     public static Target Triangle(Random random) =>
         Triangle(random, Some.Point(random, 1), Some.Point(random, 1), Some.Point(random, 1));
 
-    /// <summary>A triangle whose height is a thousandth to 1e-11 of its base; semantics.md takes less for a line.</summary>
+    /// <summary>A triangle whose height is 1e-3 to 1e-11 of its base; one of less than 1e-12 is a line.</summary>
     public static Target Sliver(Random random)
     {
         var (a, b) = (Some.Point(random, 1), Some.Point(random, 1));

@@ -19,7 +19,7 @@ public class ReferenceTests
         Assert.Equal(Reference.Scenes, Reference.Names.Concat(without).Order(StringComparer.Ordinal));
     }
 
-    /// <summary>list.txt states for each scene how many pixels are on outlines, where less is asked; there must not be many.</summary>
+    /// <summary>list.txt states for each scene how many pixels are on outlines, where the comparison is less strict; there must be few.</summary>
     [Theory]
     [MemberData(nameof(References))]
     public void OutlinesAreAsFewAsStatedAndAtMostTwoPixelsInAHundred(string name)

@@ -66,7 +66,7 @@ public class SlideTests
         Assert.Equal(new Color(0.5, 0.5, 0.5), attenuation * ray.HitModel!.Color);
     }
 
-    /// <summary>The slide writes <c>new Vector3(b * a.X, b * a.Y, b * a.Z, 0)</c>: a slip, for its vector has three coordinates. This is what it
+    /// <summary>The slide writes <c>new Vector3(b * a.X, b * a.Y, b * a.Z, 0)</c>, but its vector has three coordinates. This is what it
     /// means.</summary>
     [Fact]
     public void SlideVectorsProductWithoutTheSlipOfAFourthCoordinate()

@@ -1,11 +1,11 @@
 namespace RayCaster.Engine.Tests.Rendering.Meshes;
 
-/// <summary>What is found out about triangles that follow one another, several at once, is what is found out about each of them.</summary>
+/// <summary>Tests of several consecutive triangles at once give the same results as tests of each triangle.</summary>
 public class GroupTests
 {
     private static readonly Camera camera = new(new(new(5, 0.4, 0.3), Vector3.Zero) { Width = 640, Height = 480 });
 
-    /// <summary>Otherwise a tile's groups would be drawn with the far side of its other triangles.</summary>
+    /// <summary>Otherwise a tile's groups would be drawn with its triangles that face away.</summary>
     [Theory]
     [InlineData(0)]
     [InlineData(1)]
@@ -54,7 +54,7 @@ public class GroupTests
         AssertBoxes(vertices, indices);
     }
 
-    /// <summary>Behind the last vertex of the array there is no number to read with it.</summary>
+    /// <summary>After the last vertex the array has no number that could be read with it.</summary>
     [Theory]
     [InlineData(1)]
     [InlineData(2)]

@@ -1,6 +1,6 @@
 namespace RayCaster.Engine.Tests.Rendering.Meshes;
 
-/// <summary>A mesh's bytes come from floats where these leave no doubt, and are those of the exact t all the same.</summary>
+/// <summary>A mesh's bytes come from floats where the error bound allows it, and equal those of the exact t.</summary>
 public class MeshPainterTests
 {
     [Theory]

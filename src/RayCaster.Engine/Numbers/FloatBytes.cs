@@ -14,11 +14,14 @@ internal static class FloatBytes
     /// the slope 2⁻²⁴ of less than 256, which is 2⁻¹⁶.</summary>
     public const double RoundingOfALine = 3.1e-5;
 
-    /// <summary>A bit for each of sixteen pixels.</summary>
-    public const ulong AllLanes = 0xFFFF;
+    /// <summary>Whether this machine computes with <see cref="WideFloatPacket"/>.</summary>
+    public static bool IsWide => Avx512BW.IsSupported;
 
-    /// <summary>Whether this machine computes with sixteen floats at once.</summary>
-    public static bool IsSupported => Avx512BW.IsSupported;
+    /// <summary>Whether it computes with <see cref="FloatPacket"/>, or the wide one.</summary>
+    public static bool IsSupported => IsWide || (Avx2.IsSupported && Fma.IsSupported);
+
+    /// <summary>How many pixels of a row its packets hold.</summary>
+    public static int Count => IsWide ? WideFloatPacket.Count : FloatPacket.Count;
 
     /// <summary>The whole parts of three channels, packed into one int.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -26,6 +29,13 @@ internal static class FloatBytes
         Avx512F.ConvertToVector512Int32WithTruncation(r)
         | (Avx512F.ConvertToVector512Int32WithTruncation(g) << 8)
         | (Avx512F.ConvertToVector512Int32WithTruncation(b) << 16);
+
+    /// <inheritdoc cref="Packed(Vector512{float}, Vector512{float}, Vector512{float})"/>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<int> Packed(Vector256<float> r, Vector256<float> g, Vector256<float> b) =>
+        Avx.ConvertToVector256Int32WithTruncation(r)
+        | (Avx.ConvertToVector256Int32WithTruncation(g) << 8)
+        | (Avx.ConvertToVector256Int32WithTruncation(b) << 16);
 
     /// <summary>Writes the 48 bytes of 16 pixels.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -36,9 +46,26 @@ internal static class FloatBytes
         bytes.GetUpper().GetLower().StoreTo(rgb, place + Vector256<byte>.Count);
     }
 
+    /// <summary>Writes the 24 bytes of 8 pixels.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static void Store(Vector256<int> pixels, byte[] rgb, int place)
+    {
+        var bytes = InARow(pixels);
+        bytes.GetLower().StoreTo(rgb, place);
+        bytes.GetUpper().GetLower().StoreTo(rgb, place + Vector128<byte>.Count);
+    }
+
     /// <summary>Writes as many bytes of the first pixels as there is room for.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public static void StoreFew(in Vector512<int> pixels, Span<byte> to)
+    {
+        var bytes = InARow(pixels);
+        for (var i = 0; i < to.Length; i++) to[i] = bytes[i];
+    }
+
+    /// <inheritdoc cref="StoreFew(in Vector512{int}, Span{byte})"/>
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    public static void StoreFew(in Vector256<int> pixels, Span<byte> to)
     {
         var bytes = InARow(pixels);
         for (var i = 0; i < to.Length; i++) to[i] = bytes[i];
@@ -55,5 +82,15 @@ internal static class FloatBytes
             0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
         var between = Vector512.Create(0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
         return Avx512F.PermuteVar16x32(Avx512BW.Shuffle(pixels.AsByte(), within).AsInt32(), between).AsByte();
+    }
+
+    /// <summary>Three bytes of each of 8 pixels, without the fourth; those after the 24 are meaningless.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private static Vector256<byte> InARow(Vector256<int> pixels)
+    {
+        var within = Vector256.Create((byte)
+            0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255,
+            0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 255, 255, 255, 255);
+        return Avx2.PermuteVar8x32(Avx2.Shuffle(pixels.AsByte(), within).AsInt32(), Vector256.Create(0, 1, 2, 4, 5, 6, 3, 7)).AsByte();
     }
 }

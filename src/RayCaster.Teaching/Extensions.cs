@@ -1,0 +1,22 @@
+namespace RayCaster.Teaching;
+
+/// <summary>What scenes and pictures show.</summary>
+internal static class Extensions
+{
+    extension(Scene scene)
+    {
+        /// <summary>How many shapes there are; each triangle of a mesh counts.</summary>
+        public long ShapeCount => scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
+    }
+
+    extension(Picture picture)
+    {
+        /// <summary>Whether all pixels are equal, so that the picture proves nothing.</summary>
+        public bool IsOneColor => picture.Rgb.AsSpan(3).SequenceEqual(picture.Rgb.AsSpan(0, picture.Rgb.Length - 3));
+
+        /// <summary>Whether a pixel differs from the one to the right or the one below by more than so many levels.</summary>
+        public bool IsEdge(int x, int y, int levels) =>
+            (x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > levels)
+            || (y + 1 < picture.Height && PictureDifference.Levels(picture[x, y], picture[x, y + 1]) > levels);
+    }
+}
