@@ -24,11 +24,13 @@ internal static class AxisMistakes
                 lab.AxisW.Becomes(W => (p, t) => -W(p, t)); // turns U about, but not V
                 lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur));
             }),
-        new("u-cross", Concerns.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
+        new Mistake("u-cross", Concerns.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
             lab => lab.AxisU.Becomes(U => (up, w) => -U(up, w)),
             "The picture is turned by 180 degrees.",
             "a × b = −(b × a). In which order does the slide have up and W?",
-            "U = (up × W) normalised."),
+            "U = (up × W) normalised.")
+            .Or("lines and columns both written from the other end", lab => lab.Shown.Becomes(shown => (x, y) =>
+                shown(lab.Camera.Width - 1 - x, lab.Camera.Height - 1 - y))),
         new("v-cross", Concerns.Camera, Slides.Camera, "V = U × W, so that V points down",
             lab => lab.AxisV.Becomes(V => (w, u) => -V(w, u)),
             "The picture is upside down, and a row off.",

@@ -61,6 +61,7 @@ internal static class ColorMistakes
             "Near things are too bright or all too dark: the light falls in another curve.",
             "At half of the way to 2 |T − P|, how much light is left?",
             "1 − t / (2 |T − P|), without a square.")
+            .Or("1 − √(t / (2 |T − P|))", Fade((t, D, _) => 1 - Math.Sqrt(t / (2 * D))))
             .Or("1 − t² / (2 |T − P|)", Fade((t, D, _) => 1 - t * t / (2 * D)))
             .Or("1 − t² / (2 |T − P|²)", Fade((t, D, _) => 1 - t * t / (2 * D * D)))
             .Or("(1 − t / (2 |T − P|))²", Fade((t, D, _) => Math.Pow(Math.Max(0, 1 - t / (2 * D)), 2))),

@@ -45,6 +45,8 @@ internal static class FileMistakes
             .Or("row and column swapped when the ray is cast", lab => lab.Sample.Becomes(sample => (c, r) => sample(r, c)))
             .Or("row and column swapped when the ray is cast, each divided by its own side",
                 lab => lab.Sample.Becomes(sample => (c, r) => sample(r * lab.Wide, c * lab.Tall)))
+            .Or("the pixels are written column by column", ByColumns(down: true))
+            .Or("the pixels are written column by column, from the bottom", ByColumns(down: false))
             .Or("line y begins at y · height, where y · width is meant", Stride(fromTop: true))
             .Or("line y begins at y · height, and the lowest line is written first", Stride(fromTop: false)),
         new Mistake("bgr", Concerns.File, Slides.Template, "red and blue swapped",
@@ -104,6 +106,13 @@ internal static class FileMistakes
             .Or("column 0 is not drawn", Unwritten((x, y, width, height) => x == 0))
             .Or("the last column is not drawn", Unwritten((x, y, width, height) => x == width - 1)),
     ];
+
+    /// <summary>The file has the picture's columns one after another.</summary>
+    private static Action<Lab> ByColumns(bool down) => lab => lab.Shown.Becomes(shown =>
+    {
+        var (width, height) = (lab.Camera.Width, lab.Camera.Height);
+        return (x, y) => Math.DivRem(y * width + x, height) is var (column, place) ? shown(column, down ? place : height - 1 - place) : default;
+    });
 
     /// <summary>Lines that begin height pixels after one another and cover each other in the order in which they are written.</summary>
     private static Action<Lab> Stride(bool fromTop) => lab => lab.Shown.Becomes(shown =>

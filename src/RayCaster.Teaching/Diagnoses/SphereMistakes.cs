@@ -18,15 +18,12 @@ internal static class SphereMistakes
             .Or("sphere: thc = √(R − D²), and D² > R² asked rightly", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(R - D2))))
             .Or("sphere: D > R² asked where D > R is meant", Sphere((R, tca, D2) => D2 > R * R * R * R ? None : Roots(tca, Math.Sqrt(R * R - D2)))),
         new Mistake("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
-            lab =>
-            {
-                lab.Hit.Becomes(hit => (model, d) =>
-                    model is Model<Sphere> s && double.IsNaN(lab.Sphere.Do(s.Primitive, d).Near) ? double.NaN : hit(model, d));
-                lab.Better.Is((t, best) => !(t >= best)); // the same for numbers
-            },
+            NoNumberHits((t, best) => !(t >= best)), // the same for numbers
             "Nearly all is black where a sphere is in the scene; only what is listed after it survives.",
             "What does Math.Sqrt give for −1, and what does NaN < 0 say?",
             "Return no hit where R² − D² < 0, before the root.")
+            .Or("sphere: NaN passes for the first hit, and no t is less than that",
+                NoNumberHits((t, best) => double.IsPositiveInfinity(best) || t < best))
             .Or("sphere: thc = √|R² − D²|, and every ray hits", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(Math.Abs(R * R - D2))))),
         new Mistake("far-root", Concerns.Spheres, Slides.Sphere, "sphere: the far root t = tca + thc is taken",
             lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Far)),
@@ -115,6 +112,14 @@ internal static class SphereMistakes
                 lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d));
             }),
     ];
+
+    /// <summary>A ray that passes by a sphere hits it at NaN.</summary>
+    private static Action<Lab> NoNumberHits(Func<double, double, bool> better) => lab =>
+    {
+        lab.Hit.Becomes(hit => (model, d) =>
+            model is Model<Sphere> s && double.IsNaN(lab.Sphere.Do(s.Primitive, d).Near) ? double.NaN : hit(model, d));
+        lab.Better.Is(better);
+    };
 
     /// <summary>The slide's geometric formula, from R, tca and D² on.</summary>
     private static Action<Lab> Sphere(Func<double, double, double, Crossings<Scalar>> roots) =>

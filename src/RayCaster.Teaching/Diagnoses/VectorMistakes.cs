@@ -21,6 +21,8 @@ internal static class VectorMistakes
             "W = −(T − P) normalised.")
             .Or("W is not normalised in d alone", LengthenW)
             .Or("W is not normalised in V alone", lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.T - lab.P) * V(w, u)))
+            .Or("h and w are those at the target, while W is normalised",
+                lab => lab.PlaneHeight.Becomes(h => fovY => lab.Length.Do(lab.T - lab.P) * h(fovY)))
             .Or("V = (T − P) × U", lab => lab.AxisV.Becomes(V => (w, u) => -lab.Length.Do(lab.T - lab.P) * V(w, u)))
             .Or("W is not normalised, but V is", lab =>
             {
@@ -31,15 +33,11 @@ internal static class VectorMistakes
                 lab => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur * lab.Length.Do(lab.T - lab.P)))),
         new Mistake("norm-copy", Concerns.Camera, Slides.Vectors,
             "W, U and d are not normalised: Normalize() changes a copy, or its result is not used",
-            lab =>
-            {
-                LeaveAxes(lab);
-                lab.Direction.Is(d => d);
-                AllowAnyLength(lab);
-            },
+            LeaveAll + AllowAnyLength,
             "Everything is far too large and far too bright: a piece of it fills the picture.",
             "Print |W|, |U| and |d|. What should they be?",
             "A vector's method returns a new vector: d = d.Normalized.")
+            .Or("W, U and d are not normalised, and the sphere takes d·d = 1", LeaveAll + AssumeUnitLength)
             .Or("W and U are not normalised", LeaveAxes)
             .Or(from part in Parts
                 from unit in (Func<Vector3, Vector3>[])[a => part.Of(a / a.Length, a), a => part.Of(a, a / a.Length)]
@@ -80,13 +78,15 @@ internal static class VectorMistakes
             "The picture is turned or skewed, and triangles are torn.",
             "What is (0, 0, 1) × (1, 0, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-            .Or(CrossWordings('y', "ax bz − az bx")),
+            .Or(CrossWordings('y', "ax bz − az bx"))
+            .Or(Swapped("y and z", n => new(n.X, n.Z, n.Y))),
         new Mistake("cross-z", Concerns.Camera, Slides.Vectors, "the cross product's z is ax by − ay by",
             lab => MistakeCross(lab, (a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }),
             "The picture is skewed, and triangles are torn.",
             "What is (1, 2, 0) × (3, 5, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-            .Or(CrossWordings('z', "ax by − ay by")),
+            .Or(CrossWordings('z', "ax by − ay by"))
+            .Or(Swapped("x and z", n => new(n.Z, n.Y, n.X))),
         new("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
             lab =>
             {
@@ -110,7 +110,8 @@ internal static class VectorMistakes
             "The picture is mirrored, turned or skewed, and triangles are torn.",
             "What is (0, 1, 0) × (0, 0, 1)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-            .Or(CrossWordings('x', "az by − ay bz")),
+            .Or(CrossWordings('x', "az by − ay bz"))
+            .Or(Swapped("x and y", n => new(n.Y, n.X, n.Z))),
     ];
 
     private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur));
@@ -121,6 +122,8 @@ internal static class VectorMistakes
         var length = lab.Length.Do(lab.T - lab.P);
         return length * towards(uc / length, ur / length);
     }
+
+    private static Action<Lab> LeaveAll => LeaveAxes + (Action<Lab>)(lab => lab.Direction.Is(d => d));
 
     private static void LeaveAxes(Lab lab)
     {
@@ -197,6 +200,13 @@ internal static class VectorMistakes
             yield return ($"the cross product's {axis} is {what}, but triangles do without it", inCamera);
         }
     }
+
+    /// <summary>Two components of the cross product in each other's place; in triangles too, and in the camera alone.</summary>
+    private static (string, Action<Lab>)[] Swapped(string which, Func<Vector3, Vector3> swap) =>
+    [
+        ($"the cross product's {which} are swapped", lab => MistakeCross(lab, (_, _, n) => swap(n))),
+        ($"the cross product's {which} are swapped, but triangles do without it", lab => lab.Cross.Becomes(cross => (a, b) => swap(cross(a, b)))),
+    ];
 
     /// <summary>The triangle's n is the lab's cross product; u and v do without it.</summary>
     private static void TakeOnlyNormals(Lab lab)
