@@ -120,7 +120,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
            select pair,
     ];
 
-    /// <summary>All pairs of mistakes that change everything, so that neither is near by itself, in their commonest and likeliest wordings.</summary>
+    /// <summary>All pairs of mistakes that change everything, so that neither is near by itself, in their commonest and nearest wordings.</summary>
     /// <param name="singles">Every mistake in every wording, the nearest first.</param>
     private List<WrongProgram> AllPairs(List<WrongProgram> singles)
     {

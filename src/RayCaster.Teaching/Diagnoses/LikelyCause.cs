@@ -81,10 +81,9 @@ internal static class LikelyCause
                 $"This is another picture, or its colours were changed: {100.0 * strange / looked:0} % of its pixels have a colour " +
                 $"that no model of the scene has in any light.");
         }
-        if (strange > looked / 10) return null;
         if (IsWrongOnlyOnOutlines(picture, right))
             return "Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?";
-        return wrong < count / 3 ? null
+        return strange > looked / 10 || wrong < count / 3 ? null
             : "Its colours are those of the scene, but the outlines are others: look at the camera (P, T, up), at h and w, uc and ur, " +
                 "and at which hit is the nearest.";
     }
