@@ -19,6 +19,7 @@ internal sealed partial class Lab
         var isDepth = camera.Clip == Clip.Depth;
         var half = camera.Sample == RayCaster.Sample.Center ? 0.5 : 0;
 
+        Unit = new(a => a / Length.Do(a));
         AxisW = new((p, t) => -Unit.Do(t - p));
         AxisU = new((up, w) => Unit.Do(Cross.Do(up, w)));
         AxisV = new((w, u) => Cross.Do(w, u));
@@ -45,10 +46,8 @@ internal sealed partial class Lab
         Hit = new(HitOf);
 
         Replaces = new((t, best) => Better.Do(t, best));
-
         Lights = new((t, best) => Replaces.Do(t, best));
 
-        Unit = new(a => a / Length.Do(a));
         Reach = new(() => Length.Do(2 * (T - P)));
         Attenuation = new(t => 1 - t / reach);
         Row = new(y => camera.Height - 1 - y);
