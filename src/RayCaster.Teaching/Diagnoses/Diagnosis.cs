@@ -187,7 +187,7 @@ public sealed class Diagnosis
             && !IsRestRight([.. best.Base.Kinds], picture, done)) return;
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
         var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount)
-            .DistinctBy(trial => trial.Id).Take(Looked).Select(WithoutIdle).Where(trial => trial.Named.Count > 0);
+            .DistinctBy(trial => trial.Id).Take(Looked).Select(WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
         if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
             named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
         else if (best.Base.Kinds.Any()) named = named.Take(1).Concat(Losing(best));
