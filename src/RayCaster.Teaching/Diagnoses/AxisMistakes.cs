@@ -11,7 +11,8 @@ internal static class AxisMistakes
             "Which way does W point: to the target, or away from it?",
             "W = −(T − P) normalised: it points backwards, and d has −W in it.")
             .Or("W = +(T − P) normalised, while the depth is measured along −W",
-                lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, -ur))),
+                lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, -ur)))
+            .Or("the camera stands at T and looks at P", lab => lab.SwapEnds()),
         new Mistake("dir-plus-w", Concerns.Camera, Slides.PixelTranslation, "d = uc U + ur V + W",
             lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(-uc, -ur)),
             "Nothing before the camera is in the picture.",
@@ -23,11 +24,13 @@ internal static class AxisMistakes
                 lab.AxisW.Becomes(W => (p, t) => -W(p, t)); // turns U about, but not V
                 lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur));
             }),
-        new("u-cross", Concerns.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
+        new Mistake("u-cross", Concerns.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
             lab => lab.AxisU.Becomes(U => (up, w) => -U(up, w)),
             "The picture is turned by 180 degrees.",
             "a × b = −(b × a). In which order does the slide have up and W?",
-            "U = (up × W) normalised."),
+            "U = (up × W) normalised.")
+            .Or("lines and columns both written from the other end", lab => lab.Shown.Becomes(shown => (x, y) =>
+                shown(lab.Camera.Width - 1 - x, lab.Camera.Height - 1 - y))),
         new("v-cross", Concerns.Camera, Slides.Camera, "V = U × W, so that V points down",
             lab => lab.AxisV.Becomes(V => (w, u) => -V(w, u)),
             "The picture is upside down, and a row off.",
@@ -45,24 +48,41 @@ internal static class AxisMistakes
             "W = −(T − P) normalised.")
             .Or("W = P normalised: the camera looks at the origin", lab => lab.AxisW.Becomes(W => (p, t) => W(p, Vector3.Zero)))
             .Or("W = −(T + P) normalised", lab => lab.AxisW.Becomes(W => (p, t) => W(-p, t)))
+            .Or(AcrossUp("T", lab => lab.T))
+            .Or(AcrossUp("P", lab => lab.P))
             .Or("d = uc U + ur V + T", Add(lab => lab.W + lab.T))
             .Or("d = P + uc U + ur V − W: the point of the plane taken for a direction", Add(lab => lab.P))
             .Or("d = uc U + ur V − W − P", Add(lab => -lab.P)),
         new Mistake("v-up", Concerns.Camera, Slides.Camera, "V = up, which is not perpendicular to W",
-            lab => lab.AxisV.Is((w, u) => lab.Unit(lab.Camera.Up)),
+            lab => lab.AxisV.Is((w, u) => lab.Unit.Do(lab.Camera.Up)),
             "A tilted camera shows everything stretched upwards, and shifted.",
             "Which angle do V and W have where the camera looks down?",
             "V = W × U.")
-            .Or("V = −up", lab => lab.AxisV.Is((w, u) => -lab.Unit(lab.Camera.Up)))
+            .Or("V = −up", lab => lab.AxisV.Is((w, u) => -lab.Unit.Do(lab.Camera.Up)))
             .Or("V = up, not normalised", lab => lab.AxisV.Is((w, u) => lab.Camera.Up))
             .Or("V = (0, 0, 1)", lab => lab.AxisV.Is((w, u) => new(0, 0, 1)))
             .Or("V = up × U", lab => lab.AxisV.Is((w, u) => lab.Cross.Do(lab.Camera.Up, u)))
-            .Or("V = U × up", lab => lab.AxisV.Is((w, u) => lab.Cross.Do(u, lab.Camera.Up))),
-        new("uv-swap", Concerns.Camera, Slides.PixelTranslation, "U and V swapped: d = uc V + ur U − W",
+            .Or("V = U × up", lab => lab.AxisV.Is((w, u) => lab.Cross.Do(u, lab.Camera.Up)))
+            .Or("V = W × up", lab => lab.AxisV.Is((w, _) => lab.Cross.Do(w, lab.Camera.Up)))
+            .Or("V = up × W", lab => lab.AxisV.Is((w, _) => lab.Cross.Do(lab.Camera.Up, w))),
+        new Mistake("uv-swap", Concerns.Camera, Slides.PixelTranslation, "U and V swapped: d = uc V + ur U − W",
             lab => lab.Towards.Becomes(towards => (uc, ur) => towards(ur, uc)),
             "The picture is mirrored at its rising diagonal; in a wide picture it is stretched, too.",
             "Columns count to the right. Which of U and V points to the right?",
-            "d = (uc U + ur V − W) normalised."),
+            "d = (uc U + ur V − W) normalised.")
+            .Or("d = uc U + uc V − W", lab => lab.Towards.Becomes(towards => (uc, _) => towards(uc, uc)))
+            .Or("d = ur U + ur V − W", lab => lab.Towards.Becomes(towards => (_, ur) => towards(ur, ur)))
+            .Or("d = uc U + ur U − W", lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc + ur, 0)))
+            .Or("d = uc V + ur V − W", lab => lab.Towards.Becomes(towards => (uc, ur) => towards(0, uc + ur)))
+            .Or("d = ur V − W", lab => lab.Towards.Becomes(towards => (_, ur) => towards(0, ur)))
+            .Or("d = uc U − W", lab => lab.Towards.Becomes(towards => (uc, _) => towards(uc, 0))),
+    ];
+
+    /// <summary>Another vector in the place of W where U is computed, in either order.</summary>
+    private static (string, Action<Lab>)[] AcrossUp(string name, Func<Lab, Vector3> vector) =>
+    [
+        ($"U = (up × {name}) normalised", lab => lab.AxisU.Is((up, w) => lab.Unit.Do(lab.Cross.Do(up, vector(lab))))),
+        ($"U = ({name} × up) normalised", lab => lab.AxisU.Is((up, w) => lab.Unit.Do(lab.Cross.Do(vector(lab), up)))),
     ];
 
     /// <summary>Adds a vector to d before d is normalised.</summary>

@@ -24,6 +24,8 @@ internal static class BoxMistakes
             .Or("box: t_max is the last way out, not the first", lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Max, Math.Max)))
             .Or("box: t_min is the least way in, t_max the last way out",
                 lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Max)))
+            .Or("box: t_min is the least way out, t_max the last way in", lab => lab.Box.Is((box, d) => Slabs(lab, box, d,
+                (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1) ? (t1, t0) : default, Math.Min, Math.Max)))
             .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
@@ -35,7 +37,8 @@ internal static class BoxMistakes
                 cross(new(box.Min with { X = double.NegativeInfinity }, box.Max with { X = double.PositiveInfinity }), d)))
             .Or("box: the slab of y forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
                 cross(new(box.Min with { Y = double.NegativeInfinity }, box.Max with { Y = double.PositiveInfinity }), d)))
-            .Or(AxisSlips()),
+            .Or(AxisSlips())
+            .Or(from left in (int[])[1, 2, 4, 8, 16, 32, 12, 48, 60] select ($"box: asked axis by axis, without {Names(left)}", AxisByAxis(left))),
         new Mistake("slab-tmax", Concerns.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
             lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Far)),
             "Boxes look hollow and too dark: you see their far faces from inside.",
@@ -61,7 +64,10 @@ internal static class BoxMistakes
             .Or("box: the first corner taken for its middle, the second for its size",
                 Corners(box => new(box.Min - 0.5 * box.Max, box.Min + 0.5 * box.Max)))
             .Or("box: the first corner taken for its middle, the second for half its size",
-                Corners(box => new(box.Min - box.Max, box.Min + box.Max))),
+                Corners(box => new(box.Min - box.Max, box.Min + box.Max)))
+            .Or("box: the first corner taken for its middle", Corners(box => new(1.5 * box.Min - 0.5 * box.Max, 0.5 * (box.Min + box.Max))))
+            .Or("box: half as large from its first corner on", Corners(box => new(box.Min, 0.5 * (box.Min + box.Max))))
+            .Or("box: from its middle on as large as it is", Corners(box => new(0.5 * (box.Min + box.Max), 1.5 * box.Max - 0.5 * box.Min))),
     ];
 
     /// <summary>What may be forgotten of one axis, or stay of another one where its line was copied.</summary>
@@ -115,6 +121,28 @@ internal static class BoxMistakes
             : first ? (t1, t1) : (t0, t0);
         return Slabs(lab, box, d, (axis is 0 or -1 ? half : Slab, axis is 1 or -1 ? half : Slab, axis is 2 or -1 ? half : Slab), Math.Max, Math.Min);
     });
+
+    /// <summary>The slide's way to ask: x first, then for y and for z whether they overlap with what there is, and what is left of it.</summary>
+    /// <param name="left">Of these six steps those that are left out: bits 0 and 1 are the questions, 2 and 3 t_min, 4 and 5 t_max.</param>
+    private static Action<Lab> AxisByAxis(int left) => lab => lab.Box.Is((box, d) =>
+    {
+        var (tMin, tMax) = Slab(box.Min.X, box.Max.X, lab.P.X, d.X);
+        for (var axis = 1; axis < 3; axis++)
+        {
+            var (t0, t1) = Slab(box.Min.At(axis), box.Max.At(axis), lab.P.At(axis), d.At(axis));
+            var steps = left >> axis - 1;
+            if ((steps & 1) == 0 && (tMin > t1 || t0 > tMax)) return None;
+            if ((steps & 4) == 0) tMin = Math.Max(tMin, t0);
+            if ((steps & 16) == 0) tMax = Math.Min(tMax, t1);
+        }
+        return new(tMin, tMax);
+    });
+
+    private static string Names(int left)
+    {
+        string[] steps = ["y asked", "z asked", "y in t_min", "z in t_min", "y in t_max", "z in t_max"];
+        return string.Join(", ", steps.Where((_, i) => (left >> i & 1) != 0));
+    }
 
     private static string Of(int axis) => axis < 0 ? "" : $", for {"xyz"[axis]}";
 

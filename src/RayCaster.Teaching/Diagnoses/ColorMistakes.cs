@@ -53,6 +53,7 @@ internal static class ColorMistakes
             "Of which type is your attenuation, and what is (int)0.7?",
             "Compute in double up to the byte, and only then cast.")
             .Or("t cut to an integer", lab => lab.Attenuation.Becomes(fade => t => fade(Math.Truncate(t))))
+            .Or("t / (2 |T − P|) cut to an integer", Fade((t, D, _) => 1 - Math.Truncate(t / (2 * D))))
             .Or("t and 2 |T − P| cut to integers, and divided as such", lab => lab.Attenuation.Is(t =>
                 (int)lab.Reach.Do() is var reach and not 0 ? 1 - (int)t / reach : double.NaN)),
         new Mistake("att-square", Concerns.Color, Slides.Shading, "attenuation by the square: 1 − t² / (2 |T − P|)²",
@@ -60,6 +61,7 @@ internal static class ColorMistakes
             "Near things are too bright or all too dark: the light falls in another curve.",
             "At half of the way to 2 |T − P|, how much light is left?",
             "1 − t / (2 |T − P|), without a square.")
+            .Or("1 − √(t / (2 |T − P|))", Fade((t, D, _) => 1 - Math.Sqrt(t / (2 * D))))
             .Or("1 − t² / (2 |T − P|)", Fade((t, D, _) => 1 - t * t / (2 * D)))
             .Or("1 − t² / (2 |T − P|²)", Fade((t, D, _) => 1 - t * t / (2 * D * D)))
             .Or("(1 − t / (2 |T − P|))²", Fade((t, D, _) => Math.Pow(Math.Max(0, 1 - t / (2 * D)), 2))),
@@ -95,33 +97,14 @@ internal static class ColorMistakes
             })
             .Or("1 − (t − zNear) / (zFar − zNear)", Fade((t, _, camera) => 1 - (t - camera.ZNear) / (camera.ZFar - camera.ZNear))),
         new Mistake("noclamp", Concerns.Color, Slides.Template, "nothing is clamped to 0 … 1, so that a byte wraps round",
-            lab =>
-            {
-                lab.Dark.Is(attenuation => attenuation);
-                lab.Clamp.Is(channel => channel);
-                lab.Byte.Is(channel => Wrapped(255 * channel + 0.5));
-            },
+            Wraps(channel => channel, channel => 255 * channel + 0.5),
             "The brightest or the farthest places have wild colours.",
             "What does a cast to byte make of 306, and what of −25?",
             "Clamp each channel to 0 … 1 before you multiply by 255.")
-            .Or("the same, and truncated",
-            lab =>
-            {
-                lab.Dark.Is(attenuation => attenuation);
-                lab.Clamp.Is(channel => channel);
-                lab.Byte.Is(channel => Wrapped(255 * channel));
-            })
-            .Or("multiplied by 255 twice", lab =>
-            {
-                lab.Clamp.Is(channel => channel);
-                lab.Byte.Is(channel => Wrapped(255 * 255 * channel));
-            })
-            .Or("only what is less than 0 is not clamped", lab =>
-            {
-                lab.Dark.Is(attenuation => attenuation);
-                lab.Clamp.Is(channel => Math.Min(channel, 1));
-                lab.Byte.Is(channel => Wrapped(255 * channel + 0.5));
-            }),
+            .Or("the same, and truncated", Wraps(channel => channel, channel => 255 * channel))
+            .Or("multiplied by 255 twice", Wraps(channel => channel, channel => 255 * 255 * channel))
+            .Or("only what is less than 0 is not clamped", Wraps(channel => Math.Min(channel, 1), channel => 255 * channel + 0.5))
+            .Or("256 · channel, which is 0 again where the channel is 1", lab => lab.Byte.Is(channel => Wrapped(256 * channel))),
         new("x256", Concerns.Color, Slides.Template, "256 · channel",
             lab => lab.Byte.Is(channel => (byte)Math.Min(256 * channel, 255)),
             "Many channels differ by one level.",
@@ -164,6 +147,14 @@ internal static class ColorMistakes
         lab.Attenuation.Is(t => attenuation(t, lab.Reach.Do() / 2, lab.Camera));
 
     private static Action<Lab> Gamma(double exponent) => lab => lab.Clamp.Becomes(clamp => channel => Math.Pow(clamp(channel), exponent));
+
+    /// <summary>The attenuation is not kept from falling below 0, the channel is clamped otherwise, and its level wraps round.</summary>
+    private static Action<Lab> Wraps(Func<double, double> clamp, Func<double, double> level) => lab =>
+    {
+        lab.Dark.Is(attenuation => attenuation);
+        lab.Clamp.Is(clamp);
+        lab.Byte.Is(channel => Wrapped(level(channel)));
+    };
 
     /// <summary>The lowest eight bits of the whole part; 0 for no number.</summary>
     private static byte Wrapped(double level) => unchecked((byte)(int)level);

@@ -53,15 +53,16 @@ public sealed class Diagnosis
     /// <summary>What may be left unexplained, as a share of the wrong pixels, for a cause to be certain.</summary>
     private const double Explained = 0.05;
 
-    /// <summary>The share that one mistake may leave without asking whether a number of the scene explains more.</summary>
-    private const double Certain = 0.01;
-
-    /// <summary>The share of the wrong pixels that unfinished programs may leave for the rest to be right.</summary>
-    private const double Nearly = 0.001;
+    /// <summary>The share of the wrong pixels that unfinished programs may leave for the rest to be right, at the other place of each pixel more,
+    /// and that a mistake may leave without asking whether a number of the scene explains more.</summary>
+    private const double Nearly = 0.001, NearlyOtherSample = 0.01;
 
     /// <summary>The share of the wrong pixels that one mistake may leave before it is taken for chance; of more than one, less. A mistake
     /// whose pixels may lie anywhere leaves more.</summary>
-    private const double Foreign = 0.15, ForeignPair = 0.1, Scattered = 0.35;
+    private const double Foreign = 0.1, ForeignPair = 0.05, Scattered = 0.35;
+
+    /// <summary>Of what mistakes leave, so much may another number of the scene leave to be told instead: beside one mistake, beside two.</summary>
+    private const double NumberForOne = 0.25, NumberForPair = 0.8;
 
     /// <summary>The share of the wrong pixels that each mistake of several must explain, or it is not named.</summary>
     private const double Idle = 0.002;
@@ -163,32 +164,33 @@ public sealed class Diagnosis
     /// <summary>What the trials come to, the best of which stands first.</summary>
     private void Answer(List<WrongProgram> ranked, Picture picture, IReadOnlyCollection<string> done)
     {
-        var best = WithoutIdle(ranked[0]);
+        var best = WithoutIdle(ranked.Find(trial => trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount) ?? ranked[0]);
         var left = best.Misfit.Unexplained / WrongCount;
         var isNamed = left <= Explained
             || (MissingModel is null && left <= MayLeave(best));
-        var doubtful = left > (best.Named.Count > 1 ? Nearly : Certain);
-        if (doubtful && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
+        if (left > Nearly && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
         {
             var byModels = SceneDifference.Find(prepared.Scene, new(picture, prepared.Right), prepared.Threads);
-            if (LikelyCause.Certain(prepared, byModels, evidence, left) is { } certain) (isNamed, Likely) = (false, [certain]);
+            var most = left * (best.Named.Count > 1 ? NumberForPair : NumberForOne);
+            if (LikelyCause.Certain(prepared, byModels, evidence, most) is { } certain) (isNamed, Likely) = (false, [certain]);
             else if (!isNamed) Likely = [.. LikelyCause.Hints(prepared.Scene, byModels, picture, prepared.Right)];
         }
         if (!isNamed)
         {
             if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
-            else if (Likely.Count == 0 && LikelyCause.OfAnother(prepared.Scene, picture) is { } another) Likely = [another];
+            else if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } whole) Likely = [whole];
             else if (left < Mentioned && Likely.Count == 0) Nearest = AsSuspect(best, best.Draw(prepared.Scene));
             return;
         }
         NotYet = best.Base.NotYet;
-        if (best.Wordings.Count == 0 && best.Base.Kinds.Any() && left > (best.OtherSample ? Certain : Nearly)
+        if (best.Wordings.Count == 0 && best.Base.Kinds.Any() && left > (best.OtherSample ? NearlyOtherSample : Nearly)
             && !IsRestRight([.. best.Base.Kinds], picture, done)) return;
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
         var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount)
-            .DistinctBy(trial => trial.Id).Take(Looked).Select(WithoutIdle).Where(trial => trial.Named.Count > 0);
+            .DistinctBy(trial => trial.Id).Take(Looked).Select(WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
         if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
             named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
+        else if (best.Base.Kinds.Any()) named = named.Take(1).Concat(Losing(best));
         WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named.Select(mistake => mistake.Id).Order())).Take(5)];
         var likeliest = first.Length > 0 ? first[0].Draw(prepared.Scene) : null;
         Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => AsSuspect(trial, likeliest!))];
@@ -207,6 +209,19 @@ public sealed class Diagnosis
             if (misfit.Unexplained <= trial.Misfit.Unexplained + Idle * WrongCount) return WithoutIdle(less with { Misfit = misfit });
         }
         return trial;
+    }
+
+    /// <summary>The mistakes by which a program loses a shape that it draws, beside those that it has.</summary>
+    private IEnumerable<WrongProgram> Losing(WrongProgram best)
+    {
+        var without = best.Draw(prepared.Scene);
+        var rest = new Unfinished([.. best.Base.NotYet.Except(best.Base.Kinds)]);
+        return from mistake in prepared.Known
+               where best.Base.Kinds.All(kind => (mistake.Concerns & Mistake.KindOf(kind)) != 0)
+               let trial = mistake.Wordings.Select(wording => best with { Base = rest, Wordings = [.. best.Wordings, wording] })
+                   .FirstOrDefault(trial => evidence.AreAlike(trial.Draw(prepared.Scene), without))
+               where trial is not null
+               select trial;
     }
 
     /// <summary>Beside shapes that are missing a small mistake counts for little: what is drawn is judged once more by itself.</summary>

@@ -9,8 +9,11 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// <summary>What a mistake may leave unexplained, as a share of the wrong pixels, for the search to end.</summary>
     private const double Explained = 0.02;
 
+    /// <summary>The same where no second mistake could be worth its <see cref="WrongProgram.Cost"/>.</summary>
+    private const double Certain = 0.0067;
+
     /// <summary>The share of the evidence that each round looks at, and how many trials are left for it at least.</summary>
-    private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 24)];
+    private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
 
     /// <summary>The share of the evidence that is looked at first where there are hundreds of trials or more: some thirty pixels.</summary>
     private const double Glance = 0.005;
@@ -21,8 +24,8 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// <summary>How many single mistakes are tried together with every other: of a finished program, and of an unfinished one.</summary>
     private const int Partners = 10, UnfinishedPartners = 4;
 
-    /// <summary>How many of all pairs get a closer look than fifty pixels.</summary>
-    private const int Closer = 400;
+    /// <summary>How many second mistakes get a closer look beside each first one, and of all pairs.</summary>
+    private const int Seconds = 8, Closer = 400;
 
     /// <summary>How many wordings of a mistake are tried where all pairs are.</summary>
     private const int MostWordings = 5;
@@ -32,6 +35,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     /// <summary>How many ways to be unfinished are tried with mistakes on top.</summary>
     private const int Ways = 8;
+
+    /// <summary>What changes a whole picture: beside a mistake of a shape another one is near by itself.</summary>
+    private const Concerns Everything = Concerns.Camera | Concerns.Hit | Concerns.Color | Concerns.File;
 
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
@@ -60,7 +66,8 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
                select single with { Base = way },
         ]);
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
-        if (IsDone(all)) return Sorted(all);
+        if (IsDone(all, Certain)) return Sorted(all);
+        if (IsDone(all)) return Sorted([.. all, .. Best(Pairs(Sorted(all), 2))]);
 
         Unfinished[] ways = [.. likely().Take(Ways)];
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
@@ -68,8 +75,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         all.AddRange(onTop);
         if (IsDone(all)) return Sorted(all);
 
-        all.AddRange(Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]));
-        if (!IsDone(all)) all.AddRange(Best(Reworded(Best([.. Measured(AllPairs(everySingle), Glance).Take(Closer)]))));
+        var pairs = Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]);
+        all.AddRange([.. pairs, .. IsDone(pairs, Certain) ? [] : Best(Reworded(pairs))]);
+        if (!IsDone(all)) all.AddRange(Best(Reworded(Best(AllPairs(everySingle)))));
         return Sorted(all);
     }
 
@@ -78,7 +86,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     private bool MayBeOtherSample { get; } =
         evidence.Misfit(new Lab(scene, center), 0.05).Unexplained < 0.9 * evidence.WrongCount;
 
-    private bool IsDone(List<WrongProgram> all) => all.Exists(trial => trial.Misfit.Unexplained <= Explained * Wrong);
+    private bool IsDone(List<WrongProgram> all, double left = Explained) => all.Exists(trial => trial.Misfit.Unexplained <= left * Wrong);
 
     // stable: of equals the first in the catalogue
     private List<WrongProgram> Sorted(List<WrongProgram> trials) => [.. trials.OrderBy(trial => trial.Cost(Wrong))];
@@ -99,26 +107,31 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         return [.. singles.Where(trial => !trial.OtherSample || trial.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
     }
 
-    /// <summary>The nearest single mistakes, each with every other.</summary>
-    private IEnumerable<WrongProgram> Pairs(List<WrongProgram> singles, int partners) =>
-        from single in singles.DistinctBy(trial => trial.Id).Take(partners)
-        from other in known
-        where other.Id != single.Wordings[0].Id && !(single.OtherSample && other == center)
-        from wording in other.Wordings
-        select single with { Wordings = [single.Wordings[0], wording] };
+    /// <summary>The nearest single mistakes, each with those others that explain most of what it leaves.</summary>
+    private List<WrongProgram> Pairs(List<WrongProgram> singles, int partners) =>
+    [
+        .. from first in singles.Where(trial => trial.Wordings.Count == 1).DistinctBy(trial => (trial.Id, trial.OtherSample)).Take(partners)
+           let left = evidence.Beside(first.Draw(scene))
+           let seconds = from other in known
+                         where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
+                         from wording in other.Wordings
+                         select first with { Wordings = [first.Wordings[0], wording] }
+           from pair in Measured(Measured([.. seconds], Glance, left)[..Math.Min(60, seconds.Count())], 0.03, left).Take(Seconds)
+           select pair,
+    ];
 
-    /// <summary>All pairs in their likeliest wordings: of two mistakes that change everything, neither is near by itself.</summary>
+    /// <summary>All pairs of mistakes that change everything, so that neither is near by itself, in their commonest and nearest wordings.</summary>
     /// <param name="singles">Every mistake in every wording, the nearest first.</param>
-    private static List<WrongProgram> AllPairs(List<WrongProgram> singles)
+    private List<WrongProgram> AllPairs(List<WrongProgram> singles)
     {
         Mistake[][] nearest =
         [
             .. from single in singles
-               where !single.OtherSample
+               where !single.OtherSample && (single.Wordings[0].Concerns & Everything) != 0
                group single.Wordings[0] by single.Id into wordings
-               select wordings.Take(MostWordings).ToArray(),
+               select wordings.Take(MostWordings).Prepend(MistakeCatalog.Named(wordings.Key)!).Distinct().ToArray(),
         ];
-        return
+        List<WrongProgram> pairs =
         [
             .. from one in nearest
                from other in nearest
@@ -126,6 +139,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
                from wording in other
                select new WrongProgram(Unfinished.Nothing, [one[0], wording], false),
         ];
+        foreach (var (share, most) in ((double, int)[])[(Glance / 4, pairs.Count / 4), (Glance, Closer)])
+            pairs = [.. Measured(pairs, share).Take(most)];
+        return pairs;
     }
 
     /// <summary>The best pairs with one of both in another wording, and with rays through the other place of each pixel.</summary>
@@ -150,11 +166,11 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         return trials;
     }
 
-    private List<WrongProgram> Measured(List<WrongProgram> trials, double share)
+    private List<WrongProgram> Measured(List<WrongProgram> trials, double share, Evidence? left = null)
     {
         var measured = new WrongProgram[trials.Count];
         Parallel.For(0, trials.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount },
-            i => measured[i] = trials[i] with { Misfit = evidence.Misfit(trials[i].Draw(scene), share) });
+            i => measured[i] = trials[i] with { Misfit = (left ?? evidence).Misfit(trials[i].Draw(scene), share) });
         return Sorted([.. measured]);
     }
 }

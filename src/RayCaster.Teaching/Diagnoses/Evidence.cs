@@ -22,6 +22,7 @@ internal sealed class Evidence
     private const double FewPixels = 0.03;
 
     private readonly Picture picture, right;
+    private readonly int most;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
     /// <param name="scene">The scene.</param>
@@ -31,7 +32,7 @@ internal sealed class Evidence
     /// <param name="forgiveOutlines">Whether the pixels of <see cref="OutlineCount"/> are left out.</param>
     public Evidence(Scene scene, Picture right, Picture picture, int most, bool forgiveOutlines = true)
     {
-        (this.picture, this.right) = (picture, right);
+        (this.picture, this.right, this.most) = (picture, right, most / 2);
         var sameSize = (right.Width, right.Height) == (picture.Width, picture.Height);
         var difference = sameSize ? new PictureDifference(picture, right) : null;
         List<int> wrong = [], other = [];
@@ -46,8 +47,20 @@ internal sealed class Evidence
         }
         WrongCount = wrong.Count;
         IsOnlyOutlines = sameSize && WrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(i => ShowsNeighbour(right, i));
-        wrongPixels = Spread(wrong, most / 2);
-        otherPixels = Spread(other, most / 2);
+        wrongPixels = Spread(wrong, this.most);
+        otherPixels = Spread(other, this.most);
+    }
+
+    /// <summary>The same pixels, seen by someone who knows of a mistake: wrong are those that it does not explain.</summary>
+    /// <param name="whole">All that is known.</param>
+    /// <param name="first">Draws with the mistake.</param>
+    private Evidence(Evidence whole, Lab first)
+    {
+        (picture, right, most) = (whole.picture, whole.right, whole.most);
+        ILookup<bool, int> isExplained = whole.wrongPixels.Concat(whole.otherPixels)
+            .ToLookup(pixel => At(pixel) is var (x, y) && IsNear(first[x, y], picture[x, y]));
+        (wrongPixels, otherPixels) = ([.. isExplained[false]], [.. isExplained[true]]);
+        WrongCount = (int)whole.Misfit(first).Unexplained;
     }
 
     /// <summary>How many pixels the picture has.</summary>
@@ -84,9 +97,12 @@ internal sealed class Evidence
         return true;
     }
 
+    /// <summary>What speaks for a second mistake beside a first one.</summary>
+    public Evidence Beside(Lab first) => new(this, first);
+
     /// <summary>The number of pixels that a mistake leaves unexplained, told from those that are looked at.</summary>
     /// <param name="lab">Draws with the mistake.</param>
-    /// <param name="share">What share of the chosen pixels is looked at; few are enough to see that a mistake is far off.</param>
+    /// <param name="share">What share of as many pixels as are chosen at most is looked at; few are enough to see that a mistake is far off.</param>
     public Misfit Misfit(Lab lab, double share = 1)
     {
         if ((lab.Width, lab.Height) != (picture.Width, picture.Height)) return RayCaster.Teaching.Misfit.Complete(PixelCount);
@@ -96,7 +112,7 @@ internal sealed class Evidence
 
     private Misfit Misfit(Lab lab, int[] pixels, int stoodFor, double share)
     {
-        var count = (int)Math.Ceiling(pixels.Length * share);
+        var count = Math.Min(pixels.Length, (int)Math.Ceiling(most * share));
         if (lab.TrianglesTried > 0) count = (int)Math.Min(count, MostTests / lab.TrianglesTried);
         if (count == 0) return default;
         var (unexplained, error) = (0.0, 0.0);

@@ -45,16 +45,10 @@ internal static class FileMistakes
             .Or("row and column swapped when the ray is cast", lab => lab.Sample.Becomes(sample => (c, r) => sample(r, c)))
             .Or("row and column swapped when the ray is cast, each divided by its own side",
                 lab => lab.Sample.Becomes(sample => (c, r) => sample(r * lab.Wide, c * lab.Tall)))
-            .Or("line y begins at y · height, where y · width is meant", lab => lab.Shown.Becomes(shown =>
-            {
-                var (width, height) = (lab.Camera.Width, lab.Camera.Height);
-                return (x, y) =>
-                {
-                    var place = y * width + x;
-                    var line = Math.Min(place / height, height - 1); // the last line that reaches there: it is written last
-                    return place - line * height < width ? shown(place - line * height, line) : default;
-                };
-            })),
+            .Or("the pixels are written column by column", ByColumns(down: true))
+            .Or("the pixels are written column by column, from the bottom", ByColumns(down: false))
+            .Or("line y begins at y · height, where y · width is meant", Stride(fromTop: true))
+            .Or("line y begins at y · height, and the lowest line is written first", Stride(fromTop: false)),
         new Mistake("bgr", Concerns.File, Slides.Template, "red and blue swapped",
             Order((r, g, b) => (b, g, r)),
             "Two colours are swapped: what should be red is blue, say.",
@@ -99,8 +93,43 @@ internal static class FileMistakes
             .Or("line y shows row height − 2 − y", lab => lab.Row.Becomes(row => y => row(y) - 1))
             .Or("column x shows column x + 1", lab => lab.Column.Becomes(column => x => column(x) + 1))
             .Or("column x shows column x − 1", lab => lab.Column.Becomes(column => x => column(x) - 1))
-            .Or("rows and columns counted from 1", lab => lab.Sample.Becomes(sample => (c, r) => sample(c + 1, r + 1))),
+            .Or("rows and columns counted from 1", lab => lab.Sample.Becomes(sample => (c, r) => sample(c + 1, r + 1)))
+            .Or("line y shows row height − y, line 0 row 0", lab => lab.Row.Becomes(row => y => (row(y) + 1) % lab.Camera.Height))
+            .Or("line y shows row height − y, line 0 none", Unwritten((x, y, width, height) => y == 0,
+                lab => lab.Row.Becomes(row => y => row(y) + 1)))
+            .Or("line y shows row height − 2 − y, the last line none", Unwritten((x, y, width, height) => y == height - 1,
+                lab => lab.Row.Becomes(row => y => row(y) - 1)))
+            .Or("row 0 and column 0 are not drawn", Unwritten((x, y, width, height) => x == 0 || y == height - 1))
+            .Or("the last row and the last column are not drawn", Unwritten((x, y, width, height) => x == width - 1 || y == 0))
+            .Or("row 0 is not drawn", Unwritten((x, y, width, height) => y == height - 1))
+            .Or("the last row is not drawn", Unwritten((x, y, width, height) => y == 0))
+            .Or("column 0 is not drawn", Unwritten((x, y, width, height) => x == 0))
+            .Or("the last column is not drawn", Unwritten((x, y, width, height) => x == width - 1)),
     ];
+
+    /// <summary>The file has the picture's columns one after another.</summary>
+    private static Action<Lab> ByColumns(bool down) => lab => lab.Shown.Becomes(shown =>
+    {
+        var (width, height) = (lab.Camera.Width, lab.Camera.Height);
+        return (x, y) => Math.DivRem(y * width + x, height) is var (column, place) ? shown(column, down ? place : height - 1 - place) : default;
+    });
+
+    /// <summary>Lines that begin height pixels after one another and cover each other in the order in which they are written.</summary>
+    private static Action<Lab> Stride(bool fromTop) => lab => lab.Shown.Becomes(shown =>
+    {
+        var (width, height) = (lab.Camera.Width, lab.Camera.Height);
+        return (x, y) =>
+        {
+            var place = y * width + x;
+            var (first, last) = (Math.Max(0, (place - width) / height + 1), Math.Min(place / height, height - 1)); // the lines that reach there
+            if (place < width) first = 0;
+            return first <= last ? shown(place - (fromTop ? last : first) * height, fromTop ? last : first) : default;
+        };
+    });
+
+    /// <summary>Some pixels stay black, by their place and the picture's sides.</summary>
+    private static Action<Lab> Unwritten(Func<int, int, int, int, bool> isLeftOut, Action<Lab>? besides = null) => besides + (lab =>
+        lab.Shown.Becomes(shown => (x, y) => isLeftOut(x, y, lab.Width, lab.Height) ? default : shown(x, y)));
 
     /// <summary>The three channels in another order.</summary>
     private static Action<Lab> Order(Func<byte, byte, byte, (byte, byte, byte)> order) => lab => lab.Shown.Becomes(shown => (x, y) =>

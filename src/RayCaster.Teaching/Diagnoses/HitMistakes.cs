@@ -49,12 +49,23 @@ internal static class HitMistakes
             "Keep a hit only if its t is less than the best t so far.")
             .Or("the first model hit shows, not the nearest", lab => lab.Better.Is((_, best) => double.IsPositiveInfinity(best)))
             .Or("the best t is replaced by that of each hit: the braces of the if are missing", lab => lab.Replaces.Is((_, _) => true))
+            .Or("each t is compared with that of the hit before it", lab =>
+            {
+                lab.Replaces.Is((_, _) => true);
+                lab.Lights.Is(lab.Better.Do);
+            })
+            .Or("the colour is computed from the t of the last hit, not of the nearest", lab => lab.Lights.Is((_, _) => true))
             .Or("the model is replaced by that of each hit, the best t only by a lesser one", lab =>
             {
                 lab.Replaces.Is((t, best) => t < best);
                 lab.Better.Is((_, _) => true);
             })
-            .Or("the best t stays that of the first hit", lab => lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best))),
+            .Or("the best t stays that of the first hit", lab => lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best)))
+            .Or("the best t stays that of the first hit, and the colour is computed from each lesser one", lab =>
+            {
+                lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best));
+                lab.Lights.Is((t, best) => lab.Better.Do(t, best));
+            }),
         new("far-hit", Concerns.Hit, Slides.RayCasting, "the farthest hit shows",
             lab =>
             {

@@ -10,6 +10,8 @@ internal static class ImagePlaneMistakes
             "Everything has a wrong size, and may be turned by 180 degrees.",
             "In which unit is fovY, and in which unit does Math.Tan take its angle?",
             "h = 2 · Math.Tan(fovY · Math.PI / 180 / 2).")
+            .Or("degrees, and the half is missing, too: 2 tan(fovY)", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY * 180 / Math.PI)))
+            .Or("degrees, and tan(fovY)", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY * 180 / Math.PI) / 2))
             .Or("fovY · 180 / π", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * (180 / Math.PI) * (180 / Math.PI))))
             .Or("fovY · π, without / 180", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180)))
             .Or("fovY / 180, without π", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY / Math.PI)))
@@ -47,6 +49,10 @@ internal static class ImagePlaneMistakes
             .Or("the arc tangent for the tangent", lab => lab.Tan.Is(Math.Atan))
             .Or("1 / tan", lab => lab.Tan.Is(a => 1 / Math.Tan(a)))
             .Or("h = 2 · fovY", lab => lab.Tan.Is(a => 2 * a))
+            .Or("h = 2, whatever fovY is", lab => lab.Tan.Is(_ => 1))
+            .Or("h = 1, whatever fovY is", lab => lab.Tan.Is(_ => 0.5))
+            .Or("h = 2 and w = 2: uc and ur run from −1 to 1", Square(2))
+            .Or("h = 1 and w = 1: uc and ur run from −1/2 to 1/2", Square(1))
             .Or("h = fovY, in degrees", lab => lab.Tan.Is(a => a * 180 / Math.PI))
             .Or(OneSide("fovY / 2, in radians", a => a)),
         new Mistake("aspect-inv", Concerns.Camera, Slides.Camera, "w = h · height / width",
@@ -78,6 +84,13 @@ internal static class ImagePlaneMistakes
                 lab => lab.PlaneWidth.Is(_ => 2 * lab.Tan.Do(lab.Camera.FovY * lab.Wide * Math.PI / 180 / 2)))
             .Or("h = 2 tan(fovY · height / width / 2)", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * lab.Tall))),
     ];
+
+    /// <summary>h and w are so much, whatever fovY and the picture's sides are.</summary>
+    private static Action<Lab> Square(double side) => lab =>
+    {
+        lab.PlaneHeight.Is(_ => side);
+        lab.PlaneWidth.Is(_ => side);
+    };
 
     /// <summary>Another formula for h alone, and for w alone.</summary>
     /// <param name="what">The formula in words.</param>

@@ -19,8 +19,9 @@ internal sealed partial class Lab
         var isDepth = camera.Clip == Clip.Depth;
         var half = camera.Sample == RayCaster.Sample.Center ? 0.5 : 0;
 
-        AxisW = new((p, t) => -Unit(t - p));
-        AxisU = new((up, w) => Unit(Cross.Do(up, w)));
+        Unit = new(a => a / Length.Do(a));
+        AxisW = new((p, t) => -Unit.Do(t - p));
+        AxisU = new((up, w) => Unit.Do(Cross.Do(up, w)));
         AxisV = new((w, u) => Cross.Do(w, u));
         PlaneHeight = new(fovY => 2 * Tan.Do(fovY * Math.PI / 180 / 2));
         PlaneWidth = new(h => h * camera.Width / camera.Height);
@@ -28,7 +29,7 @@ internal sealed partial class Lab
         Uc = new(c => w * c / camera.Width - w / 2);
         Ur = new(r => h * r / camera.Height - h / 2);
         Towards = new((uc, ur) => uc * U + ur * V - W);
-        Direction = new(Unit);
+        Direction = new(a => Unit.Do(a));
 
         Plane = new((plane, d) => plane.Intersect(RayOf(d)));
         Sphere = new((sphere, d) => sphere.Intersect(RayOf(d)));
@@ -45,8 +46,8 @@ internal sealed partial class Lab
         Hit = new(HitOf);
 
         Replaces = new((t, best) => Better.Do(t, best));
+        Lights = new((t, best) => Replaces.Do(t, best));
 
-        Norm = new(a => Length.Do(a));
         Reach = new(() => Length.Do(2 * (T - P)));
         Attenuation = new(t => 1 - t / reach);
         Row = new(y => camera.Height - 1 - y);
@@ -78,10 +79,10 @@ internal sealed partial class Lab
     public Camera Camera => Scene.Camera;
 
     /// <summary>P.</summary>
-    public Vector3 P { get; }
+    public Vector3 P { get; private set; }
 
     /// <summary>T.</summary>
-    public Vector3 T { get; }
+    public Vector3 T { get; private set; }
 
     /// <summary>To the right.</summary>
     public Vector3 U { get; }
@@ -115,6 +116,9 @@ internal sealed partial class Lab
     /// <param name="kind">As a scene file calls it.</param>
     public void LeaveOut(string kind) => models = [.. models.Where(model => model.Kind != kind)];
 
+    /// <summary>Swaps P and T.</summary>
+    public void SwapEnds() => (P, T) = (T, P);
+
     /// <summary>Swaps the file's width and height.</summary>
     public void SwapSides() => (Width, Height) = (Height, Width);
 
@@ -131,9 +135,6 @@ internal sealed partial class Lab
             for (var x = 0; x < Width; x++) picture[x, y] = this[x, y];
         return picture;
     }
-
-    /// <summary>a / |a|.</summary>
-    public Vector3 Unit(Vector3 a) => a / Norm.Do(a);
 
     /// <summary>Whether a crossing counts.</summary>
     public bool Counts(double t, Vector3 d) => Ahead.Do(t) && Clipped.Do(t, Depth.Do(t, d));
@@ -160,15 +161,16 @@ internal sealed partial class Lab
         var (c, r) = Sample.Do(column, row);
         var d = Direction.Do(Towards.Do(Uc.Do(c), Ur.Do(r)));
         Model? hit = null;
-        var best = Start.Do();
+        var (best, shown) = (Start.Do(), double.NaN);
         for (var i = 0; i < models.Length; i++)
         {
             if (Hit.Do(models[i], d) is not { } t) continue;
             if (Better.Do(t, best)) hit = models[i];
+            if (Lights.Do(t, best)) shown = t;
             if (Replaces.Do(t, best)) best = t;
         }
-        if (hit is null || !Kept.Do(best, Depth.Do(best, d))) return Bytes(Scene.Background);
-        return Bytes(Lit.Do(Dark.Do(Attenuation.Do(Distance.Do(best, d))), hit.Color));
+        if (hit is null || !Kept.Do(shown, Depth.Do(shown, d))) return Bytes(Scene.Background);
+        return Bytes(Lit.Do(Dark.Do(Attenuation.Do(Distance.Do(shown, d))), hit.Color));
     }
 
     private double? HitOf(Model model, Vector3 d) => model switch

@@ -10,8 +10,8 @@ internal sealed partial class Lab
     /// <summary>a → |a|.</summary>
     public Step<Func<Vector3, double>> Length { get; } = new(a => a.Length);
 
-    /// <summary>a → |a|, by which a is divided to be normalised.</summary>
-    public Step<Func<Vector3, double>> Norm { get; }
+    /// <summary>a → a / |a|.</summary>
+    public Step<Func<Vector3, Vector3>> Unit { get; }
 
     /// <summary>(a, b) → a × b.</summary>
     public Step<Func<Vector3, Vector3, Vector3>> Cross { get; } = new((a, b) => a % b);
@@ -101,6 +101,9 @@ internal sealed partial class Lab
 
     /// <summary>(t, best t) → whether t takes the place of the best t.</summary>
     public Step<Func<double, double, bool>> Replaces { get; }
+
+    /// <summary>(t, best t) → whether t is the one that the colour is computed from, if no later one is.</summary>
+    public Step<Func<double, double, bool>> Lights { get; }
 
     /// <summary>(t, depth) → whether the hit that was chosen shows.</summary>
     public Step<Func<double, double, bool>> Kept { get; } = new((_, _) => true);

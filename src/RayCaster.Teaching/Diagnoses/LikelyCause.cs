@@ -8,22 +8,30 @@ internal static class LikelyCause
     /// <summary>What may be left unexplained, as a share of the wrong pixels.</summary>
     private const double Explained = 0.1;
 
+    /// <summary>As many black lines at a border are no mistake of one line.</summary>
+    private const int LeastLines = 4;
+
     /// <summary>What surely is so: one number of the scene is another, or one model is missing or has another colour.</summary>
     /// <param name="prepared">The scene.</param>
     /// <param name="byModels">The picture beside the right one.</param>
     /// <param name="evidence">Of the picture.</param>
-    /// <param name="left">The share of the wrong pixels that the nearest mistakes leave unexplained.</param>
-    public static string? Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence, double left)
+    /// <param name="most">The share of the wrong pixels that a number may leave unexplained.</param>
+    public static string? Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence, double most)
     {
         if (ModelsText.Meant(byModels) is [{ } model] && (model.IsMissing || model.OtherColor is not null))
             return ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault();
-        var (unexplained, says) = OtherNumber.Find(prepared.Scene, evidence, prepared.Threads);
-        return unexplained <= Math.Min(Explained, left / 4) * evidence.WrongCount ? says : null;
+        var (unexplained, says) = OtherNumber.Find(prepared.Scene, byModels, evidence, prepared.Threads);
+        return unexplained <= Math.Min(Explained, most) * evidence.WrongCount ? says : null;
     }
 
     /// <summary>What may be said besides.</summary>
     public static IEnumerable<string> Hints(Scene scene, SceneDifference byModels, Picture picture, Picture right)
     {
+        if (Unwritten(picture, right) is { } unwritten)
+        {
+            yield return unwritten;
+            yield break;
+        }
         var meant = ModelsText.Meant(byModels);
         var kinds = meant.Where(model => model.Model >= 0).Select(model => scene.Models[model.Model].Kind).Distinct().ToArray();
         if (HasSameOutlines(scene, byModels, picture, right))
@@ -33,18 +41,28 @@ internal static class LikelyCause
                     ? $"Only what is of the type {kind}: the same outlines, but another light. Is its t right?"
                 : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
         }
-        else if (meant.Count == 1)
+        else if (meant.Count == 1 || (meant.Count > 1 && meant.All(model => model.IsMissing || model.OtherColor is not null)))
         {
             foreach (var sentence in ModelsText.Sentences(scene, byModels)) yield return sentence;
         }
-        else if (kinds is [var kind] && meant.All(model => model.Model >= 0) && scene.Models.Any(model => model.Kind != kind))
+        else if (scene.Models.Select(model => model.Kind).Distinct().ToArray() is { Length: > 1 } all
+            && all.FirstOrDefault(kind => IsOnly(kind, scene, byModels)) is { } only)
         {
-            yield return $"Only what is of the type {kind} is wrong: look at its formula.";
+            yield return $"Only what is of the type {only} is wrong: look at its formula.";
         }
     }
 
-    /// <summary>Says so where most of a picture has colours that no model of the scene has in any light; null where not.</summary>
-    public static string? OfAnother(Scene scene, Picture picture)
+    /// <summary>Whether nearly all wrong pixels show a kind of shape, or should.</summary>
+    private static bool IsOnly(string kind, Scene scene, SceneDifference byModels)
+    {
+        bool IsOfKind(int model) => model >= 0 && scene.Models[model].Kind == kind;
+        var of = byModels.Models.Sum(model => IsOfKind(model.Model) ? model.Wrong
+            : model.Shows.Where(shown => IsOfKind(shown.Model)).Sum(shown => shown.Pixels));
+        return of >= (1 - Explained) * byModels.Models.Sum(model => model.Wrong);
+    }
+
+    /// <summary>What is wrong with a picture as a whole: its colours, its outlines, or where they are; null where nothing can be said.</summary>
+    public static string? OfTheWhole(Scene scene, Picture picture, Picture right, int wrong)
     {
         var background = scene.Background.ToBytes();
         var count = picture.Width * picture.Height;
@@ -57,9 +75,36 @@ internal static class LikelyCause
             if (PictureDifference.Levels(shown, background) > Evidence.Tolerance
                 && !scene.Models.Any(model => Unfinished.IsShadeOf(shown, model.Color))) strange++;
         }
-        return strange <= looked / 2 ? null : string.Create(CultureInfo.InvariantCulture,
-            $"This is another picture, or its colours were changed: {100.0 * strange / looked:0} % of its pixels have a colour " +
-            $"that no model of the scene has in any light.");
+        if (strange > looked / 2)
+        {
+            return string.Create(CultureInfo.InvariantCulture,
+                $"This is another picture, or its colours were changed: {100.0 * strange / looked:0} % of its pixels have a colour " +
+                $"that no model of the scene has in any light.");
+        }
+        if (IsWrongOnlyOnOutlines(picture, right))
+            return "Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?";
+        return strange > looked / 10 || wrong < count / 3 ? null
+            : "Its colours are those of the scene, but the outlines are others: look at the camera (P, T, up), at h and w, uc and ur, " +
+                "and at which hit is the nearest.";
+    }
+
+    /// <summary>Whether most of what is wrong has another colour beside it in the right picture.</summary>
+    private static bool IsWrongOnlyOnOutlines(Picture picture, Picture right)
+    {
+        var (wrong, outlines) = (0, 0);
+        for (var y = 1; y < right.Height - 1; y++)
+        {
+            for (var x = 1; x < right.Width - 1; x++)
+            {
+                var here = right[x, y];
+                if (PictureDifference.Levels(picture[x, y], here) <= Evidence.Tolerance) continue;
+                wrong++;
+                if (IsOther(x - 1, y) || IsOther(x + 1, y) || IsOther(x, y - 1) || IsOther(x, y + 1)) outlines++;
+
+                bool IsOther(int nx, int ny) => PictureDifference.Levels(right[nx, ny], here) > 8;
+            }
+        }
+        return outlines > 0.5 * wrong;
     }
 
     /// <summary>Whether every pixel shows the model that it should, in some light.</summary>
@@ -74,10 +119,35 @@ internal static class LikelyCause
             wrong++;
             var model = byModels.ModelAt(i);
             if (model >= 0 && Unfinished.IsShadeOf(shown, scene.Models[model].Color)) same++;
-            // Of two grey models each is a shade of the other: there a new edge tells.
-            if (x > 0 && PictureDifference.Levels(right[x, y], right[x - 1, y]) <= 8 && PictureDifference.Levels(shown, picture[x - 1, y]) > 40)
-                edges++;
+            // Of two grey models each is a shade of the other, and black is a shade of all: there a new edge tells.
+            if ((x > 0 && IsNewEdge(x - 1, y)) || (y > 0 && IsNewEdge(x, y - 1))) edges++;
+
+            bool IsNewEdge(int nx, int ny) =>
+                PictureDifference.Levels(right[x, y], right[nx, ny]) <= 8 && PictureDifference.Levels(shown, picture[nx, ny]) > 40;
         }
-        return same >= 0.97 * wrong && edges <= 0.02 * wrong;
+        return same >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong); // a cut through an area is about as long as its side
+    }
+
+    /// <summary>Says so where the picture's upper or lower lines are black and should not be; null where not.</summary>
+    private static string? Unwritten(Picture picture, Picture right)
+    {
+        var (top, bottom) = (0, picture.Height);
+        while (top < bottom && IsBlack(picture, top)) top++;
+        while (top < bottom && IsBlack(picture, bottom - 1)) bottom--;
+        while (top > 0 && IsBlack(right, top - 1)) top--;
+        while (bottom < picture.Height && IsBlack(right, bottom)) bottom++;
+        var difference = new PictureDifference(picture, right);
+        var (first, rest) = (top * picture.Width, (bottom - top) * picture.Width);
+        if (Enumerable.Range(first, rest).Count(i => difference.LevelsAt(i) > Evidence.Tolerance) > Explained * rest) return null;
+        return (top, picture.Height - bottom) switch
+        {
+            ( >= LeastLines, 0) => Says($"Its {top} upper lines are black"),
+            (0, >= LeastLines and var lines) => Says($"Its {lines} lower lines are black"),
+            _ => null,
+        };
+
+        static bool IsBlack(Picture picture, int y) => !picture.Rgb.AsSpan(3 * picture.Width * y, 3 * picture.Width).ContainsAnyExcept((byte)0);
+
+        static string Says(string lines) => lines + ": did the program draw them, and write them all?";
     }
 }

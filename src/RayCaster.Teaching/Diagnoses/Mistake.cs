@@ -95,15 +95,7 @@ public sealed class Mistake
     public bool Touches(Scene scene) => TouchesAny(scene.Models.Select(KindOf));
 
     /// <summary>Whether a program has what the mistake touches that draws these kinds of shape, as a scene file calls them.</summary>
-    public bool Touches(IEnumerable<string> kinds) => TouchesAny(kinds.Select<string, Concerns>(kind => kind switch
-    {
-        "plane" => Concerns.Planes,
-        "sphere" => Concerns.Spheres,
-        "aabb" => Concerns.Boxes,
-        "circle" => Concerns.Circles,
-        "triangle" or "mesh" => Concerns.Triangles,
-        _ => default(Concerns),
-    }));
+    public bool Touches(IEnumerable<string> kinds) => TouchesAny(kinds.Select(KindOf));
 
     private bool TouchesAny(IEnumerable<Concerns> shapes)
     {
@@ -129,13 +121,16 @@ public sealed class Mistake
     }
 
     /// <summary>The formula that a model is drawn by.</summary>
-    internal static Concerns KindOf(Model model) => model switch
+    internal static Concerns KindOf(Model model) => KindOf(model.Kind);
+
+    /// <summary>The formula that a kind of shape, as a scene file calls it, is drawn by.</summary>
+    internal static Concerns KindOf(string kind) => kind switch
     {
-        Model<Plane> => Concerns.Planes,
-        Model<Sphere> => Concerns.Spheres,
-        Model<Aabb> => Concerns.Boxes,
-        Model<Circle> => Concerns.Circles,
-        Model<Triangle> or Mesh => Concerns.Triangles,
+        "plane" => Concerns.Planes,
+        "sphere" => Concerns.Spheres,
+        "aabb" => Concerns.Boxes,
+        "circle" => Concerns.Circles,
+        "triangle" or "mesh" => Concerns.Triangles,
         _ => 0,
     };
 }

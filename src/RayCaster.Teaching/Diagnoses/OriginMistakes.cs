@@ -15,6 +15,7 @@ internal static class OriginMistakes
             "The ray begins at P. Where is P in your t?",
             "t = (Q − P)·n / d·n; for a sphere L = C − P, for a box t0 = (B0 − P) / d.")
             .Or(PlaneReaders.Of("Q·n / d·n, without P", (_, Q, n, d) => Q * n / (d * n)).Skip(1))
+            .Or(PlaneReaders.Of("P·n / d·n, without Q", (P, _, n, d) => P * n / (d * n)))
             .Or("circle: X = t d, without P", lab => lab.Circle.Becomes(cross => (circle, d) =>
             {
                 var t = cross(circle with { Radius = double.PositiveInfinity }, d).Near;

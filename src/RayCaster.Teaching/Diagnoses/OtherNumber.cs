@@ -9,8 +9,8 @@ namespace RayCaster.Teaching;
 /// <param name="Says">What is to be said of an x.</param>
 internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double> Tries, Func<double, string> Says)
 {
-    /// <summary>As many models are tried as those with another size or place.</summary>
-    private const int MostModels = 24;
+    /// <summary>The share of the wrong pixels that a model of another size or place shows, or should show, at least.</summary>
+    private const double Own = 0.3;
 
     /// <summary>How many numbers get a closer look, and how many steps towards the best x.</summary>
     private const int Closer = 6, Steps = 14;
@@ -19,15 +19,21 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
 
     /// <summary>The number that explains a picture best.</summary>
     /// <param name="scene">The scene.</param>
+    /// <param name="byModels">The picture beside the right one.</param>
     /// <param name="evidence">Of the picture.</param>
     /// <param name="threads">How many threads draw.</param>
     /// <returns>How many pixels it leaves unexplained, and what it says.</returns>
-    public static (double Unexplained, string Says) Find(Scene scene, Evidence evidence, int? threads)
+    public static (double Unexplained, string Says) Find(Scene scene, SceneDifference byModels, Evidence evidence, int? threads)
     {
-        OtherNumber[] all = [.. OfCamera(scene), .. scene.Models.Take(MostModels).SelectMany((_, place) => OfModel(scene, place))];
+        var places = from model in byModels.Models
+                     where model.Model >= 0
+                     let shown = byModels.Models.Sum(other => other.Shows.Where(shown => shown.Model == model.Model).Sum(shown => shown.Pixels))
+                     where model.Wrong + shown >= Own * evidence.WrongCount
+                     select model.Model;
+        OtherNumber[] all = [.. OfCamera(scene), .. places.SelectMany(place => OfModel(scene, place))];
         var found = new (Misfit Misfit, double X)[all.Length];
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
-        Parallel.For(0, all.Length, options, i => found[i] = all[i].Tries.Select(x => (evidence.Misfit(all[i].Draw(x), 0.05), x)).Min());
+        Parallel.For(0, all.Length, options, i => found[i] = all[i].Tries.Select(x => (evidence.Misfit(all[i].Draw(x), 0.03), x)).Min());
         int[] best = [.. Enumerable.Range(0, all.Length).OrderBy(i => found[i].Misfit).Take(Closer)];
         Parallel.ForEach(best, options, i => found[i] = all[i].Closest(found[i].X, evidence));
         var first = best.MinBy(i => found[i].Misfit);

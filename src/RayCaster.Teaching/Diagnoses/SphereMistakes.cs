@@ -15,17 +15,15 @@ internal static class SphereMistakes
             .Or("sphere: 2 R where R² is meant", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = Math.Sqrt(2 * s.Radius) }, d)))
             .Or("sphere: R⁴ where R² is meant", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius * s.Radius }, d)))
             .Or("sphere: D² > R asked where D² > R² is meant", Sphere((R, tca, D2) => D2 > R ? None : Roots(tca, Math.Sqrt(R * R - D2))))
+            .Or("sphere: thc = √(R − D²), and D² > R² asked rightly", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(R - D2))))
             .Or("sphere: D > R² asked where D > R is meant", Sphere((R, tca, D2) => D2 > R * R * R * R ? None : Roots(tca, Math.Sqrt(R * R - D2)))),
         new Mistake("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
-            lab =>
-            {
-                lab.Hit.Becomes(hit => (model, d) =>
-                    model is Model<Sphere> s && double.IsNaN(lab.Sphere.Do(s.Primitive, d).Near) ? double.NaN : hit(model, d));
-                lab.Better.Is((t, best) => !(t >= best)); // the same for numbers
-            },
+            NoNumberHits((t, best) => !(t >= best)), // the same for numbers
             "Nearly all is black where a sphere is in the scene; only what is listed after it survives.",
             "What does Math.Sqrt give for −1, and what does NaN < 0 say?",
             "Return no hit where R² − D² < 0, before the root.")
+            .Or("sphere: NaN passes for the first hit, and no t is less than that",
+                NoNumberHits((t, best) => double.IsPositiveInfinity(best) || t < best))
             .Or("sphere: thc = √|R² − D²|, and every ray hits", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(Math.Abs(R * R - D2))))),
         new Mistake("far-root", Concerns.Spheres, Slides.Sphere, "sphere: the far root t = tca + thc is taken",
             lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Far)),
@@ -43,6 +41,8 @@ internal static class SphereMistakes
             "Spheres are missing; those behind the camera show.",
             "From where to where does L point?",
             "L = C − P, tca = L·d. (In the quadratic: b = 2 d·(P − C).)")
+            .Or("sphere: L = C + P", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = s.Center + 2 * lab.P }, d)))
+            .Or("sphere: L = −P, without C", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = Vector3.Zero }, d)))
             .Or("sphere: thc − tca where tca − thc is meant", Sphere((R, tca, D2) => new(Math.Sqrt(R * R - D2) - tca, Math.Sqrt(R * R - D2) + tca))),
         new Mistake("disc-2", Concerns.Spheres, Slides.SphereAnalytical, "sphere: discriminant b² − a c, while b = 2 d·(P − C) has its 2",
             Quadratic((a, b, c) => Roots(a, b, b * b - a * c)),
@@ -76,12 +76,17 @@ internal static class SphereMistakes
             .Or("sphere: D² = L² − tca", Distances((L2, tca) => L2 - tca))
             .Or("sphere: D = |L| − tca", Distances((L2, tca) => (Math.Sqrt(L2) - tca) * (Math.Sqrt(L2) - tca)))
             .Or("sphere: D = |L|", Distances((L2, _) => L2))
-            .Or("sphere: D² = |L| − tca", Distances((L2, tca) => Math.Sqrt(L2) - tca)),
+            .Or("sphere: D² = |L| − tca", Distances((L2, tca) => Math.Sqrt(L2) - tca))
+            .Or("sphere: D² = L² + tca²", Distances((L2, tca) => L2 + tca * tca))
+            .Or("sphere: thc = √(R² + D²)", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(R * R + D2)))),
         new Mistake("thc-nosqrt", Concerns.Spheres, Slides.Sphere, "sphere: thc = R² − D² without the root",
             Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R * R - D2)),
             "Spheres have the right outline, but bulge or are too flat: their light is wrong, and so is what covers them.",
             "In which unit is R² − D²: metres, or square metres?",
             "thc = √(R² − D²).")
+            .Or("sphere: thc = R", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R)))
+            .Or("sphere: thc halved", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - D2) / 2)))
+            .Or("sphere: thc doubled", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - D2) * 2)))
             .Or("sphere: thc = R − D", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R - Math.Sqrt(D2))))
             .Or("sphere: (−b ∓ (b² − 4ac)) / 2a",
                 Quadratic((a, b, c) => b * b - 4 * a * c < 0 ? None : Roots(-b / (2 * a), (b * b - 4 * a * c) / (2 * a)))),
@@ -107,6 +112,14 @@ internal static class SphereMistakes
                 lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d));
             }),
     ];
+
+    /// <summary>A ray that passes by a sphere hits it at NaN.</summary>
+    private static Action<Lab> NoNumberHits(Func<double, double, bool> better) => lab =>
+    {
+        lab.Hit.Becomes(hit => (model, d) =>
+            model is Model<Sphere> s && double.IsNaN(lab.Sphere.Do(s.Primitive, d).Near) ? double.NaN : hit(model, d));
+        lab.Better.Is(better);
+    };
 
     /// <summary>The slide's geometric formula, from R, tca and D² on.</summary>
     private static Action<Lab> Sphere(Func<double, double, double, Crossings<Scalar>> roots) =>

@@ -16,6 +16,7 @@ internal static class SurfaceMistakes
             "t = (Q − P)·n / d·n.")
             .Or(PlaneReaders.Of("(P − Q)·n, so that t has the wrong sign", (P, Q, n, d) => (P - Q) * n / (d * n)).Skip(1))
             .Or(PlaneReaders.Of("(Q + P)·n", (P, Q, n, d) => (P + Q) * n / (d * n)))
+            .Or(PlaneReaders.Of("|(Q − P)·n| / d·n", (P, Q, n, d) => Math.Abs((Q - P) * n) / (d * n)))
             .Or("plane: (Q − P)·n / |d·n|", PlaneReaders.At(Concerns.Planes, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
             .Or("plane and circle: (Q − P)·n / |d·n|",
                 PlaneReaders.At(Concerns.Planes | Concerns.Circles, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
@@ -32,7 +33,11 @@ internal static class SurfaceMistakes
             .Or("plane and circle: left out where n points away from the camera (d·n ≥ 0)", Cull(1, 1))
             .Or("plane and circle: left out where n points to the camera (d·n ≤ 0)", Cull(-1, -1))
             .Or("circle: left out where n points away from the camera (d·n ≥ 0)", Cull(0, 1))
-            .Or("circle: left out where n points to the camera (d·n ≤ 0)", Cull(0, -1)),
+            .Or("circle: left out where n points to the camera (d·n ≤ 0)", Cull(0, -1))
+            .Or("plane, circle and triangle: left out where n points away from the camera (d·n ≥ 0)", Cull(1, 1, 1))
+            .Or("plane, circle and triangle: left out where n points to the camera (d·n ≤ 0)", Cull(-1, -1, -1))
+            .Or("plane: left out where d·n ≤ 0.01",
+                lab => lab.Plane.Becomes(cross => (plane, d) => d * plane.Normal <= 0.01 ? None : cross(plane, d))),
     ];
 
     private static Mistake[] OfCircles =>
@@ -52,7 +57,12 @@ internal static class SurfaceMistakes
             "What is there of a circle that a plane has not?",
             "The plane's crossing X counts only where |X − C| ≤ R.")
             .Or("circle: |X − C| > R, an endless plane with a hole", lab => lab.Circle.Becomes(cross => (circle, d) =>
-                double.IsNaN(cross(circle, d).Near) ? cross(circle with { Radius = double.PositiveInfinity }, d) : None)),
+                double.IsNaN(cross(circle, d).Near) ? cross(circle with { Radius = double.PositiveInfinity }, d) : None))
+            .Or(Within("|X − C| without x", (lab, X, C) => new(0, X.Y - C.Y, X.Z - C.Z)))
+            .Or(Within("|X − C| without y", (lab, X, C) => new(X.X - C.X, 0, X.Z - C.Z)))
+            .Or(Within("|X − C| without z", (lab, X, C) => new(X.X - C.X, X.Y - C.Y, 0)))
+            .Or(Within("|X|, without C", (_, X, _) => X))
+            .Or(Within("t", (lab, X, _) => X - lab.P)),
     ];
 
     private static Mistake[] OfTriangles =>
@@ -73,12 +83,14 @@ internal static class SurfaceMistakes
             .Or(ThirdSide("u + v ≥ 1", (u, v) => u + v >= 1))
             .Or(ThirdSide("u v ≤ 1", (u, v) => u * v <= 1)),
         new Mistake("tri-cull", Concerns.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
-            lab => lab.Triangle.Becomes(cross => (triangle, d) => d * NormalOf(lab, triangle) >= 0 ? None : cross(triangle, d)),
+            Cull(0, 0, 1),
             "Some triangles are missing; they come back when two corners are swapped.",
             "Does the slide say anything of the sign of d·n?",
             "Only d·n = 0 has no crossing; both sides are visible.")
             .Or("triangle: left out where its corners run counter-clockwise (d·n ≤ 0)",
-                lab => lab.Triangle.Becomes(cross => (triangle, d) => d * NormalOf(lab, triangle) <= 0 ? None : cross(triangle, d))),
+                Cull(0, 0, -1))
+            .Or("circle and triangle: left out where n points away from the camera (d·n ≥ 0)", Cull(0, 1, 1))
+            .Or("circle and triangle: left out where n points to the camera (d·n ≤ 0)", Cull(0, -1, -1)),
         new Mistake("tri-neg", Concerns.Triangles, Slides.Triangle, "triangle: u + v ≤ 1, but neither u ≥ 0 nor v ≥ 0: a half-plane",
             TriangleWhere((u, v) => u + v <= 1),
             "A triangle covers a large part of the picture.",
@@ -87,6 +99,9 @@ internal static class SurfaceMistakes
             .Or("triangle: nothing asked of u and v: an endless plane", TriangleWhere((_, _) => true))
             .Or("triangle: u ≤ 0 where u ≥ 0 is meant", TriangleWhere((u, v) => u <= 0 && v >= 0 && u + v <= 1))
             .Or("triangle: v ≤ 0 where v ≥ 0 is meant", TriangleWhere((u, v) => u >= 0 && v <= 0 && u + v <= 1))
+            .Or("triangle: −u for u", TriangleWhere((u, v) => IsInside(-u, v)))
+            .Or("triangle: −v for v", TriangleWhere((u, v) => IsInside(u, -v)))
+            .Or("triangle: −u for u and −v for v", TriangleWhere((u, v) => IsInside(-u, -v)))
             .Or("triangle: u ≥ 0 or v ≥ 0 where both are meant", TriangleWhere((u, v) => (u >= 0 || v >= 0) && u + v <= 1))
             .Or("triangle: u ≥ 0 and v ≥ 0, or u + v ≤ 1", TriangleWhere((u, v) => (u >= 0 && v >= 0) || u + v <= 1))
             .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
@@ -108,12 +123,24 @@ internal static class SurfaceMistakes
             }),
     ];
 
-    /// <summary>Leaves planes and circles out by the sign of d·n: 1 where n points away, −1 where it points to the camera, 0 never.</summary>
-    private static Action<Lab> Cull(int planes, int circles) => lab =>
+    /// <summary>Leaves shapes out by the sign of d·n: 1 where n points away, −1 where it points to the camera, 0 never.</summary>
+    private static Action<Lab> Cull(int planes, int circles, int triangles = 0) => lab =>
     {
+        if (triangles != 0)
+            lab.Triangle.Becomes(cross => (triangle, d) => triangles * (d * NormalOf(lab, triangle)) >= 0 ? None : cross(triangle, d));
         if (planes != 0) lab.Plane.Becomes(cross => (plane, d) => planes * (d * plane.Normal) >= 0 ? None : cross(plane, d));
         if (circles != 0) lab.Circle.Becomes(cross => (circle, d) => circles * (d * circle.Normal) >= 0 ? None : cross(circle, d));
     };
+
+    /// <summary>Something else than |X − C| compared with R.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Within(string what, Func<Lab, Vector3, Vector3, Vector3> distance) =>
+    [
+        ($"circle: {what} compared with R", lab => lab.Circle.Becomes(cross => (circle, d) =>
+        {
+            var endless = cross(circle with { Radius = double.PositiveInfinity }, d);
+            return distance(lab, lab.P + (double)endless.Near * d, circle.Center).Length <= circle.Radius ? endless : None;
+        })),
+    ];
 
     private static IEnumerable<(string, Action<Lab>)> ThirdSide(string what, Func<double, double, bool> holds) =>
         [($"triangle: {what} where u + v ≤ 1 is meant", TriangleWhere((u, v) => u >= 0 && v >= 0 && holds(u, v)))];

@@ -21,6 +21,9 @@ internal static class VectorMistakes
             "W = −(T − P) normalised.")
             .Or("W is not normalised in d alone", LengthenW)
             .Or("W is not normalised in V alone", lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.T - lab.P) * V(w, u)))
+            .Or("h and w are those at the target, while W is normalised",
+                lab => lab.PlaneHeight.Becomes(h => fovY => lab.Length.Do(lab.T - lab.P) * h(fovY)))
+            .Or("V = (T − P) × U", lab => lab.AxisV.Becomes(V => (w, u) => -lab.Length.Do(lab.T - lab.P) * V(w, u)))
             .Or("W is not normalised, but V is", lab =>
             {
                 LengthenW(lab);
@@ -30,70 +33,43 @@ internal static class VectorMistakes
                 lab => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur * lab.Length.Do(lab.T - lab.P)))),
         new Mistake("norm-copy", Concerns.Camera, Slides.Vectors,
             "W, U and d are not normalised: Normalize() changes a copy, or its result is not used",
-            lab =>
-            {
-                LeaveAxes(lab);
-                lab.Direction.Is(d => d);
-                AllowAnyLength(lab);
-            },
+            LeaveAll + AllowAnyLength,
             "Everything is far too large and far too bright: a piece of it fills the picture.",
             "Print |W|, |U| and |d|. What should they be?",
             "A vector's method returns a new vector: d = d.Normalized.")
-            .Or("W and U are not normalised", LeaveAxes),
-        new Mistake("len-nosqrt", Concerns.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
-            lab =>
+            .Or("W, U and d are not normalised, and the sphere takes d·d = 1", LeaveAll + AssumeUnitLength)
+            .Or("W and U are not normalised", LeaveAxes)
+            .Or(from part in Parts
+                from unit in (Func<Vector3, Vector3>[])[a => part.Of(a / a.Length, a), a => part.Of(a, a / a.Length)]
+                from wording in Units($"normalised in {part.Name} alone", unit) select wording)
+            .Or(Units("each component divided by a length that has changed by then", a =>
             {
-                SquareLength(lab);
-                AllowAnyLength(lab);
-            },
+                a = a with { X = a.X / a.Length };
+                a = a with { Y = a.Y / a.Length };
+                return a with { Z = a.Z / a.Length };
+            }))
+            .Or(Units("a |a| for a / |a|", a => a.Length * a)),
+        new Mistake("len-nosqrt", Concerns.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
+            SquareLength + AllowAnyLength,
             "Nearly all is gone or has a wrong size, or the light reaches too far.",
             "How long is (3, 4, 0)? What does your Length say?",
             "|a| = √(x² + y² + z²).")
-            .Or("the same, and the sphere takes d·d = 1", lab =>
-            {
-                SquareLength(lab);
-                AssumeUnitLength(lab);
-            })
-            .Or("the same, with 2 · |T − P| for |2 (T − P)|", lab =>
-            {
-                SquareLength(lab);
-                AssumeUnitLength(lab);
-                lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
-            })
-            .Or("the same, the sphere for any d", lab =>
-            {
-                SquareLength(lab);
-                AllowAnyLength(lab);
-                lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
-            })
-            .Or("a vector is normalised by x² + y² + z²", lab =>
-            {
-                lab.Norm.Is(a => a * a);
-                AllowAnyLength(lab);
-            })
-            .Or("a vector is normalised by x² + y² + z², and the sphere takes d·d = 1", lab =>
-            {
-                lab.Norm.Is(a => a * a);
-                AssumeUnitLength(lab);
-            })
+            .Or(WithBothSpheres("the length without its square root", SquareLength).Skip(1))
+            .Or(WithBothSpheres("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach))
+            .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
+            .Or(from part in Parts
+                from wording in Lengths($"{part.Name} forgotten in the length", a => part.Of(Vector3.Zero, a).Length) select wording)
+            .Or(Lengths("|a| = |x| + |y| + |z|", a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
+            .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
             .Or("W is divided by x² + y² + z²", lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p)))
             .Or("W is divided by x² + y² + z², but V is of length 1", lab =>
             {
                 lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p));
-                lab.AxisV.Becomes(V => (w, u) => lab.Unit(V(w, u)));
+                lab.AxisV.Becomes(V => (w, u) => lab.Unit.Do(V(w, u)));
             })
             .Or("U is divided by x² + y² + z²",
                 lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
-            .Or("d is divided by x² + y² + z²", lab =>
-            {
-                lab.Direction.Is(d => d / (d * d));
-                AllowAnyLength(lab);
-            })
-            .Or("d is divided by x² + y² + z², and the sphere takes d·d = 1", lab =>
-            {
-                lab.Direction.Is(d => d / (d * d));
-                AssumeUnitLength(lab);
-            })
+            .Or(WithBothSpheres("d is divided by x² + y² + z²", lab => lab.Direction.Is(d => d / (d * d))))
             .Or("the light reaches (T − P)²", lab => lab.Reach.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
             .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
             .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
@@ -102,13 +78,15 @@ internal static class VectorMistakes
             "The picture is turned or skewed, and triangles are torn.",
             "What is (0, 0, 1) × (1, 0, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-            .Or(CrossWordings('y', "ax bz − az bx")),
+            .Or(CrossWordings('y', "ax bz − az bx"))
+            .Or(Swapped("y and z", n => new(n.X, n.Z, n.Y))),
         new Mistake("cross-z", Concerns.Camera, Slides.Vectors, "the cross product's z is ax by − ay by",
             lab => MistakeCross(lab, (a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }),
             "The picture is skewed, and triangles are torn.",
             "What is (1, 2, 0) × (3, 5, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-            .Or(CrossWordings('z', "ax by − ay by")),
+            .Or(CrossWordings('z', "ax by − ay by"))
+            .Or(Swapped("x and z", n => new(n.Z, n.Y, n.X))),
         new("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
             lab =>
             {
@@ -132,7 +110,8 @@ internal static class VectorMistakes
             "The picture is mirrored, turned or skewed, and triangles are torn.",
             "What is (0, 1, 0) × (0, 0, 1)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-            .Or(CrossWordings('x', "az by − ay bz")),
+            .Or(CrossWordings('x', "az by − ay bz"))
+            .Or(Swapped("x and y", n => new(n.Y, n.X, n.Z))),
     ];
 
     private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur));
@@ -144,13 +123,35 @@ internal static class VectorMistakes
         return length * towards(uc / length, ur / length);
     }
 
+    private static Action<Lab> LeaveAll => LeaveAxes + (Action<Lab>)(lab => lab.Direction.Is(d => d));
+
     private static void LeaveAxes(Lab lab)
     {
         lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t));
         lab.AxisU.Becomes(U => (up, w) => lab.Length.Do(lab.Cross.Do(up, w)) * U(up, w));
     }
 
-    private static void SquareLength(Lab lab) => lab.Length.Becomes(length => a => length(a) * length(a));
+    /// <summary>A vector whose other components come from a second one, by the component that does not.</summary>
+    private static (string Name, Func<Vector3, Vector3, Vector3> Of)[] Parts =>
+    [
+        ("x", (b, a) => a with { X = b.X }), ("y", (b, a) => a with { Y = b.Y }), ("z", (b, a) => a with { Z = b.Z }),
+    ];
+
+    /// <summary>Another way to normalise, with the sphere's formula for any d and with the one for d·d = 1.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Units(string what, Func<Vector3, Vector3> unit) =>
+        WithBothSpheres(what, lab => lab.Unit.Is(unit));
+
+    /// <summary>Another length, likewise.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Lengths(string what, Func<Vector3, double> length) =>
+        WithBothSpheres(what, lab => lab.Length.Is(length));
+
+    private static (string, Action<Lab>)[] WithBothSpheres(string what, Action<Lab> deviate) =>
+        [(what, deviate + AllowAnyLength), (what + ", and the sphere takes d·d = 1", deviate + AssumeUnitLength)];
+
+    private static Action<Lab> SquareLength => lab => lab.Length.Becomes(length => a => length(a) * length(a));
+
+    /// <summary>Twice the length, where the length of twice the vector is another.</summary>
+    private static Action<Lab> DoubleReach => lab => lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
 
     /// <summary>The sphere's formula for a direction of any length: t counts in its lengths.</summary>
     private static void AllowAnyLength(Lab lab) => lab.Sphere.Becomes(cross => (s, d) =>
@@ -199,6 +200,13 @@ internal static class VectorMistakes
             yield return ($"the cross product's {axis} is {what}, but triangles do without it", inCamera);
         }
     }
+
+    /// <summary>Two components of the cross product in each other's place; in triangles too, and in the camera alone.</summary>
+    private static (string, Action<Lab>)[] Swapped(string which, Func<Vector3, Vector3> swap) =>
+    [
+        ($"the cross product's {which} are swapped", lab => MistakeCross(lab, (_, _, n) => swap(n))),
+        ($"the cross product's {which} are swapped, but triangles do without it", lab => lab.Cross.Becomes(cross => (a, b) => swap(cross(a, b)))),
+    ];
 
     /// <summary>The triangle's n is the lab's cross product; u and v do without it.</summary>
     private static void TakeOnlyNormals(Lab lab)

@@ -33,5 +33,5 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <param name="wrong">How many pixels are wrong.</param>
     public double Cost(int wrong) =>
         (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong)
-        * Math.Pow(1 / 0.6, Math.Max(Wordings.Count, OtherSample ? 1 : 0)) * Math.Pow(1.15, Base.NotYet.Count);
+        * Math.Pow(1 / 0.6, Wordings.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count);
 }

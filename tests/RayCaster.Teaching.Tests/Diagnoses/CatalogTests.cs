@@ -60,7 +60,8 @@ public class CatalogTests
         Assert.True(hidden.Length == 0, string.Join(Environment.NewLine, hidden.Select(wording => $"{wording}: {wording.Cause}")));
     }
 
-    private static readonly (Scene Scene, Picture Right)[] rights = [.. scenes.Values.Select(scene => (scene, ScalarRenderer.Render(scene)))];
+    private static readonly (Scene Scene, Picture Right)[] rights =
+        [.. scenes.Values.Append(SceneFolder.Small("room", 4)).Select(scene => (scene, ScalarRenderer.Render(scene)))];
 
     private static bool AreAlike(Picture a, Picture b) =>
         (a.Width, a.Height) == (b.Width, b.Height) && a.Rgb.AsSpan().SequenceEqual(b.Rgb);

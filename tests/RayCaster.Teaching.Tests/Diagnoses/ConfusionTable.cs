@@ -119,6 +119,7 @@ internal sealed class ConfusionTable
         {
             Finding.Matches => "(right)",
             Finding.NoneOfThese => "(none of these)",
+            Finding.Unfinished when diagnosis.Suspects.Count == 0 => "(unfinished)",
             _ => string.Join(" + ", diagnosis.Suspects[0].Mistakes.Select(mistake => mistake.Id)),
         };
         if (!confused.TryGetValue(planted, out var row)) confused[planted] = row = new(StringComparer.Ordinal);

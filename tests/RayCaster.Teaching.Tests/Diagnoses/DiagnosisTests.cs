@@ -53,6 +53,13 @@ public class DiagnosisTests
     }
 
     [Fact]
+    public void ASmallMistakeIsNamedBesideOneThatChangesEverything()
+    {
+        var picture = WrongPicture.Draw(scene, [MistakeCatalog.Named("gamma")!, MistakeCatalog.Named("tri-uv")!]);
+        Assert.Equal(["gamma", "tri-uv"], Diagnosis.Of(scene, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
+    }
+
+    [Fact]
     public void AMissingModelIsNamed()
     {
         for (var i = 0; i < scene.Models.Count; i += 4)

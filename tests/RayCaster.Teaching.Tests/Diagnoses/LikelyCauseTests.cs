@@ -44,6 +44,43 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    public void BlackLinesAtABorderAreNoOtherLight()
+    {
+        var picture = ScalarRenderer.Render(generic);
+        var half = picture.Height / 2;
+        picture.Rgb.AsSpan(3 * picture.Width * half).Clear();
+        var diagnosis = Diagnosis.Of(generic, picture);
+        Assert.Equal(Finding.NoneOfThese, diagnosis.Finding);
+        Assert.StartsWith($"Its {picture.Height - half} lower lines are black", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    public void ASmoothedPictureIsWrongOnlyOnItsOutlines()
+    {
+        var (right, smooth) = (ScalarRenderer.Render(generic), ScalarRenderer.Render(generic));
+        for (var y = 1; y < right.Height - 1; y++)
+            for (var x = 1; x < right.Width - 1; x++) smooth[x, y] = Mean(right[x - 1, y], right[x + 1, y], right[x, y - 1], right[x, y + 1]);
+        var diagnosis = Diagnosis.Of(generic, smooth);
+        Assert.Equal(Finding.NoneOfThese, diagnosis.Finding);
+        Assert.StartsWith("Only outlines are wrong", Assert.Single(diagnosis.Likely));
+
+        static (byte, byte, byte) Mean(params ReadOnlySpan<(byte R, byte G, byte B)> colors)
+        {
+            var (r, g, b) = (0, 0, 0);
+            foreach (var color in colors) (r, g, b) = (r + color.R, g + color.G, b + color.B);
+            return ((byte)(r / 4), (byte)(g / 4), (byte)(b / 4));
+        }
+    }
+
+    [Fact]
+    public void AnotherCameraIsToldByItsOutlines()
+    {
+        var diagnosis = Of(generic, Seen(generic, target: generic.Camera.Target + new Vector3(-1.5, 1.5, 0.8)));
+        Assert.Equal(Finding.NoneOfThese, diagnosis.Finding);
+        Assert.StartsWith("Its colours are those of the scene, but the outlines are others", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
     public void TheOthersAreOrderedByWhatTheyLeave()
     {
         foreach (var id in new[] { "tri-uv", "u-unnorm" })

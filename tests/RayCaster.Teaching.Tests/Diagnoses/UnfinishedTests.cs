@@ -58,6 +58,17 @@ public class UnfinishedTests
     public void OtherMistakesOnTopAreNamed(string kinds, string id) => AMistakeOnTopOfWhatIsThereIsNamed(kinds, id);
 
     [Fact]
+    public void AMistakeThatLosesAShapeIsListedBesideAnother()
+    {
+        var diagnosis = Diagnosis.Of(scene, WrongPicture.Draw(scene, [Named("aspect-none"), Named("box-size")]));
+        Assert.Equal((Finding.Mistake, "aspect-none"), (diagnosis.Finding, diagnosis.Suspects[0].Mistakes[0].Id));
+        Assert.Contains(diagnosis.Suspects, suspect => suspect.SamePicture
+            && suspect.Mistakes.Select(mistake => mistake.Id).Order().SequenceEqual(["aspect-none", "box-size"]));
+
+        static Mistake Named(string id) => MistakeCatalog.Named(id)!;
+    }
+
+    [Fact]
     public void WhatIsDoneIsNotTakenForMissing()
     {
         var picture = Drawn("sphere", "ok");
