@@ -14,6 +14,9 @@ public enum Finding
 
     /// <summary>The picture is wrong, and no mistake of the catalogue explains it.</summary>
     NoneOfThese,
+
+    /// <summary>The picture shows nothing but background, or all models are black: very many mistakes make such a picture, so none is named.</summary>
+    TellsNothing,
 }
 
 /// <summary>One mistake, or two at once, that may have made a picture.</summary>
@@ -23,9 +26,12 @@ public enum Finding
 /// <param name="Twins">Mistakes that give the same picture of this scene, so that nothing can tell them apart.</param>
 /// <param name="NotYet">What is not drawn yet besides, as in <see cref="Diagnosis.NotYet"/>.</param>
 /// <param name="SamePicture">Whether it draws the same picture of this scene as the first suspect; true of that one, too.</param>
+/// <param name="HasSymptoms">
+/// Whether the symptoms of the mistakes are surely to be seen: each is in the wording that its symptom was written for, and they explain the picture.
+/// </param>
 public sealed record Suspect(
     IReadOnlyList<Mistake> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet,
-    bool SamePicture);
+    bool SamePicture, bool HasSymptoms);
 
 /// <summary>
 /// Finds out what makes a wrong picture: draws some of the scene's pixels as programs do that are not finished, with each mistake of the
@@ -78,10 +84,11 @@ public sealed class Diagnosis
 
     private readonly SceneDiagnosis prepared;
     private readonly Evidence evidence;
+    private readonly Predicate<Mistake>? likely;
 
-    internal Diagnosis(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done)
+    internal Diagnosis(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Mistake>? likely)
     {
-        this.prepared = prepared;
+        (this.prepared, this.likely) = (prepared, likely);
         var (scene, right) = (prepared.Scene, prepared.Right);
         var most = (int)Math.Clamp(Pixels * 500L / Math.Max(1, scene.Models.Count), 300, Pixels); // the time stays
         evidence = new(scene, right, picture, most, !TooManyModels);
@@ -100,11 +107,16 @@ public sealed class Diagnosis
             Finding = Finding.Matches;
             return;
         }
+        if (PlainPicture.Says(scene, picture, right) is { } plain)
+        {
+            (Finding, Likely) = (Finding.TellsNothing, [plain]);
+            return;
+        }
         Finding = Finding.NoneOfThese;
         if (TooManyModels) return;
 
         MissingModel = FindMissingModel();
-        var ranked = new DiagnosisSearch(scene, prepared.Known, evidence, prepared.Threads)
+        var ranked = new DiagnosisSearch(scene, prepared.Known, evidence, prepared.Threads, likely)
             .Run(Unfinished.Ways(scene.Models, done), () => Unfinished.ByColors(scene, right, picture, done));
         Answer(ranked, picture, done);
     }
@@ -228,7 +240,7 @@ public sealed class Diagnosis
     private bool IsRestRight(string[] kinds, Picture picture, IReadOnlyCollection<string> done)
     {
         var drawn = prepared.Scene with { Models = [.. prepared.Scene.Models.Where(model => !kinds.Contains(model.Kind))] };
-        var rest = new SceneDiagnosis(drawn, prepared.Threads).Judge(picture, done);
+        var rest = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible).Judge(picture, done, likely);
         if (rest.Finding == Finding.Matches) return true;
         NotYet = [.. kinds, .. rest.NotYet];
         (Finding, Suspects, Likely) = (rest.Finding, rest.Suspects, rest.Likely);
@@ -269,6 +281,7 @@ public sealed class Diagnosis
                 other.Wordings.Any(wording => evidence.AreAlike(own, new WrongProgram(way, [wording], trial.OtherSample).Draw(prepared.Scene))))];
         }
         var isSame = !own.Scatters && !likeliest.Scatters && evidence.AreAlike(own, likeliest);
-        return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet, isSame);
+        var isTypical = trial.Misfit.Unexplained <= Explained * WrongCount && trial.Wordings.All(wording => wording == MistakeCatalog.Named(wording.Id));
+        return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet, isSame, isTypical);
     }
 }

@@ -30,7 +30,9 @@ public static class DiagnosisReport
         else if (diagnosis.MissingModel is { } missing)
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
         foreach (var likely in diagnosis.Likely) Wrap(text, "", likely);
-        if (diagnosis.Finding == Finding.NoneOfThese) AppendNone(text, diagnosis);
+        if (diagnosis.Finding == Finding.TellsNothing)
+            Wrap(text, "", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
+        else if (diagnosis.Finding == Finding.NoneOfThese) AppendNone(text, diagnosis);
         else if (diagnosis.Finding == Finding.Unfinished) AppendLost(text, diagnosis);
         else AppendSuspects(text, diagnosis, level);
         return text.ToString();
@@ -125,6 +127,7 @@ public static class DiagnosisReport
                 Finding.Matches => "matches",
                 Finding.Unfinished => "unfinished",
                 Finding.Mistake => "mistake",
+                Finding.TellsNothing => "tells nothing",
                 _ => "none of these",
             },
             Mine = Size(picture),
@@ -151,7 +154,7 @@ public static class DiagnosisReport
         {
             mistake.Id,
             mistake.Cause,
-            mistake.Hint.Symptom,
+            Symptom = suspect.HasSymptoms ? mistake.Hint.Symptom : null,
             mistake.Hint.Question,
             mistake.Hint.Answer,
             mistake.Slide,
@@ -169,7 +172,7 @@ public static class DiagnosisReport
         foreach (var mistake in suspect.Mistakes)
         {
             if (suspect.Mistakes.Count > 1) text.AppendLine($"  {mistake.Id}");
-            Wrap(text, "  Symptom:  ", mistake.Hint.Symptom);
+            if (suspect.HasSymptoms) Wrap(text, "  Symptom:  ", mistake.Hint.Symptom);
             if (level >= HintLevel.Question) Wrap(text, "  Question: ", mistake.Hint.Question);
             if (level < HintLevel.Answer) continue;
             Wrap(text, "  Cause:    ", mistake.Cause);

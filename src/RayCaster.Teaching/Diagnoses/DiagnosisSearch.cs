@@ -4,7 +4,7 @@ namespace RayCaster.Teaching;
 /// Tries what a program may not do yet, each mistake in each of its wordings, and pairs of them, on a picture's <see cref="Evidence"/>: each
 /// round looks at more pixels of fewer trials, so that most of what is far off costs a hundred rays.
 /// </summary>
-internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known, Evidence evidence, int? threads)
+internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known, Evidence evidence, int? threads, Predicate<Mistake>? likely)
 {
     /// <summary>What a mistake may leave unexplained, as a share of the wrong pixels, for the search to end.</summary>
     private const double Explained = 0.02;
@@ -26,6 +26,10 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     /// <summary>How many second mistakes get a closer look beside each first one, and of all pairs.</summary>
     private const int Seconds = 8, Closer = 400;
+
+    /// <summary>By what factor a mistake that is not among the likely ones costs more. Between mistakes that explain a picture equally well, or
+    /// nearly so, it decides; two likely mistakes still cost more than one other.</summary>
+    private const double Unlikely = 1.5;
 
     /// <summary>How many wordings of a mistake are tried where all pairs are.</summary>
     private const int MostWordings = 5;
@@ -89,7 +93,10 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     private bool IsDone(List<WrongProgram> all, double left = Explained) => all.Exists(trial => trial.Misfit.Unexplained <= left * Wrong);
 
     // stable: of equals the first in the catalogue
-    private List<WrongProgram> Sorted(List<WrongProgram> trials) => [.. trials.OrderBy(trial => trial.Cost(Wrong))];
+    private List<WrongProgram> Sorted(List<WrongProgram> trials) => [.. trials.OrderBy(trial => trial.Cost(Wrong) * Surprise(trial))];
+
+    private double Surprise(WrongProgram trial) =>
+        likely is null ? 1 : Math.Pow(Unlikely, trial.Wordings.Count(wording => !likely(wording)) + (trial.OtherSample && !likely(center) ? 1 : 0));
 
     private List<WrongProgram> Singles(Unfinished way, bool[] samples) =>
     [

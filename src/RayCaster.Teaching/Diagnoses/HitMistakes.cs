@@ -101,6 +101,7 @@ internal static class HitMistakes
             "What the near and the far plane cut is cut along wrong lines.",
             "What does the scene's \"clip\" say that zNear and zFar measure?",
             "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar.")
+            .Or("z = t / (−d·W)", lab => lab.Depth.Is((t, d) => t / -(d * lab.W)))
             .Or("zNear and zFar compared with the hit's distance from the origin of the world", lab =>
             {
                 lab.Depth.Is((t, d) => lab.Length.Do(lab.P + t * d));

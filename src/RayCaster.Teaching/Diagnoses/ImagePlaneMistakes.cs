@@ -57,20 +57,20 @@ internal static class ImagePlaneMistakes
             .Or(OneSide("fovY / 2, in radians", a => a)),
         new Mistake("aspect-inv", Concerns.Camera, Slides.Camera, "w = h · height / width",
             lab => lab.PlaneWidth.Is(h => h * lab.Camera.Height / lab.Camera.Width),
-            "Spheres are ellipses, far too long along the picture's longer side.",
+            "All is far too long along the picture's longer side, as if stretched.",
             "Wide pictures need a wide plane. Which is larger in yours, w or h?",
             "w = h · width / height.")
             .Or("w = 2 tan(fovY / 2), h = w · width / height", lab => Stretch(lab, lab.Tall, lab.Wide))
             .Or("w = h · (width / height)²", lab => Stretch(lab, lab.Wide, 1)),
         new Mistake("aspect-none", Concerns.Camera, Slides.Camera, "w = h, whatever the picture's shape",
             lab => lab.PlaneWidth.Is(h => h),
-            "Spheres are ellipses, too long along the picture's longer side.",
+            "All is too long along the picture's longer side, as if stretched.",
             "Is a pixel of the plane a square?",
             "w = h · width / height.")
             .Or("h = w", lab => Stretch(lab, 1, lab.Wide)),
         new Mistake("aspect-int", Concerns.Camera, Slides.Camera, "w = h · (width / height), divided in integers",
             lab => lab.PlaneWidth.Is(h => h * (lab.Camera.Width / lab.Camera.Height)),
-            "Spheres are ellipses; a picture that is higher than wide has only stripes.",
+            "All is stretched; a picture that is higher than wide has only stripes.",
             "What is 320 / 200 in C#, where both are int?",
             "w = h · width / height, from left to right: h is a double, so no integers are divided.")
             .Or("w = h · (height / width), divided in integers", lab => lab.PlaneWidth.Is(h => h * (lab.Camera.Height / lab.Camera.Width))),

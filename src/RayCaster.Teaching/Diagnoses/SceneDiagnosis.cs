@@ -12,15 +12,17 @@ public sealed class SceneDiagnosis
     /// <summary>Draws the scene.</summary>
     /// <param name="scene">The scene that the pictures are meant to show, at their size.</param>
     /// <param name="threads">How many threads draw, and judge each picture; one per core if left out.</param>
-    public SceneDiagnosis(Scene scene, int? threads = null)
+    /// <param name="possible">Which mistakes are tried, such as those of the code that is written already; all if left out.</param>
+    public SceneDiagnosis(Scene scene, int? threads = null, Predicate<Mistake>? possible = null)
     {
-        (Scene, Threads) = (scene, threads);
+        (Scene, Threads, Possible) = (scene, threads, possible);
         Right = Renderer.Render(scene, threads);
-        var possible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding).ToArray();
+        var visible = MistakeCatalog.All.Where(mistake => mistake.Touches(scene) && !mistake.IsWithinRounding
+            && possible?.Invoke(mistake) != false).ToArray();
         var triangles = scene.Models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount);
-        Known = [.. possible.Where(mistake => triangles <= Lab.MostTriangles
+        Known = [.. visible.Where(mistake => triangles <= Lab.MostTriangles
             || mistake.Wordings.All(wording => new Lab(scene, wording).TrianglesTried <= Lab.MostTriangles))];
-        NotTried = [.. possible.Except(Known)];
+        NotTried = [.. visible.Except(Known)];
         hidden = new(() => TooManyModels ? [] : SceneFitness.HiddenIn(scene, threads));
     }
 
@@ -39,6 +41,8 @@ public sealed class SceneDiagnosis
 
     internal int? Threads { get; }
 
+    internal Predicate<Mistake>? Possible { get; }
+
     /// <summary>The mistakes that can show in this scene at all.</summary>
     internal IReadOnlyList<Mistake> Known { get; }
 
@@ -50,12 +54,13 @@ public sealed class SceneDiagnosis
     /// <param name="done">
     /// What the program surely draws: kinds of shape as a scene file calls them, "attenuation", "clipping". Of all else anything may be missing.
     /// </param>
+    /// <param name="likely">Which mistakes are likelier than the others, such as those of the code that was written last; none if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
-    public Diagnosis Judge(Picture picture, IReadOnlyCollection<string>? done = null)
+    public Diagnosis Judge(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Mistake>? likely = null)
     {
         var (width, height) = (Scene.Camera.Width, Scene.Camera.Height);
         if ((picture.Width, picture.Height) != (width, height) && (picture.Width, picture.Height) != (height, width))
             throw new ArgumentException($"a picture of {picture.Width} x {picture.Height} for a scene of {width} x {height}", nameof(picture));
-        return new(this, picture, done ?? []);
+        return new(this, picture, done ?? [], likely);
     }
 }

@@ -12,10 +12,11 @@ internal static class SurfaceMistakes
         new Mistake("plane-sign", PlaneReaders.All | Concerns.Boxes, Slides.RayPlane, "plane: (P − Q)·n, so that t has the wrong sign",
             lab => lab.Plane.Becomes(cross => (plane, d) => new(-cross(plane, d).Near)),
             "Planes are missing; those behind the camera may show.",
-            "A plane before the camera: is your t positive?",
+            "A plane before the camera: is your t positive, and does P + t d lie in the plane?",
             "t = (Q − P)·n / d·n.")
             .Or(PlaneReaders.Of("(P − Q)·n, so that t has the wrong sign", (P, Q, n, d) => (P - Q) * n / (d * n)).Skip(1))
             .Or(PlaneReaders.Of("(Q + P)·n", (P, Q, n, d) => (P + Q) * n / (d * n)))
+            .Or(PlaneReaders.Of("(Q − P)·n · d·n", (P, Q, n, d) => (Q - P) * n * (d * n)))
             .Or(PlaneReaders.Of("|(Q − P)·n| / d·n", (P, Q, n, d) => Math.Abs((Q - P) * n) / (d * n)))
             .Or("plane: (Q − P)·n / |d·n|", PlaneReaders.At(Concerns.Planes, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
             .Or("plane and circle: (Q − P)·n / |d·n|",
@@ -70,10 +71,19 @@ internal static class SurfaceMistakes
         new Mistake("tri-uv", Concerns.Triangles, Slides.Triangle, "triangle: u ≥ 0 and v ≥ 0, but no u + v ≤ 1: an endless wedge",
             TriangleWhere((u, v) => u >= 0 && v >= 0),
             "Triangles reach beyond the side that is opposite to their first corner.",
-            "Which condition draws the side from B to C?",
-            "u ≥ 0, v ≥ 0, u + v ≤ 1.")
+            "Which condition draws the side from B to C? What are u and v at B and at C?",
+            "u ≥ 0, v ≥ 0, u + v ≤ 1; u is 1 at B, v is 1 at C.")
             .Or("triangle: u ≤ 1 and v ≤ 1 where u + v ≤ 1 is meant: a parallelogram",
                 TriangleWhere((u, v) => u is >= 0 and <= 1 && v is >= 0 and <= 1))
+            .Or("triangle: n normalised, so that u and v are too large or too small", lab =>
+            {
+                lab.Triangle.Is((triangle, d) =>
+                {
+                    var length = NormalOf(lab, triangle).Length;
+                    return SlideFormulas.Triangle(lab, triangle, d, (u, v) => IsInside(length * u, length * v));
+                });
+                lab.TrianglesReachOut = true;
+            })
             .Or(ThirdSide("u ≤ 1", (u, v) => u <= 1))
             .Or(ThirdSide("v ≤ 1", (u, v) => v <= 1))
             .Or(ThirdSide("u + v ≤ 1/2", (u, v) => u + v <= 0.5))

@@ -27,6 +27,11 @@ public static class LabSteps
         _ => 0,
     };
 
+    /// <summary>Whether a mistake is one of the code of a step: of its slide or of the shape that is written in it.</summary>
+    /// <param name="mistake">The mistake.</param>
+    /// <param name="step">The step, from 1.</param>
+    public static bool IsOf(Mistake mistake, int step) => StepOf(mistake.Slide) == step || (mistake.Concerns & ShapeOf(step)) != 0;
+
     /// <summary>
     /// The part of a scene that the lab can draw after a step: the models whose formulas are written. Before the step of zNear, zFar and bias,
     /// every hit in front of the camera counts.
@@ -53,6 +58,28 @@ public static class LabSteps
         scene = SceneAt(scene, step);
         return step < Shading ? Unshaded(scene) : Renderer.Render(scene);
     }
+
+    /// <summary>What of a scene surely works when a step is written, as a diagnosis calls it; the step's own shape may be missing in a picture.</summary>
+    internal static string[] DoneAt(Scene scene, int step) =>
+    [
+        .. scene.Models.Where(model => StepOf(model) < step).Select(model => model.Kind).Distinct(),
+        .. step >= Shading ? (string[])[Diagnosis.Attenuation] : [],
+        .. step >= Clipping ? (string[])[Diagnosis.Clipping] : [],
+    ];
+
+    /// <summary>The kinds of shape in a scene whose formula is written in a step.</summary>
+    internal static IEnumerable<string> KindsOf(Scene scene, int step) =>
+        scene.Models.Where(model => StepOf(model) == step).Select(model => model.Kind).Distinct();
+
+    private static Concerns ShapeOf(int step) => step switch
+    {
+        3 => Concerns.Planes,
+        7 => Concerns.Boxes,
+        8 => Concerns.Spheres,
+        9 => Concerns.Circles,
+        10 => Concerns.Triangles,
+        _ => 0,
+    };
 
     private static int StepOf(Model model) => model.Kind switch
     {

@@ -18,7 +18,7 @@ public static class PictureAssert
     {
         var (scene, picture) = (Read(sceneFile), PictureFile.Read(reference));
         scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
-        Equal(Path.GetFileNameWithoutExtension(sceneFile), scene, [picture], LabSteps.Count, levels, share);
+        Equal(Path.GetFileNameWithoutExtension(sceneFile), scene, [picture], 0, levels, share);
     }
 
     /// <summary>The lab's picture of what a scene shows after a step is the reference of that step.</summary>
@@ -44,7 +44,7 @@ public static class PictureAssert
         PictureFile.Write(received, mine);
         PictureFile.Write(Path.Combine(folder.FullName, name + ".expected.png"), references[0]);
         Assert.Fail($"{Difference(mine, references[0])}\n  yours:    {received}\n  expected: " +
-            $"{Path.ChangeExtension(received, ".expected.png")}\n{Hint(mine, scene, step)}");
+            $"{Path.ChangeExtension(received, ".expected.png")}\n{StepHint.Of(scene, mine, step, Teacher.Hints)}");
     }
 
     private static bool IsEqual(Picture mine, Picture reference, RayCaster.Scene scene, int levels, double share)
@@ -62,21 +62,6 @@ public static class PictureAssert
             ? $"in the widest wrong area at column {x}, line {y} from the top: expected {reference[x, y]}, but got {mine[x, y]}"
             : "by one level: round, do not cut";
         return $"{difference.CountBeyond(0):N0} of {difference.Pixels:N0} pixels differ, {where}";
-    }
-
-    /// <summary>Which mistake makes the picture, as "raycaster diagnose" finds out; told as far as the teacher wants.</summary>
-    private static string Hint(Picture mine, RayCaster.Scene scene, int step)
-    {
-        var likely = Diagnosis.Of(scene, mine).Suspects.FirstOrDefault();
-        // not written yet is no mistake
-        var mistakes = likely?.Mistakes.Where(mistake => step > LabSteps.FirstPicture || mistake.Id != "att-none").ToArray();
-        if (mistakes is not { Length: > 0 }) return "None of the known mistakes makes this picture.";
-        return string.Join("\n", mistakes.Select(mistake => Teacher.Hints switch
-        {
-            HintLevel.Symptom => mistake.Hint.Symptom,
-            HintLevel.Question => $"{mistake.Hint.Symptom}\n  Ask yourself: {mistake.Hint.Question}",
-            _ => $"{mistake.Hint.Symptom}\n  {mistake.Cause}\n  {mistake.Hint.Answer}\n  Slide \"{mistake.Slide}\"",
-        }));
     }
 
     private static Picture Reference(RayCaster.Scene scene, string name, int step)

@@ -33,6 +33,9 @@ internal sealed class ConfusionTable
     /// <summary>Pairs of which the first suspect has both.</summary>
     public int BothOfPair { get; private set; }
 
+    /// <summary>Pictures with one mistake that show nothing but background or black, so that none is named.</summary>
+    public int Plain { get; private set; }
+
     /// <summary>Right pictures.</summary>
     public int Rights { get; private set; }
 
@@ -45,8 +48,13 @@ internal sealed class ConfusionTable
         if (manner.OtherSample && mistake == Planted.Center) return; // cancels out
         var picture = SlideCaster.Render(scene, manner, mistake, Planted.None);
         if (AreAlike(picture, SlideCaster.Render(scene, manner, Planted.None, Planted.None))) return;
-        Singles++;
         var diagnosis = Diagnosis.Of(scene, picture);
+        if (diagnosis.Finding == Finding.TellsNothing)
+        {
+            Plain++;
+            return;
+        }
+        Singles++;
         var rank = diagnosis.Suspects.TakeWhile(suspect => !(suspect.Mistakes.Count == 1 && Has(suspect, mistake))).Count();
         if (rank < Math.Min(3, diagnosis.Suspects.Count)) FirstThree++;
         if (rank == 0 && diagnosis.Suspects.Count > 0) First++;
@@ -98,6 +106,7 @@ internal sealed class ConfusionTable
             | planted | pictures | result |
             | --- | --: | --- |
             | one mistake, visible | {Singles} | {single} |
+            | one mistake, nothing but background or black | {Plain} | no mistake is named, since very many draw that |
             | two mistakes, each visible beside the other | {Pairs} | {pair} |
             | none | {Rights} | a mistake is named in {FalseNames} |
             """).ReplaceLineEndings("\n");
@@ -119,6 +128,7 @@ internal sealed class ConfusionTable
         {
             Finding.Matches => "(right)",
             Finding.NoneOfThese => "(none of these)",
+            Finding.TellsNothing => "(tells nothing)",
             Finding.Unfinished when diagnosis.Suspects.Count == 0 => "(unfinished)",
             _ => string.Join(" + ", diagnosis.Suspects[0].Mistakes.Select(mistake => mistake.Id)),
         };

@@ -134,12 +134,37 @@ public class DiagnosisTests
     [Fact]
     public void ATwinIsNamedWithIt()
     {
-        // Nothing but a plane before black: a camera that looks backwards sees none of it, and neither does one whose best t starts at 0.
+        // Planes alone, and none is clipped: with d as long as it is, t is the depth.
         var plain = new Scene(
             new Camera(new(new(20, 0, 0), Vector3.Zero) { Width = 60, Height = 40 }), [Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)))]);
-        var suspect = Diagnosis.Of(plain, new Picture(60, 40)).Suspects[0];
-        Assert.Contains("w-sign", Named(suspect));
-        Assert.Contains("best0", Named(suspect));
+        var suspect = Diagnosis.Of(plain, WrongPicture.Draw(plain, [MistakeCatalog.Named("att-depth")!])).Suspects[0];
+        Assert.Contains("att-depth", Named(suspect));
+        Assert.Contains("dir-unnorm", Named(suspect));
+    }
+
+    [Theory]
+    [InlineData("best0", "There is nothing but background")]
+    [InlineData("w-sign", "There is nothing but background")]
+    [InlineData("att-int", "All that is drawn is black")]
+    public void APictureThatVeryManyMistakesMakeDecidesNothing(string id, string says)
+    {
+        var wall = new Scene(new Camera(new(new(20, 0, 0), Vector3.Zero) { Width = 60, Height = 40 }),
+            [Model.Of(new Aabb(new(-5, -4, -4), new(0, 4, 4)))]) { Background = new(0.2, 0.4, 0.6) };
+        var diagnosis = Diagnosis.Of(wall, WrongPicture.Draw(wall, [MistakeCatalog.Named(id)!]));
+        Assert.Equal((Finding.TellsNothing, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith(says, Assert.Single(diagnosis.Likely));
+        Assert.Contains("so none is named", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+    }
+
+    [Fact]
+    public void ASymptomIsToldOnlyOfTheWordingThatItIsOf()
+    {
+        var mistake = MistakeCatalog.Named("zboth-t")!;
+        var clipped = SceneFolder.Small("clip-depth", 5);
+        Assert.True(Diagnosis.Of(clipped, WrongPicture.Draw(clipped, [mistake])).Suspects[0].HasSymptoms);
+        var other = mistake.Wordings.First(wording => wording.Cause.StartsWith("z =", StringComparison.Ordinal));
+        var suspect = Diagnosis.Of(clipped, WrongPicture.Draw(clipped, [other])).Suspects[0];
+        Assert.Equal((mistake, false), (suspect.Mistakes[0], suspect.HasSymptoms));
     }
 
     [Fact]

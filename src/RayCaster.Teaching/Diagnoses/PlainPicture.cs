@@ -1,0 +1,40 @@
+namespace RayCaster.Teaching;
+
+/// <summary>Pictures with so little in them that very many mistakes may have made them.</summary>
+internal static class PlainPicture
+{
+    /// <summary>The share of the pixels that may be neither background nor black, and of those that should be at least.</summary>
+    private const double Hardly = 0.005, Enough = 0.05;
+
+    /// <summary>What such a picture shows, and where to look; null for a picture that shows more, or of a scene that does not.</summary>
+    /// <param name="scene">The scene.</param>
+    /// <param name="picture">A wrong picture of it.</param>
+    /// <param name="right">Its right picture.</param>
+    public static string? Says(Scene scene, Picture picture, Picture right)
+    {
+        var background = scene.Background.ToBytes();
+        if (!picture.IsOneColor && Count(right, IsColored) < Enough * right.Width * right.Height) return null;
+        var most = Hardly * picture.Width * picture.Height;
+        if (Count(picture, IsColored) > most)
+            return picture.IsOneColor ? $"Every pixel has the same colour, {picture[0, 0]}: do the rays of two pixels differ?" : null;
+        if (IsBlack(background))
+            return "The picture is black, and so is the background: either no hit counts, or all light is lost. " +
+                "Which hits count, and what is the attenuation?";
+        return Count(picture, IsBlack) <= most
+            ? "There is nothing but background: no model is hit, or no hit counts."
+            : "All that is drawn is black: the light is lost. Look at the attenuation, and at the way from a colour to its bytes.";
+
+        bool IsColored((byte, byte, byte) shown) => !IsBlack(shown) && PictureDifference.Levels(shown, background) > Evidence.Tolerance;
+    }
+
+    private static bool IsBlack((byte R, byte G, byte B) shown) => PictureDifference.Levels(shown, default) <= Evidence.Tolerance;
+
+    private static int Count(Picture picture, Func<(byte, byte, byte), bool> isSo)
+    {
+        var count = 0;
+        for (var y = 0; y < picture.Height; y++)
+            for (var x = 0; x < picture.Width; x++)
+                if (isSo(picture[x, y])) count++;
+        return count;
+    }
+}

@@ -1,0 +1,71 @@
+namespace RayCaster.Teaching;
+
+/// <summary>What a failing picture test of the lab tells a student: only what the picture shows.</summary>
+public static class StepHint
+{
+    /// <summary>As many mistakes that draw the same picture are told besides the first.</summary>
+    private const int MostTwins = 2;
+
+    /// <summary>Lines of text.</summary>
+    /// <param name="scene">What should be seen.</param>
+    /// <param name="picture">The student's picture, in the scene's size.</param>
+    /// <param name="step">
+    /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
+    /// test of no step.
+    /// </param>
+    /// <param name="level">How much is told.</param>
+    public static string Of(Scene scene, Picture picture, int step, HintLevel level) =>
+        string.Join("\n", Lines(scene, Judge(scene, picture, step), step, level));
+
+    /// <summary>The diagnosis that knows the step.</summary>
+    internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
+        ? Diagnosis.Of(scene, picture)
+        : new SceneDiagnosis(scene, possible: mistake => LabSteps.StepOf(mistake.Slide) <= step)
+            .Judge(picture, LabSteps.DoneAt(scene, step), mistake => LabSteps.IsOf(mistake, step));
+
+    private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
+    {
+        if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
+        // at the step of the first picture there need be no light yet
+        Mistake[] mistakes = [.. suspect.Mistakes.Where(mistake => step != LabSteps.FirstPicture || mistake.Id != "att-none")];
+        if (mistakes.Length == 0) return OfPicture(scene, diagnosis, step, level);
+        var twins = suspect.Twins.Where(twin => LabSteps.IsOf(twin, step)).Take(MostTwins);
+        return mistakes.SelectMany(mistake => OfMistake(mistake, suspect.HasSymptoms, level))
+            .Concat(level == HintLevel.Symptom ? [] : twins.SelectMany(twin => OfMistake(twin, false, level)));
+    }
+
+    private static IEnumerable<string> OfMistake(Mistake mistake, bool hasSymptom, HintLevel level)
+    {
+        if (hasSymptom) yield return mistake.Hint.Symptom;
+        else if (level == HintLevel.Symptom) yield return "A known mistake makes this picture.";
+        if (level == HintLevel.Question) yield return $"  Ask yourself: {mistake.Hint.Question}";
+        if (level < HintLevel.Answer) yield break;
+        yield return $"  {mistake.Cause}";
+        yield return $"  {mistake.Hint.Answer}";
+        yield return $"  Slide \"{mistake.Slide}\"";
+    }
+
+    private static IEnumerable<string> OfPicture(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
+    {
+        string[] missing = diagnosis.Finding == Finding.TellsNothing
+            ? [.. LabSteps.KindsOf(scene, step)]
+            : [.. diagnosis.NotYet.Where(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping))];
+        if (missing.Length > 0) yield return $"Not to be seen where it should be: {string.Join(", ", missing)}.";
+        foreach (var sentence in diagnosis.Likely) yield return sentence;
+        if (missing.Length == 0 && diagnosis.Likely.Count == 0) yield return "None of the known mistakes makes this picture.";
+        if (level > HintLevel.Symptom && QuestionOf(step) is { } question) yield return $"  Ask yourself: {question}";
+    }
+
+    /// <summary>What to ask oneself where no single mistake can be named.</summary>
+    private static string? QuestionOf(int step) => step switch
+    {
+        4 => "Take the ray of one pixel: what are d, the nearest t and the model that is hit there?",
+        5 => "What is 1 − t / (2 |T − P|) at t = 0, and at the target? Does your program compute that?",
+        6 => "Take a hit that should show: which is false of t > bias, zNear ≤ z and z ≤ zFar?",
+        7 => "Take a ray to a face that is wrong: what are t0 and t1 of each slab, t_min and t_max? What if d is negative?",
+        8 => "Take a ray through the centre: what are tca, D and thc? What if the camera is inside?",
+        9 => "Take a ray through C: what is t, and how long is X − C?",
+        10 => "Take a ray through the middle of a triangle: what are t, u and v?",
+        _ => null,
+    };
+}

@@ -1,0 +1,98 @@
+namespace RayCaster.Teaching.Tests.HandOut;
+
+/// <summary>Hints of the lab's picture tests, for programs with a mistake in the code of a step.</summary>
+public class StepHintTests
+{
+    [Theory]
+    [InlineData("plane")]
+    [InlineData("room")]
+    [InlineData("mistakes/generic")]
+    public void BlackModelsAreToldAsLostLight(string file)
+    {
+        foreach (var plant in (Action<Lab>[])[
+            lab => lab.Attenuation.Is(t => 1 - t / 2 * (lab.Reach.Do() / 2)),
+            lab => lab.Dark.Is(attenuation => Math.Min(0, attenuation))])
+        {
+            var (hint, finding) = Hint(file, 5, plant);
+            Assert.Equal(Finding.TellsNothing, finding);
+            Assert.Contains("light is lost", hint);
+            Assert.Contains("1 − t / (2 |T − P|)", hint);
+            Assert.DoesNotContain(MistakeCatalog.Named("w-sign")!.Hint.Question, hint);
+        }
+    }
+
+    [Theory]
+    [InlineData("aabb")]
+    [InlineData("inside-box")]
+    [InlineData("bias")]
+    public void AShapeThatIsGoneIsNamedAndNoMistake(string file)
+    {
+        var (hint, finding) = Hint(file, 7, MistakeCatalog.Named("slab-noswap")!.Deviate);
+        Assert.Equal(Finding.TellsNothing, finding);
+        Assert.StartsWith("Not to be seen where it should be: aabb.", hint);
+        Assert.Contains("What if d is negative?", hint);
+    }
+
+    [Fact]
+    public void AHitThatIsStoredAtInfinityIsNoMistakeOfTheAxes()
+    {
+        var (hint, _) = Hint("mistakes/generic", 4, lab => lab.Plane.Becomes(cross => (plane, d) =>
+            double.IsNaN(cross(plane, d).Near) ? cross(plane, d) : new(double.PositiveInfinity)));
+        Assert.StartsWith("There is nothing but background", hint);
+        Assert.DoesNotContain(MistakeCatalog.Named("w-sign")!.Hint.Question, hint);
+    }
+
+    [Theory]
+    [InlineData("clip-depth")]
+    [InlineData("far-plane")]
+    [InlineData("near-plane")]
+    public void DividedDepthIsAWordingWhoseSymptomIsNotClaimed(string file)
+    {
+        var (hint, _) = Hint(file, 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
+        Assert.StartsWith($"  Ask yourself: {MistakeCatalog.Named("zboth-t")!.Hint.Question}", hint);
+    }
+
+    [Theory]
+    [InlineData(7, "inside-box", "slab-inside")]
+    [InlineData(8, "inside-sphere", "oc-sign")]
+    public void TheMistakeOfTheStepIsNamedBeforeOthersThatDrawTheSame(int step, string file, string id)
+    {
+        var mistake = MistakeCatalog.Named(id)!;
+        var (hint, _) = Hint(file, step, mistake.Deviate);
+        Assert.StartsWith($"{mistake.Hint.Symptom}\n  Ask yourself: {mistake.Hint.Question}", hint);
+    }
+
+    [Theory]
+    [InlineData("plane")]
+    [InlineData("room")]
+    [InlineData("mistakes/generic")]
+    public void MultipliedByDnIsAWordingOfThePlanes(string file)
+    {
+        var (hint, _) = Hint(file, 4, lab => lab.Plane.Is((plane, d) => new((plane.Point - lab.P) * plane.Normal * (d * plane.Normal))));
+        Assert.Contains(MistakeCatalog.Named("plane-sign")!.Hint.Question, hint);
+    }
+
+    [Fact]
+    public void ANormalisedNormalIsAWordingOfTheTriangles()
+    {
+        var (hint, _) = Hint("mistakes/generic", 10, lab =>
+        {
+            lab.Triangle.Is((triangle, d) =>
+            {
+                var area = ((triangle.B - triangle.A) % (triangle.C - triangle.A)).Length;
+                return SlideFormulas.Triangle(lab, triangle, d, (u, v) => SlideFormulas.IsInside(area * u, area * v));
+            });
+            lab.TrianglesReachOut = true;
+        });
+        Assert.Contains(MistakeCatalog.Named("tri-uv")!.Hint.Question, hint);
+    }
+
+    /// <summary>What is told of a lab's picture at a step, without light at the first picture's.</summary>
+    private static (string Hint, Finding Finding) Hint(string file, int step, Action<Lab> plant)
+    {
+        var scene = LabSteps.SceneAt(SceneFolder.Small(file, 5), step);
+        var planted = new Mistake("planted", Concerns.Hit, "", "", plant, "", "", "");
+        var picture = (step < 5 ? new Lab(scene, planted, MistakeCatalog.Named("att-none")!) : new Lab(scene, planted)).Render();
+        return (StepHint.Of(scene, picture, step, HintLevel.Question), StepHint.Judge(scene, picture, step).Finding);
+    }
+}
