@@ -134,12 +134,11 @@ public class DiagnosisTests
     [Fact]
     public void ATwinIsNamedWithIt()
     {
-        // Planes alone, and none is clipped: with d as long as it is, t is the depth.
-        var plain = new Scene(
-            new Camera(new(new(20, 0, 0), Vector3.Zero) { Width = 60, Height = 40 }), [Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)))]);
-        var suspect = Diagnosis.Of(plain, WrongPicture.Draw(plain, [MistakeCatalog.Named("att-depth")!])).Suspects[0];
-        Assert.Contains("att-depth", Named(suspect));
-        Assert.Contains("dir-unnorm", Named(suspect));
+        // zFar cuts nothing away in this scene.
+        var near = SceneFolder.Small("near-plane", 4);
+        var suspect = Diagnosis.Of(near, WrongPicture.Draw(near, [MistakeCatalog.Named("znear-t")!])).Suspects[0];
+        Assert.Contains("znear-t", Named(suspect));
+        Assert.Contains("zboth-t", Named(suspect));
     }
 
     [Theory]
