@@ -148,7 +148,10 @@ public class DiagnosisTests
     public void APictureThatVeryManyMistakesMakeDecidesNothing(string id, string says)
     {
         var wall = new Scene(new Camera(new(new(20, 0, 0), Vector3.Zero) { Width = 60, Height = 40 }),
-            [Model.Of(new Aabb(new(-5, -4, -4), new(0, 4, 4)))]) { Background = new(0.2, 0.4, 0.6) };
+            [Model.Of(new Aabb(new(-5, -4, -4), new(0, 4, 4)))])
+        {
+            Background = new(0.2, 0.4, 0.6),
+        };
         var diagnosis = Diagnosis.Of(wall, WrongPicture.Draw(wall, [MistakeCatalog.Named(id)!]));
         Assert.Equal((Finding.TellsNothing, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
         Assert.StartsWith(says, Assert.Single(diagnosis.Likely));
