@@ -34,9 +34,6 @@ public sealed class StepTable : ITestLoggerWithParameters
             var (passed, all) = (step.Count(result => result.Outcome == TestOutcome.Passed), step.Count());
             Console.WriteLine($"{step.Key,4}  {passed,2} of {all,2}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
         }
-        var seed = results.SelectMany(result => result.Messages).Select(message => message.Text.Trim())
-            .FirstOrDefault(text => text.StartsWith("LAB_SEED="));
-        if (seed != null) Console.WriteLine($"The same random rays again: {seed} in the environment.");
         if (report != null) JUnitReport.Write(report, results);
     }
 

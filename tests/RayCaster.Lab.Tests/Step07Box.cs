@@ -1,17 +1,16 @@
-using Xunit.Abstractions;
 using Library = RayCaster;
 
 namespace Lab.Tests;
 
 /// <summary>Slides "AABB (Axis Aligned Bounding Box)", "AABB – intersection parameters", "AABB checking for intersection".</summary>
 [Trait("step", "7")]
-public class Step07Box(ITestOutputHelper output)
+public class Step07Box
 {
     private const string Slide = "AABB checking for intersection", SlabSlide = "AABB – intersection parameters";
 
     private static readonly Library.Model box = BoxOf(new(-1, -2, -3), new(1, 2, 3));
 
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
     private static Library.Model BoxOf(Library.Vector3 B0, Library.Vector3 B1) => Library.Model.Of(new Library.Aabb(B0, B1));
 
