@@ -32,7 +32,8 @@ public sealed class StepTable : ITestLoggerWithParameters
         foreach (var step in results.GroupBy(StepOf).Where(step => step.Key > 0).OrderBy(step => step.Key))
         {
             var (passed, all) = (step.Count(result => result.Outcome == TestOutcome.Passed), step.Count());
-            Console.WriteLine($"{step.Key,4}  {passed,2} of {all,2}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
+            var count = step.Any(result => result.ErrorMessage?.Contains("which is not written yet") == true) ? "not written" : $"{passed,2} of {all,2}";
+            Console.WriteLine($"{step.Key,4}  {count,-11}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
         }
         if (report != null) JUnitReport.Write(report, results);
     }

@@ -53,7 +53,7 @@ public class Step02Ray
         ray.Hit(-3, near);
         ray.Hit(double.NaN, near);
         Assert.True(
-            ray.HitModel == null, $"after t = -3 and t = NaN there is no hit, but got t = {ray.HitParameter}: ask Counts(t).\n  Slide \"{Slide}\"");
+            ray.HitModel == null, $"after t = -3 and t = NaN there is no hit, but got t = {ray.HitParameter}: ask Counts(t).\n  {RayAssert.Cite(Slide)}");
         ray.Hit(20, near);
         AssertHit(20, near, "after t = -3, t = NaN and a hit at 20");
     }
@@ -63,6 +63,6 @@ public class Step02Ray
     {
         RayAssert.Equal($"HitParameter {when}", Slide, t, ray.HitParameter);
         var got = ray.HitModel == null ? "null" : "the model of another hit";
-        Assert.True(ray.HitModel == model, $"HitModel {when}: expected the model of the hit at {t}, but got {got}.\n  Slide \"{Slide}\"");
+        Assert.True(ray.HitModel == model, $"HitModel {when}: expected the model of the hit at {t}, but got {got}.\n  {RayAssert.Cite(Slide)}");
     }
 }

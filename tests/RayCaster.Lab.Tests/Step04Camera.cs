@@ -53,13 +53,13 @@ public class Step04Camera
         var scene = new Scene(camera, new(0, 0, 1));
         Assert.True(
             IsBackground(),
-            "a pixel of an empty world shows the background: a ray without a hit has no HitModel, it is null.\n  Slide \"Ray Casting\"");
+            $"a pixel of an empty world shows the background: a ray without a hit has no HitModel, it is null.\n  {RayAssert.Cite("Ray Casting")}");
         scene.Models.Add(new Plane(new(-5, 0, 0), new(1, 0, 0)) { Color = new(1, 0, 0) });
         scene.Models.Add(new Plane(new(5, 0, 0), new(1, 0, 0)) { Color = new(0, 1, 0) });
         scene.Models.Add(new Plane(new(-9, 0, 0), new(1, 0, 0)) { Color = new(1, 0, 0) });
         var color = scene.CastRay(5, 5);
         Assert.True(
-            color.G > 0 && color.R == 0, "of three planes behind each other the nearest shows, not the first or the last.\n  Slide \"Ray Casting\"");
+            color.G > 0 && color.R == 0, $"of three planes behind each other the nearest shows, not the first or the last.\n  {RayAssert.Cite("Ray Casting")}");
 
         bool IsBackground()
         {

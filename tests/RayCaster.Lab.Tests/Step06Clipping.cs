@@ -17,7 +17,7 @@ public class Step06Clipping
         var ray = new Ray(Vector3.Zero, new(1, 0, 0)) { Bias = bias, ZNear = zNear, ZFar = zFar, ZPerT = zPerT };
         Assert.True(ray.Counts(t) == expected, string.Create(CultureInfo.InvariantCulture,
             $"Counts({t:G6}): expected {expected}, but got {!expected}, for Bias = {bias:G6}, ZNear = {zNear:G6}, ZFar = {zFar:G6}, " +
-            $"ZPerT = {zPerT:G6}, so z = {t * zPerT:G6}.\n  Slide \"{slide}\"{Chance.Again}"));
+            $"ZPerT = {zPerT:G6}, so z = {t * zPerT:G6}.\n  {RayAssert.Cite(slide)}{Chance.Again}"));
     }
 
     [Fact]

@@ -24,8 +24,8 @@ public class Step07Box
     {
         var (first, second) = Aabb.Slab(B0, B1, P, d);
         var which = FormattableString.Invariant($"for B0 = {B0}, B1 = {B1}, P = {P}, d = {d}");
-        Assert.True(Same(first, t0), FormattableString.Invariant($"t0 {which}: expected {t0}, but got {first}.\n  Slide \"{SlabSlide}\""));
-        Assert.True(Same(second, t1), FormattableString.Invariant($"t1 {which}: expected {t1}, but got {second}.\n  Slide \"{SlabSlide}\""));
+        Assert.True(Same(first, t0), FormattableString.Invariant($"t0 {which}: expected {t0}, but got {first}.\n  {RayAssert.Cite(SlabSlide)}"));
+        Assert.True(Same(second, t1), FormattableString.Invariant($"t1 {which}: expected {t1}, but got {second}.\n  {RayAssert.Cite(SlabSlide)}"));
 
         static bool Same(double a, double b) => a == b || Math.Abs(a - b) < 1e-9;
     }

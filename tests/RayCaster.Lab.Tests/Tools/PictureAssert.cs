@@ -32,7 +32,8 @@ public static class PictureAssert
             if (step == LabSteps.FirstPicture) references.Add(Reference(scene, name, step + 1)); // whoever has written the shading too
             var (at, levels, share) = (LabSteps.SceneAt(scene, step), 1, 0.01);
             if (!IsEqual(LabSteps.Draw(scene, step), references[0], at, levels, share)) // the library draws what the student's file now says
-                Assert.Fail($"scenes/{name}.json is not as it was handed out: restore it, and copy it to scenes/my to play with it.");
+                Assert.Fail($"scenes/{name}.json is not as it was handed out. Copy it to scenes/my to play with it, " +
+                    $"and restore this one: git restore scenes/{name}.json");
             Equal($"{name.Replace('/', '-')}-step{step}", at, references, step, levels, share);
         }
     }
@@ -40,14 +41,14 @@ public static class PictureAssert
     private static void Equal(string name, RayCaster.Scene scene, List<Picture> references, int step, int levels, double share)
     {
         var mine = SceneFile.Of(scene).Draw();
-        var received = Path.Combine(Directory.CreateDirectory(Path.Combine(LabFolder.Root, "received")).FullName, name + ".png");
+        var received = Path.Combine(LabFolder.Root, "received", name + ".png");
         var expected = Path.ChangeExtension(received, ".expected.png");
-        File.Delete(received); // of the last run
-        File.Delete(expected);
+        foreach (var ofTheLastRun in (string[])[received, expected])
+            if (File.Exists(ofTheLastRun)) File.Delete(ofTheLastRun);
         if (references.Exists(reference => IsEqual(mine, reference, scene, levels, share))) return;
 
-        // Of the steps that may have drawn it.
         var nearest = references.MinBy(reference => new PictureDifference(mine, reference).CountBeyond(0));
+        Directory.CreateDirectory(Path.GetDirectoryName(received));
         PictureFile.Write(received, mine);
         PictureFile.Write(expected, nearest);
         Assert.Fail($"{Difference(mine, nearest)}\n  yours:    {received}\n  expected: {expected}\n{Hint(mine, scene, step)}");
