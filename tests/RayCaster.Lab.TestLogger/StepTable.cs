@@ -14,7 +14,12 @@ public sealed class StepTable : ITestLoggerWithParameters
 
     public void Initialize(TestLoggerEvents events, string testRunDirectory)
     {
-        events.TestResult += (_, args) => results.Add(args.Result);
+        events.TestResult += (_, args) =>
+        {
+            // Of the stack only what has a file: xunit's and the runtime's calls help nobody here.
+            args.Result.ErrorStackTrace = string.Join('\n', args.Result.ErrorStackTrace?.Split('\n').Where(line => line.Contains(".cs:line ")) ?? []);
+            results.Add(args.Result);
+        };
         events.TestRunComplete += (_, _) => Finish();
     }
 
