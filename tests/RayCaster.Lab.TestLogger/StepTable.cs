@@ -16,8 +16,9 @@ public sealed class StepTable : ITestLoggerWithParameters
     {
         events.TestResult += (_, args) =>
         {
-            // Of the stack only what has a file: xunit's and the runtime's calls help nobody here.
-            args.Result.ErrorStackTrace = string.Join('\n', args.Result.ErrorStackTrace?.Split('\n').Where(line => line.Contains(".cs:line ")) ?? []);
+            // The console's logger comes after this one. Of the stack it gets what has a file: xunit's and the runtime's calls help nobody here.
+            var stack = args.Result.ErrorStackTrace?.Split('\n').Where(line => line.Contains(".cs:line "));
+            args.Result.ErrorStackTrace = string.Join('\n', stack ?? []);
             results.Add(args.Result);
         };
         events.TestRunComplete += (_, _) => Finish();
@@ -37,7 +38,8 @@ public sealed class StepTable : ITestLoggerWithParameters
         foreach (var step in results.GroupBy(StepOf).Where(step => step.Key > 0).OrderBy(step => step.Key))
         {
             var (passed, all) = (step.Count(result => result.Outcome == TestOutcome.Passed), step.Count());
-            var count = step.Any(result => result.ErrorMessage?.Contains("which is not written yet") == true) ? "not written" : $"{passed,2} of {all,2}";
+            var isWritten = !step.Any(result => result.ErrorMessage?.Contains("which is not written yet") == true);
+            var count = isWritten ? $"{passed,2} of {all,2}" : "not written";
             Console.WriteLine($"{step.Key,4}  {count,-11}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
         }
         if (report != null) JUnitReport.Write(report, results);

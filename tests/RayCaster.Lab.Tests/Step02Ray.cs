@@ -53,7 +53,8 @@ public class Step02Ray
         ray.Hit(-3, near);
         ray.Hit(double.NaN, near);
         Assert.True(
-            ray.HitModel == null, $"after t = -3 and t = NaN there is no hit, but got t = {ray.HitParameter}: ask Counts(t).\n  {RayAssert.Cite(Slide)}");
+            ray.HitModel == null,
+            $"after t = -3 and t = NaN there is no hit, but got t = {ray.HitParameter}: ask Counts(t).\n  {RayAssert.Cite(Slide)}");
         ray.Hit(20, near);
         AssertHit(20, near, "after t = -3, t = NaN and a hit at 20");
     }

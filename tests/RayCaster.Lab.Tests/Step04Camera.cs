@@ -59,7 +59,8 @@ public class Step04Camera
         scene.Models.Add(new Plane(new(-9, 0, 0), new(1, 0, 0)) { Color = new(1, 0, 0) });
         var color = scene.CastRay(5, 5);
         Assert.True(
-            color.G > 0 && color.R == 0, $"of three planes behind each other the nearest shows, not the first or the last.\n  {RayAssert.Cite("Ray Casting")}");
+            color.G > 0 && color.R == 0,
+            $"of three planes behind each other the nearest shows, not the first or the last.\n  {RayAssert.Cite("Ray Casting")}");
 
         bool IsBackground()
         {

@@ -55,7 +55,7 @@ public class Step06Clipping
     public void NoNumberCounts() => AssertCounts(false, double.NaN);
 
     [Fact]
-    public void RandomCrossings()
+    public void RandomIntersections()
     {
         for (var i = 0; i < Teacher.Rays; i++)
         {

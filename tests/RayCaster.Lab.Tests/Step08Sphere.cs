@@ -2,7 +2,7 @@ using Library = RayCaster;
 
 namespace Lab.Tests;
 
-/// <summary>Slides "Sphere", "Sphere – Geometric Solution", "Sphere – Analytical Solution": both ways lead to the same crossings.</summary>
+/// <summary>Slides "Sphere", "Sphere – Geometric Solution", "Sphere – Analytical Solution": both ways lead to the same intersections.</summary>
 [Trait("step", "8")]
 public class Step08Sphere
 {
