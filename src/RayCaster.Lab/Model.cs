@@ -5,6 +5,6 @@ public abstract class Model
 {
     public Color Color = new(1, 1, 1);
 
-    /// <summary>Finds where the ray crosses this model and tells the ray each crossing by <see cref="Ray.Hit"/>.</summary>
+    /// <summary>Finds the intersections of the ray with this model and gives t of each to <see cref="Ray.Hit"/>.</summary>
     public abstract void Intersect(Ray ray);
 }

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using Lab;
 using RayCaster.Files;
 
@@ -21,4 +22,10 @@ catch (PictureFileException problem) // a name that is none, a folder that does 
 {
     Console.Error.WriteLine(problem.Message);
     return 2;
+}
+catch (Exception mistake) // in a body
+{
+    var place = new StackTrace(mistake, fNeedFileInfo: true).GetFrames().FirstOrDefault(frame => frame.GetFileLineNumber() > 0);
+    Console.Error.WriteLine($"{place?.GetFileName()}({place?.GetFileLineNumber()}): {mistake.GetType().Name}: {mistake.Message}");
+    return 1;
 }

@@ -32,7 +32,7 @@ public class Ray(Vector3 origin, Vector3 direction)
         // END SOLUTION
     }
 
-    /// <summary>Whether a crossing at t is to be seen. No comparison with NaN holds, so NaN never counts.</summary>
+    /// <summary>Whether an intersection at t is to be seen. No comparison with NaN holds, so NaN never counts.</summary>
     public bool Counts(double t)
     {
         // BEGIN SOLUTION "Bias"

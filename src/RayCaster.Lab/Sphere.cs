@@ -7,7 +7,7 @@ public class Sphere(Vector3 center, double radius) : Model
 
     public double R = radius;
 
-    /// <summary>The slides have two ways to the same crossings; this one draws.</summary>
+    /// <summary>The slides have two ways to the same intersections; this one draws.</summary>
     public override void Intersect(Ray ray) => GeometricSolution(ray);
 
     public void GeometricSolution(Ray ray)

@@ -14,7 +14,13 @@ public sealed class StepTable : ITestLoggerWithParameters
 
     public void Initialize(TestLoggerEvents events, string testRunDirectory)
     {
-        events.TestResult += (_, args) => results.Add(args.Result);
+        events.TestResult += (_, args) =>
+        {
+            // The console's logger comes after this one. Of the stack it gets what has a file: xunit's and the runtime's calls help nobody here.
+            var stack = args.Result.ErrorStackTrace?.Split('\n').Where(line => line.Contains(".cs:line "));
+            args.Result.ErrorStackTrace = string.Join('\n', stack ?? []);
+            results.Add(args.Result);
+        };
         events.TestRunComplete += (_, _) => Finish();
     }
 
@@ -32,11 +38,10 @@ public sealed class StepTable : ITestLoggerWithParameters
         foreach (var step in results.GroupBy(StepOf).Where(step => step.Key > 0).OrderBy(step => step.Key))
         {
             var (passed, all) = (step.Count(result => result.Outcome == TestOutcome.Passed), step.Count());
-            Console.WriteLine($"{step.Key,4}  {passed,2} of {all,2}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
+            var isWritten = !step.Any(result => result.ErrorMessage?.Contains("which is not written yet") == true);
+            var count = isWritten ? $"{passed,2} of {all,2}" : "not written";
+            Console.WriteLine($"{step.Key,4}  {count,-11}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
         }
-        var seed = results.SelectMany(result => result.Messages).Select(message => message.Text.Trim())
-            .FirstOrDefault(text => text.StartsWith("LAB_SEED="));
-        if (seed != null) Console.WriteLine($"The same random rays again: {seed} in the environment.");
         if (report != null) JUnitReport.Write(report, results);
     }
 

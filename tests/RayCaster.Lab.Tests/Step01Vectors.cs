@@ -1,14 +1,12 @@
-using Xunit.Abstractions;
-
 namespace Lab.Tests;
 
 /// <summary>Slides "C# Objects", "IDE &amp; Vectors".</summary>
 [Trait("step", "1")]
-public class Step01Vectors(ITestOutputHelper output)
+public class Step01Vectors
 {
     private const string Slide = "IDE & Vectors";
 
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
     [Fact]
     public void ClassesAreReferencesSoTwoNamesMayNameOneVector()

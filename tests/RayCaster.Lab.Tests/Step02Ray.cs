@@ -1,14 +1,14 @@
-using Xunit.Abstractions;
+using System.Diagnostics;
 
 namespace Lab.Tests;
 
 /// <summary>Slide "Ray".</summary>
 [Trait("step", "2")]
-public class Step02Ray(ITestOutputHelper output)
+public class Step02Ray
 {
     private const string Slide = "Ray";
 
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
     private readonly Ray ray = new(new(20, 0, 0), new(-1, 0, 0));
 
@@ -44,7 +44,7 @@ public class Step02Ray(ITestOutputHelper output)
     {
         ray.Hit(20, near);
         ray.Hit(20, far);
-        AssertHit(20, near, "after two hits at 20");
+        AssertHit(20, near, "after two hits at 20, of which the first stays");
     }
 
     [Fact]
@@ -53,14 +53,17 @@ public class Step02Ray(ITestOutputHelper output)
         ray.Hit(-3, near);
         ray.Hit(double.NaN, near);
         Assert.True(
-            ray.HitModel == null, $"after t = -3 and t = NaN there is no hit, but got t = {ray.HitParameter}: ask Counts(t).\n  Slide \"{Slide}\"");
+            ray.HitModel == null,
+            $"after t = -3 and t = NaN there is no hit, but got t = {ray.HitParameter}: ask Counts(t).\n  {RayAssert.Cite(Slide)}");
         ray.Hit(20, near);
         AssertHit(20, near, "after t = -3, t = NaN and a hit at 20");
     }
 
+    [StackTraceHidden]
     private void AssertHit(double t, Model model, string when)
     {
         RayAssert.Equal($"HitParameter {when}", Slide, t, ray.HitParameter);
-        Assert.True(ray.HitModel == model, $"HitModel {when} is not the model of the hit at {t}.\n  Slide \"{Slide}\"");
+        var got = ray.HitModel == null ? "null" : "the model of another hit";
+        Assert.True(ray.HitModel == model, $"HitModel {when}: expected the model of the hit at {t}, but got {got}.\n  {RayAssert.Cite(Slide)}");
     }
 }

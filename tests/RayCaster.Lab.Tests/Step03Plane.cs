@@ -1,15 +1,14 @@
-using Xunit.Abstractions;
 using Library = RayCaster;
 
 namespace Lab.Tests;
 
 /// <summary>Slides "Plane", "Ray – Plane Intersection".</summary>
 [Trait("step", "3")]
-public class Step03Plane(ITestOutputHelper output)
+public class Step03Plane
 {
     private const string Slide = "Ray – Plane Intersection";
 
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
     private static Library.Model PlaneOf(Library.Vector3 Q, Library.Vector3 n) => Library.Model.Of(new Library.Plane(Q, n));
 

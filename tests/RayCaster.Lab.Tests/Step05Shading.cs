@@ -1,14 +1,12 @@
-using Xunit.Abstractions;
-
 namespace Lab.Tests;
 
 /// <summary>Slide "Primitive Shading".</summary>
 [Trait("step", "5")]
-public class Step05Shading(ITestOutputHelper output)
+public class Step05Shading
 {
     private const string Slide = "Primitive Shading";
 
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
     private static double Red(RayCaster.Vector3 P, RayCaster.Vector3 T, double t, double red)
     {

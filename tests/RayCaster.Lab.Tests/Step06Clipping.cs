@@ -1,22 +1,23 @@
+using System.Diagnostics;
 using System.Globalization;
 using RayCaster;
-using Xunit.Abstractions;
 
 namespace Lab.Tests;
 
 /// <summary>Slides "zNear &amp; zFar", "Bias".</summary>
 [Trait("step", "6")]
-public class Step06Clipping(ITestOutputHelper output)
+public class Step06Clipping
 {
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
+    [StackTraceHidden]
     private static void AssertCounts(
         bool expected, double t, double bias = 1e-6, double zNear = 0.01, double zFar = 100, double zPerT = 1, string slide = "zNear & zFar")
     {
         var ray = new Ray(Vector3.Zero, new(1, 0, 0)) { Bias = bias, ZNear = zNear, ZFar = zFar, ZPerT = zPerT };
         Assert.True(ray.Counts(t) == expected, string.Create(CultureInfo.InvariantCulture,
-            $"Counts({t}): expected {expected}, but got {!expected}, for Bias = {bias}, ZNear = {zNear}, ZFar = {zFar}, " +
-            $"ZPerT = {zPerT}.\n  Slide \"{slide}\"\n  {Chance.Again}"));
+            $"Counts({t:G6}): expected {expected}, but got {!expected}, for Bias = {bias:G6}, ZNear = {zNear:G6}, ZFar = {zFar:G6}, " +
+            $"ZPerT = {zPerT:G6}, so z = {t * zPerT:G6}.\n  {RayAssert.Cite(slide)}{Chance.Again}"));
     }
 
     [Fact]
@@ -54,7 +55,7 @@ public class Step06Clipping(ITestOutputHelper output)
     public void NoNumberCounts() => AssertCounts(false, double.NaN);
 
     [Fact]
-    public void RandomCrossings()
+    public void RandomIntersections()
     {
         for (var i = 0; i < Teacher.Rays; i++)
         {

@@ -1,17 +1,16 @@
-using Xunit.Abstractions;
 using Library = RayCaster;
 
 namespace Lab.Tests;
 
 /// <summary>Slides "AABB (Axis Aligned Bounding Box)", "AABB – intersection parameters", "AABB checking for intersection".</summary>
 [Trait("step", "7")]
-public class Step07Box(ITestOutputHelper output)
+public class Step07Box
 {
     private const string Slide = "AABB checking for intersection", SlabSlide = "AABB – intersection parameters";
 
     private static readonly Library.Model box = BoxOf(new(-1, -2, -3), new(1, 2, 3));
 
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
     private static Library.Model BoxOf(Library.Vector3 B0, Library.Vector3 B1) => Library.Model.Of(new Library.Aabb(B0, B1));
 
@@ -25,8 +24,8 @@ public class Step07Box(ITestOutputHelper output)
     {
         var (first, second) = Aabb.Slab(B0, B1, P, d);
         var which = FormattableString.Invariant($"for B0 = {B0}, B1 = {B1}, P = {P}, d = {d}");
-        Assert.True(Same(first, t0), FormattableString.Invariant($"t0 {which}: expected {t0}, but got {first}.\n  Slide \"{SlabSlide}\""));
-        Assert.True(Same(second, t1), FormattableString.Invariant($"t1 {which}: expected {t1}, but got {second}.\n  Slide \"{SlabSlide}\""));
+        Assert.True(Same(first, t0), FormattableString.Invariant($"t0 {which}: expected {t0}, but got {first}.\n  {RayAssert.Cite(SlabSlide)}"));
+        Assert.True(Same(second, t1), FormattableString.Invariant($"t1 {which}: expected {t1}, but got {second}.\n  {RayAssert.Cite(SlabSlide)}"));
 
         static bool Same(double a, double b) => a == b || Math.Abs(a - b) < 1e-9;
     }

@@ -1,13 +1,12 @@
-using Xunit.Abstractions;
 using Library = RayCaster;
 
 namespace Lab.Tests;
 
-/// <summary>Slides "Sphere", "Sphere – Geometric Solution", "Sphere – Analytical Solution": both ways lead to the same crossings.</summary>
+/// <summary>Slides "Sphere", "Sphere – Geometric Solution", "Sphere – Analytical Solution": both ways lead to the same intersections.</summary>
 [Trait("step", "8")]
-public class Step08Sphere(ITestOutputHelper output)
+public class Step08Sphere
 {
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
     public static TheoryData<string> Ways => ["Sphere – Geometric Solution", "Sphere – Analytical Solution"];
 
@@ -24,6 +23,14 @@ public class Step08Sphere(ITestOutputHelper output)
         RayAssert.Hits(way, SphereOf(default, 4), new(20, 0, 0), new(-1, 0, 0), 16, By(way));
         RayAssert.Hits(way, SphereOf(new(0, 4, -4), 4), new(20, 4, -4), new(-1, 0, 0), 16, By(way));
         RayAssert.Hits(way, SphereOf(new(0, 3, 0), 5), new(20, 0, 0), new(-1, 0, 0), 16, By(way)); // 3, 4, 5
+    }
+
+    /// <summary>Its formula, with a = d·d, holds for a d of any length: "/ 2 * a" in place of "/ (2 * a)" is wrong only there.</summary>
+    [Fact]
+    public void TheAnalyticalSolutionDividesByA()
+    {
+        const string way = "Sphere – Analytical Solution";
+        RayAssert.Hits(way, SphereOf(default, 4), new(20, 0, 0), new(-2, 0, 0), 8, By(way));
     }
 
     [Theory]

@@ -1,15 +1,14 @@
-using Xunit.Abstractions;
 using Library = RayCaster;
 
 namespace Lab.Tests;
 
 /// <summary>Slide "Circle".</summary>
 [Trait("step", "9")]
-public class Step09Circle(ITestOutputHelper output)
+public class Step09Circle
 {
     private const string Slide = "Circle";
 
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
     private static Library.Model CircleOf(Library.Vector3 C, Library.Vector3 n, double R) => Library.Model.Of(new Library.Circle(C, n, R));
 

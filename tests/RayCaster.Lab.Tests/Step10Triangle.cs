@@ -1,17 +1,16 @@
-using Xunit.Abstractions;
 using Library = RayCaster;
 
 namespace Lab.Tests;
 
 /// <summary>Slide "Triangle".</summary>
 [Trait("step", "10")]
-public class Step10Triangle(ITestOutputHelper output)
+public class Step10Triangle
 {
     private const string Slide = "Triangle";
 
     private static readonly Library.Model triangle = TriangleOf(new(0, 0, 0), new(0, 4, 0), new(0, 0, 4));
 
-    private readonly Chance chance = new(output);
+    private readonly Chance chance = new();
 
     private static Library.Model TriangleOf(Library.Vector3 A, Library.Vector3 B, Library.Vector3 C) =>
         Library.Model.Of(new Library.Triangle(A, B, C));
