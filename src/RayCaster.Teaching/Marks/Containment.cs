@@ -64,7 +64,7 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits)
         var limits = new ProgramLimits(TimeSpan.FromSeconds(20), default, 100_000, 1_000_000_000, 100, false);
         return new(Works(new(true, false)), Works(new(false, true)));
 
-        bool Works(Containment one) => new ProgramRunner(one).Run(["true"], "/", limits, limits.Time, default).IsDone;
+        bool Works(Containment one) => new ProgramRunner(one).Run(["true"], "/", "/", limits, limits.Time, default).IsDone;
     }
 
     private static string Invariant(FormattableString text) => FormattableString.Invariant(text);

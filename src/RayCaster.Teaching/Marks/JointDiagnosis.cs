@@ -23,6 +23,9 @@ internal sealed class JointDiagnosis
     /// <summary>One more mistake must reduce the loss to less than this share: more mistakes always explain a picture a little better.</summary>
     private const double Gain = 0.6;
 
+    /// <summary>A verdict is a guess if more than this share of a picture's wrong pixels stays unexplained though the verdict changes it.</summary>
+    private const double Helpless = 0.9;
+
     /// <summary>Losses that differ by less are taken as equal.</summary>
     private const double Alike = 0.01;
 
@@ -55,6 +58,11 @@ internal sealed class JointDiagnosis
 
     /// <summary>The wrong pictures that the verdict does not explain.</summary>
     public IReadOnlyList<ScenePicture> Unexplained { get; } = [];
+
+    /// <summary>Whether the verdict would change a picture that it does not explain, and hardly explains any of its wrong pixels: then it is no more
+    /// than a guess in the other pictures, too.</summary>
+    public bool IsGuess => Unexplained.Any(picture =>
+        (picture.Unexplained(Verdict), picture.Unexplained(right)) is var (left, all) && left != all && left > Helpless * all);
 
     /// <summary>The program that comes nearest where none explains the pictures; null where one does.</summary>
     public WrongProgram? Nearest { get; }

@@ -21,9 +21,9 @@ internal sealed class Marker(Rubric rubric)
             [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
 
-    /// <summary>The scenes whose pictures are explained. A mistake that shows in one of them and was not found was not made.</summary>
+    /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
     private static List<MarkedScene> Told(List<ScenePicture> pictures, JointDiagnosis diagnosis) =>
-        [.. pictures.Except(diagnosis.Unexplained).Select(picture => picture.Of)];
+        [.. pictures.Except(diagnosis.Unexplained).Where(picture => picture.IsRight || !diagnosis.IsGuess).Select(picture => picture.Of)];
 
     private List<ItemMarks> Items(JointDiagnosis diagnosis, List<MarkedScene> told, int judged)
     {
@@ -40,6 +40,7 @@ internal sealed class Marker(Rubric rubric)
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
             if (!isAllTold && !Tells(told, item)) most = item.Points;
+            if (diagnosis.IsGuess) least = 0;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
         }
         return items;

@@ -16,11 +16,13 @@ internal sealed class ProgramRunner(Containment containment)
 
     /// <summary>Runs a command to its end, or until soon after the time limit.</summary>
     /// <param name="command">The program and its arguments.</param>
-    /// <param name="folder">Its current folder, and its folder for temporary files.</param>
+    /// <param name="folder">Its current folder.</param>
+    /// <param name="temporary">Its folder for temporary files.</param>
     /// <param name="limits">What it may use.</param>
     /// <param name="time">How long it may take.</param>
     /// <param name="cancellation">Ends the program, too.</param>
-    public ProgramRun Run(IReadOnlyList<string> command, string folder, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
+    public ProgramRun Run(
+        IReadOnlyList<string> command, string folder, string temporary, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
     {
         var wrapped = containment.Wrap(command, limits, time);
         var start = new ProcessStartInfo(wrapped[0], wrapped.Skip(1))
@@ -32,7 +34,7 @@ internal sealed class ProgramRunner(Containment containment)
         };
         var mark = Guid.NewGuid().ToString("N");
         start.Environment[Mark] = mark;
-        foreach (var temporary in (ReadOnlySpan<string>)["TMPDIR", "TMP", "TEMP"]) start.Environment[temporary] = folder;
+        foreach (var name in (ReadOnlySpan<string>)["TMPDIR", "TMP", "TEMP"]) start.Environment[name] = temporary;
         try
         {
             using var process = Start(start);

@@ -42,7 +42,9 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
     private string? Build(Submission submission, CancellationToken cancellation)
     {
         var (source, limits) = (rubric.Source, rubric.Source.Limits);
-        var run = runner.Run(Words(source.Build, submission, null, ""), submission.Folder, limits, limits.BuildTime, cancellation);
+        using var temporary = new WorkFolder();
+        var run = runner.Run(
+            Words(source.Build, submission, null, ""), submission.Folder, temporary.Path, limits, limits.BuildTime, cancellation);
         return run.IsDone ? null : $"it does not build: {run.InWords(limits, limits.BuildTime)}{Quote(run)}";
     }
 
@@ -51,7 +53,7 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
         using var folder = new WorkFolder(); // a new one for each run, so no picture of another scene is in it
         var limits = rubric.Source.Limits;
         var output = Path.Combine(folder.Path, scene.Name + ".png");
-        var run = runner.Run(Words(rubric.Source.Run, submission, scene, output), folder.Path, limits, limits.Time, cancellation);
+        var run = runner.Run(Words(rubric.Source.Run, submission, scene, output), folder.Path, folder.Path, limits, limits.Time, cancellation);
         isEnded = run.End is not (ProgramEnd.Exited or ProgramEnd.NotStarted);
         if (!File.Exists(output) && Path.ChangeExtension(output, ".ppm") is var other && File.Exists(other)) output = other;
         var note = run.IsDone ? null : run.InWords(limits, limits.Time) + Quote(run);

@@ -57,6 +57,22 @@ public class MarkerTests
         Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
     }
 
+    [Fact]
+    public void AWrongCameraGetsItsPointsInNoCase()
+    {
+        var two = new Rubric([.. whole.Scenes.Where(scene => scene.Name is "3-inside" or "4-all")], "")
+        {
+            Title = whole.Title,
+            Path = whole.Path,
+            Hint = whole.Hint,
+            Items = whole.Items,
+            Source = whole.Source,
+        };
+        var marks = new Marker(two).Mark("somebody", "", [.. two.Scenes.Select(scene => new SubmittedPicture(
+            scene, SlideCaster.Render(scene.Scene, Manner.OfTheSlides, Named("u-cross"), Named("nohalf")), null))]);
+        Assert.Contains("4", Lost(marks));
+    }
+
     [Theory]
     [Trait("kind", "campaign")] // more of the same
     [InlineData("near-root-only", "ok", "8")] // shows in one scene only

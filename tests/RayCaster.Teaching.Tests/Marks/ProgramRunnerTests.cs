@@ -15,7 +15,7 @@ public sealed class ProgramRunnerTests : IDisposable
 
     private ProgramRun Run(bool isContained, string script, ProgramLimits? other = null) =>
         new ProgramRunner(isContained ? Containment.Here : Containment.None)
-            .Run(["sh", "-c", script], folder.Path, other ?? limits, (other ?? limits).Time, default);
+            .Run(["sh", "-c", script], folder.Path, folder.Path, other ?? limits, (other ?? limits).Time, default);
 
     [Theory]
     [MemberData(nameof(Contained))]
@@ -63,7 +63,7 @@ public sealed class ProgramRunnerTests : IDisposable
     [Fact]
     public void AProgramThatIsNotThereIsTold()
     {
-        var run = new ProgramRunner(Containment.None).Run([folder["no such program"]], folder.Path, limits, limits.Time, default);
+        var run = new ProgramRunner(Containment.None).Run([folder["no such program"]], folder.Path, folder.Path, limits, limits.Time, default);
         Assert.Equal(ProgramEnd.NotStarted, run.End);
     }
 }
