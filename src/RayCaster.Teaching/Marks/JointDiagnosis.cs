@@ -24,7 +24,7 @@ internal sealed class JointDiagnosis
     private const double Gain = 0.6;
 
     /// <summary>A verdict is a guess if more than this share of a picture's wrong pixels stays unexplained though the verdict changes it.</summary>
-    private const double Helpless = 0.9;
+    private const double Helpless = 0.5;
 
     /// <summary>Losses that differ by less are taken as equal.</summary>
     private const double Alike = 0.01;
@@ -59,8 +59,8 @@ internal sealed class JointDiagnosis
     /// <summary>The wrong pictures that the verdict does not explain.</summary>
     public IReadOnlyList<ScenePicture> Unexplained { get; } = [];
 
-    /// <summary>Whether the verdict would change a picture that it does not explain, and hardly explains any of its wrong pixels: then it is no more
-    /// than a guess in the other pictures, too.</summary>
+    /// <summary>Whether the verdict changes a picture that it does not explain, and leaves more than half of its wrong pixels unexplained. Then it is
+    /// only a guess in the other pictures, too.</summary>
     public bool IsGuess => Unexplained.Any(picture =>
         (picture.Unexplained(Verdict), picture.Unexplained(right)) is var (left, all) && left != all && left > Helpless * all);
 

@@ -65,7 +65,7 @@ public class MarkerTests
             Title = whole.Title,
             Path = whole.Path,
             Hint = whole.Hint,
-            Items = whole.Items,
+            Items = [new("4 Camera", 3, 1, ["rows", "nohalf", "u-cross"], [])],
             Source = whole.Source,
         };
         var marks = new Marker(two).Mark("somebody", "", [.. two.Scenes.Select(scene => new SubmittedPicture(
