@@ -208,14 +208,10 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private uint Visible(uint large, Vector256<float> left, Vector256<float> right, Vector256<float> bottom, Vector256<float> top)
     {
-        // A sliver's w may be stretched; see TriangleSetUp.
         ref readonly var t = ref eight;
         var size = Lanes.Most(t.A.X, t.B.X, t.C.X) - Lanes.Least(t.A.X, t.B.X, t.C.X)
             + (Lanes.Most(t.A.Y, t.B.Y, t.C.Y) - Lanes.Least(t.A.Y, t.B.Y, t.C.Y));
-        var stretch = size * Vector256.Create((float)(4 / screen.Scale));
-        var mostW = Lanes.Most(t.A.W, t.B.W, t.C.W) * Vector256.Create(1 + 1e-5f) * (Vector256<float>.One + stretch);
-        mostW = Vector256.ConditionalSelect(
-            Vector256.LessThan(stretch, Vector256<float>.One), mostW, Vector256.Create(float.PositiveInfinity));
+        var mostW = TriangleSetUp.StretchedW(Lanes.Most(t.A.W, t.B.W, t.C.W), size, screen) * Vector256.Create(1 + 1e-5f);
         Span<int> box = stackalloc int[32];
         Vector256.ConvertToInt32Native(left).CopyTo(box);
         Vector256.ConvertToInt32Native(right).CopyTo(box[8..]);

@@ -68,9 +68,7 @@ internal static class TriangleSetUp
         var (mostW, leastW) = (Lanes.Most(t.A.W, t.B.W, t.C.W), Lanes.Least(t.A.W, t.B.W, t.C.W));
         var ratio = mostW / leastW;
         var isSliver = ~Vector256.GreaterThan(area, size * Vector256.Create(screen.LeastWidth) * ratio * ratio);
-        var stretch = size * Vector256.Create((float)(4 / screen.Scale));
-        var stretchedW = Vector256.ConditionalSelect(
-            Vector256.LessThan(stretch, one), mostW * (one + stretch), Vector256.Create(float.MaxValue));
+        var stretchedW = StretchedW(mostW, size, screen);
 
         var depthRight = ((t.B.W - t.A.W) * vRight + (t.C.W - t.A.W) * wRight) / area;
         var depthUp = ((t.B.W - t.A.W) * vUp + (t.C.W - t.A.W) * wUp) / area;
@@ -113,6 +111,16 @@ internal static class TriangleSetUp
         var slack = Vector256.Create(6f) * margin * size;
         area = u + v + w;
         return Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
+    }
+
+    /// <summary>The greatest w that the formula may find for triangles with next to no area; float.MaxValue if it may be any.</summary>
+    /// <param name="mostW">The greatest w of the corners.</param>
+    /// <param name="size">The boxes' widths and heights together; <see cref="Of"/> derives the stretch.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> StretchedW(Vector256<float> mostW, Vector256<float> size, ScreenSpace screen)
+    {
+        var (one, stretch) = (Vector256<float>.One, size * Vector256.Create((float)(4 / screen.Scale)));
+        return Vector256.ConditionalSelect(Vector256.LessThan(stretch, one), mostW * (one + stretch), Vector256.Create(float.MaxValue));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

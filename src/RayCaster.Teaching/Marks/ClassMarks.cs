@@ -12,8 +12,8 @@ public sealed class ClassMarks
     /// </summary>
     private const string Kept = ".kept";
 
-    private const string Table = "marks.csv";
-    private const string Page = "class.html";
+    private const string TableFile = "marks.csv";
+    private const string PageFile = "class.html";
 
     private readonly Rubric rubric;
     private readonly string output;
@@ -64,8 +64,8 @@ public sealed class ClassMarks
             ExceptionDispatchInfo.Throw(several.InnerExceptions[0]);
         }
         StudentMarks[] inOrder = [.. all.Select(submission => done[submission.Student])];
-        Write(Path.Combine(output, Table), MarksTable.Of(rubric, inOrder));
-        Write(Path.Combine(output, Page), ClassPage.Of(rubric, inOrder));
+        Write(Path.Combine(output, TableFile), MarksTable.Of(rubric, inOrder));
+        Write(Path.Combine(output, PageFile), ClassPage.Of(rubric, inOrder));
         if (options.JUnit is { } file) Write(file, JUnitReport.Of(rubric, inOrder));
         return inOrder;
     }
@@ -77,7 +77,7 @@ public sealed class ClassMarks
         if ((Path.GetFullPath(output) + Path.DirectorySeparatorChar).StartsWith(above, StringComparison.OrdinalIgnoreCase))
             throw new PictureFileException($"the marks cannot go to {output}, which is in the folder of submissions: name a folder outside it");
         foreach (var submission in all)
-            if (submission.Student.ToLowerInvariant() is Table or Page)
+            if (submission.Student.ToLowerInvariant() is TableFile or PageFile)
                 throw new PictureFileException($"the submission '{submission.Student}' is named like a file of the marks: rename the folder");
     }
 

@@ -23,7 +23,7 @@ internal sealed class JointDiagnosis
     /// <summary>One more mistake must reduce the loss to less than this share: more mistakes always explain a picture a little better.</summary>
     private const double Gain = 0.6;
 
-    /// <summary>A verdict is a guess if more than this share of a picture's wrong pixels stays unexplained though the verdict changes it.</summary>
+    /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
     private const double Helpless = 0.5;
 
     /// <summary>Losses that differ by less are taken as equal.</summary>
@@ -44,7 +44,11 @@ internal sealed class JointDiagnosis
         if (!TellsNothing) Search();
         Unexplained = [.. pictures.Where(picture => !picture.IsRight && !picture.IsExplainedBy(Verdict))];
         var wrong = pictures.Count(picture => !picture.IsRight);
-        if (2 * Unexplained.Count <= wrong) return;
+        if (2 * Unexplained.Count <= wrong)
+        {
+            IsGuess = Unexplained.Any(IsHardlyExplained);
+            return;
+        }
         if (!TellsNothing) Nearest = Verdict;
         (Verdict, Alternatives) = (right, []);
         Unexplained = [.. pictures.Where(picture => !picture.IsRight)];
@@ -59,10 +63,9 @@ internal sealed class JointDiagnosis
     /// <summary>The wrong pictures that the verdict does not explain.</summary>
     public IReadOnlyList<ScenePicture> Unexplained { get; } = [];
 
-    /// <summary>Whether the verdict changes a picture that it does not explain, and leaves more than half of its wrong pixels unexplained. Then it is
-    /// only a guess in the other pictures, too.</summary>
-    public bool IsGuess => Unexplained.Any(picture =>
-        (picture.Unexplained(Verdict), picture.Unexplained(right)) is var (left, all) && left != all && left > Helpless * all);
+    /// <summary>Whether the verdict changes a picture and leaves more than half of its wrong pixels unexplained. Then it is only a guess in the
+    /// other pictures, too.</summary>
+    public bool IsGuess { get; }
 
     /// <summary>The program that comes nearest where none explains the pictures; null where one does.</summary>
     public WrongProgram? Nearest { get; }
@@ -74,6 +77,13 @@ internal sealed class JointDiagnosis
     /// <param name="pictures">Its pictures, at least one.</param>
     /// <param name="known">The mistakes to try.</param>
     public static JointDiagnosis Of(IReadOnlyList<ScenePicture> pictures, IReadOnlyList<Mistake> known) => new(pictures, known);
+
+    /// <summary>Whether the verdict changes a picture, and leaves more than half of its wrong pixels unexplained.</summary>
+    private bool IsHardlyExplained(ScenePicture picture)
+    {
+        var (left, all) = (picture.Unexplained(Verdict), picture.Unexplained(right));
+        return left != all && left > Helpless * all;
+    }
 
     private void Search()
     {

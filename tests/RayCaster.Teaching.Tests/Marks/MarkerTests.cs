@@ -9,13 +9,17 @@ public class MarkerTests
     private static readonly Rubric whole = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
 
     /// <summary>The course's rubric with half of its scenes, which show all that is planted here, in pictures a quarter as large.</summary>
-    private static readonly Rubric rubric =
-        new([.. whole.Scenes.Where(scene => scene.Name is "1-planes" or "3-inside" or "4-flat" or "4-all").Select(Small)], "")
+    private static readonly Rubric rubric = With(whole.Items, Scenes("1-planes", "3-inside", "4-flat", "4-all").Select(Small));
+
+    private static IEnumerable<MarkedScene> Scenes(params string[] names) => whole.Scenes.Where(scene => names.Contains(scene.Name));
+
+    private static Rubric With(IReadOnlyList<RubricItem> items, IEnumerable<MarkedScene> scenes) =>
+        new([.. scenes], "")
         {
             Title = whole.Title,
             Path = whole.Path,
             Hint = whole.Hint,
-            Items = whole.Items,
+            Items = items,
             Source = whole.Source,
         };
 
@@ -60,14 +64,7 @@ public class MarkerTests
     [Fact]
     public void AWrongCameraGetsItsPointsInNoCase()
     {
-        var two = new Rubric([.. whole.Scenes.Where(scene => scene.Name is "3-inside" or "4-all")], "")
-        {
-            Title = whole.Title,
-            Path = whole.Path,
-            Hint = whole.Hint,
-            Items = [new("4 Camera", 3, 1, ["rows", "nohalf", "u-cross"], [])],
-            Source = whole.Source,
-        };
+        var two = With([new("4 Camera", 3, 1, ["rows", "nohalf", "u-cross"], [])], Scenes("3-inside", "4-all"));
         var marks = new Marker(two).Mark("somebody", "", [.. two.Scenes.Select(scene => new SubmittedPicture(
             scene, SlideCaster.Render(scene.Scene, Manner.OfTheSlides, Named("u-cross"), Named("nohalf")), null))]);
         Assert.Contains("4", Lost(marks));
