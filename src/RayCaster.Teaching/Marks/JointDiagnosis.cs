@@ -20,6 +20,9 @@ internal sealed class JointDiagnosis
     /// <summary>How many of the best programs get one more mistake.</summary>
     private const int Bases = 8;
 
+    /// <summary>How many pictures are diagnosed by themselves.</summary>
+    private const int Consulted = 2;
+
     /// <summary>One more mistake must reduce the loss to less than this share: more mistakes always explain a picture a little better.</summary>
     private const double Gain = 0.6;
 
@@ -105,8 +108,23 @@ internal sealed class JointDiagnosis
             return Extended(single.Program).Select(pair =>
                 new Scored(pair, pictures.Sum(picture => picture.Loss(picture.Unexplained(pair, residues[picture])))));
         });
-        Take(Closer([.. pairs.OrderBy(scored => scored.Loss).DistinctBy(scored => scored.Program.Id)]));
+        var ranked = Closer([.. pairs.OrderBy(scored => scored.Loss).DistinctBy(scored => scored.Program.Id)]);
+        if (!IsEnough(ranked[0].Program)) ranked = [.. ranked.Concat(Best(NamedForOnePicture())).OrderBy(scored => scored.Loss)];
+        Take(ranked);
     }
+
+    /// <summary>
+    /// What a diagnosis of single pictures names, in each wording. It tries all pairs of mistakes that change a whole picture: neither of two such
+    /// is near by itself.
+    /// </summary>
+    private IEnumerable<WrongProgram> NamedForOnePicture() =>
+        from picture in pictures.Where(picture => !picture.IsRight).Take(Consulted)
+        from suspect in picture.Of.Judge.Judge(picture.Picture).Suspects
+        let mistakes = suspect.Mistakes.Where(mistake => known.Contains(mistake)).ToArray()
+        where mistakes.Length == 2
+        from first in mistakes[0].Wordings
+        from second in mistakes[1].Wordings
+        select new WrongProgram(new(suspect.NotYet), [first, second], suspect.OtherSample);
 
     /// <summary>A program with one mistake more, in each wording that can still be seen.</summary>
     private IEnumerable<WrongProgram> Extended(WrongProgram program)
