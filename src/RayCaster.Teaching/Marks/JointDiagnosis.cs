@@ -140,11 +140,12 @@ internal sealed class JointDiagnosis
     private IEnumerable<WrongProgram> NamedForOnePicture() =>
         from picture in pictures.Where(picture => !picture.IsRight).Take(Consulted)
         from suspect in picture.Of.Judge.Judge(picture.Picture).Suspects
-        let mistakes = suspect.Mistakes.Where(mistake => known.Contains(mistake)).ToArray()
-        where mistakes.Length == 2
-        from first in mistakes[0].Wordings
-        from second in mistakes[1].Wordings
-        select new WrongProgram(new(suspect.NotYet), [first, second], suspect.OtherSample);
+        let way = new Unfinished(suspect.NotYet)
+        from program in suspect.Mistakes.Intersect(known).Except(way.AsMistakes).Aggregate(
+            (IEnumerable<WrongProgram>)[new(way, [], suspect.OtherSample)],
+            (programs, mistake) => programs.SelectMany(program =>
+                mistake.Wordings.Select(wording => program with { Wordings = [.. program.Wordings, wording] })))
+        select program;
 
     /// <summary>A program with one mistake more, in each wording that can still be seen.</summary>
     private IEnumerable<WrongProgram> Extended(WrongProgram program)
