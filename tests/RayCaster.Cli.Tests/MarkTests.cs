@@ -43,9 +43,9 @@ public sealed class MarkTests : IDisposable
         Assert.Equal("anna,5,0,5,3,2,,,,1 of 1", Table()[2]);
         Assert.Equal("clara,0,5,5,0?,0?,ball: no picture ball.png,,,0 of 1", Table()[3]);
         var page = File.ReadAllText(raycaster.PathOf("marks/=boris/feedback.html"));
-        Assert.Contains("Not drawn yet: spheres.", page);
+        Assert.Contains("No spheres are drawn: they are not written yet, or a mistake hides them.", page);
         Assert.DoesNotContain("http", page); // it needs no network
-        Assert.Contains("<failure message=\"0 of 3 points. Not drawn yet: spheres.\" />", File.ReadAllText(raycaster.PathOf("marks.xml")));
+        Assert.Contains("<failure message=\"0 of 3 points. No spheres are drawn: they are not written yet, or a mistake hides them.\" />", File.ReadAllText(raycaster.PathOf("marks.xml")));
         Assert.Contains("=boris", File.ReadAllText(raycaster.PathOf("marks/class.html")));
     }
 

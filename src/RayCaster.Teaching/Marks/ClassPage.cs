@@ -12,7 +12,6 @@ internal static class ClassPage
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         var page = new Page($"{rubric.Title}: {marks.Count} submissions");
-        if (marks.Count == 0) return page.Element("p", "No submissions.").ToString();
         page.Element("p",
             $"{MarksTable.Number(Math.Round(marks.Average(student => student.Points), 2))} of {MarksTable.Number(rubric.Points)} points " +
             "on average; "
@@ -31,13 +30,9 @@ internal static class ClassPage
             .. marks.SelectMany(student => student.Mistakes.Concat(student.NotDrawn)).CountBy(id => id)
                 .Select(count => (count.Key, count.Value)).OrderByDescending(count => count.Value),
         ];
-        var mistakes = counts.Select(count => MistakeCatalog.Named(count.Id)).OfType<Mistake>().ToArray();
         page.Element("h2", "Mistakes by frequency");
-        if (counts.Length == 0) page.Element("p", "No mistakes were found.");
-        if (mistakes.Length > 0)
-            page.Element("p",
-                "To discuss next: " +
-                $"{string.Join("; ", mistakes.Take(MostToDiscuss).Select(mistake => $"{mistake.Cause} (slide \"{mistake.Slide}\")"))}.");
+        page.Element("p", counts.Length == 0 ? "No mistakes were found."
+            : $"To discuss next: {string.Join("; ", counts.Take(MostToDiscuss).Select(count => ToDiscuss(count.Id)))}.");
         page.Html("<table><tr><th class=\"n\">Students</th><th>Mistake</th><th>What is wrong</th><th>Slide</th></tr>");
         foreach (var (id, count) in counts)
         {
@@ -47,6 +42,9 @@ internal static class ClassPage
         }
         page.Html("</table>");
     }
+
+    private static string ToDiscuss(string id) =>
+        MistakeCatalog.Named(id) is { } mistake ? $"{mistake.Cause} (slide \"{mistake.Slide}\")" : MarkWords.NotDrawn(id).TrimEnd('.');
 
     private static void AddLookYourself(Page page, IReadOnlyList<StudentMarks> marks)
     {

@@ -82,7 +82,8 @@ internal sealed class Marker(Rubric rubric)
     private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
     {
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
-            yield return $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
+            yield return group.Count() == submitted.Count && submitted.Count > 1 ? $"all scenes: {group.Key}"
+                : $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
         foreach (var scenes in Repeated(submitted)) yield return $"{scenes}: the same picture of different scenes";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
         if (diagnosis is { TellsNothing: false, Unexplained.Count: > 0 })
