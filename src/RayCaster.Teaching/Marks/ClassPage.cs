@@ -44,7 +44,7 @@ internal static class ClassPage
     }
 
     private static string ToDiscuss(string id) =>
-        MistakeCatalog.Named(id) is { } mistake ? $"{mistake.Cause} (slide \"{mistake.Slide}\")" : MarkWords.NotDrawn(id).TrimEnd('.');
+        MistakeCatalog.Named(id) is { } mistake ? $"{mistake.Cause} (slide \"{mistake.Slide}\")" : MarkWords.NotDrawn(id).Split(':')[0];
 
     private static void AddLookYourself(Page page, IReadOnlyList<StudentMarks> marks)
     {
@@ -98,7 +98,7 @@ internal static class ClassPage
     private static void AddTable(Page page, Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         page.Element("h2", "All");
-        page.Html("<table><tr><th>Student</th><th class=\"n\">Points</th>" +
+        page.Html("<div class=\"wide small\"><table><tr><th>Student</th><th class=\"n\">Points</th>" +
             $"{string.Concat(rubric.Items.Select(item => $"<th class=\"n\">{Page.Escaped(item.Name)}</th>"))}<th>Found</th></tr>");
         foreach (var student in marks)
         {
@@ -108,7 +108,7 @@ internal static class ClassPage
             page.Html($"<tr class=\"{style}\"><td>{Link(student)}</td><td class=\"n\">{MarksTable.Number(student.Points)}" +
                 $"{(student.Open > 0 ? $" + {MarksTable.Number(student.Open)}?" : "")}</td>{items}<td>{Page.Escaped(found)}</td></tr>");
         }
-        page.Html("</table>");
+        page.Html("</table></div>");
     }
 
     private static string Link(StudentMarks student) =>

@@ -31,8 +31,11 @@ internal sealed record Submission(string Folder)
                     .Order(StringComparer.Ordinal).Select(path => new Submission(path)),
             ];
             if (all.Length == 0)
-                throw new PictureFileException($"no submissions in {folder}: it contains {Directory.GetFiles(folder).Length} files and no folders, " +
+            {
+                var files = Directory.GetFiles(folder).Length;
+                throw new PictureFileException($"no submissions in {folder}: it contains no folders and {files} file{(files == 1 ? "" : "s")}, " +
                     "but must contain a folder for each student, named after the student");
+            }
             foreach (var submission in all)
                 if (!submission.Student.All(PrintableText.IsPrintable))
                     throw new PictureFileException(
