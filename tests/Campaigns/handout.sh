@@ -61,7 +61,7 @@ raycaster handout -q "$folder/changed" --solution
     git config user.email teacher@example.org
     git add -A
     git commit -qm "hand-out"
-    sed -i 's/"radius": 1/"radius": 1.5/' scenes/circle.json
+    sed -i 's/"radius": 1,/"radius": 1.5,/' scenes/circle.json
     cmp -s scenes/circle.json <(git show HEAD:scenes/circle.json) && exit 1
     dotnet test --filter step=9 > log && exit 1
     grep -q "scenes/circle.json is not as it was handed out" log
