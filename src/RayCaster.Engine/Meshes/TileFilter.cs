@@ -56,13 +56,14 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         foreach (var set in sets)
         {
             // Most of what is seen of a closed mesh faces the camera with the same side; that side first, most of the other is found to be hidden.
-            Add(set, CollectionsMarshal.AsSpan(set.Large));
+            AddEach(set, CollectionsMarshal.AsSpan(set.Large));
+            AddWaiting();
             var nearer = MeanW(set, tile, 0) < MeanW(set, tile, 1) ? 1 : 0;
             Add(set, set.ClustersOf(tile, nearer));
-            Add(set, set.Of(tile, nearer));
+            AddSingle(set, set.Of(tile, nearer));
             if (!isEmpty) Refresh();
             Add(set, set.ClustersOf(tile, 1 - nearer));
-            Add(set, set.Of(tile, 1 - nearer));
+            AddSingle(set, set.Of(tile, 1 - nearer));
         }
         if (isEmpty)
         {
@@ -86,18 +87,11 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private static float MeanW(ScreenTriangles<N> set, in Tile tile, int side)
     {
         const int Samples = 8;
-        var sum = 0f;
-        if (set.ClustersOf(tile, side) is { Length: > 0 } groups)
-        {
-            var step = (groups.Length + Samples - 1) / Samples;
-            for (var i = 0; i < groups.Length; i += step) sum += groups[i].MostW;
-            return sum / ((groups.Length + step - 1) / step);
-        }
-        if (set.Of(tile, side) is not { Length: > 0 } triangles) return 0;
-        Span<int> ids = stackalloc int[Samples];
-        for (var i = 0; i < Samples; i++) ids[i] = triangles[(int)((long)i * triangles.Length / Samples)];
-        set.Corners.See(ids, out var seen);
-        return Vector256.Sum(seen.A.W) / Samples;
+        var some = set.ClustersOf(tile, side) is { Length: > 0 } clusters ? clusters : set.Of(tile, side);
+        if (some.Length == 0) return 0;
+        var (sum, step) = (0f, (some.Length + Samples - 1) / Samples);
+        for (var i = 0; i < some.Length; i += step) sum += some[i].MostW;
+        return sum / ((some.Length + step - 1) / step);
     }
 
     /// <summary>Comes to a tile in which there may be something; all that is known is of another one.</summary>
@@ -146,7 +140,25 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         }
     }
 
-    private void Add(ScreenTriangles<N> set, ReadOnlySpan<int> triangles)
+    private void AddSingle(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> triangles)
+    {
+        if (triangles.Length == 0) return;
+        if (isEmpty) Begin();
+        var firstRow = tile.Row % Tile.MaxSide;
+        Span<int> seen = stackalloc int[TrianglesAtOnce];
+        for (var next = 0; next < triangles.Length;)
+        {
+            var count = 0;
+            for (; next < triangles.Length && count < seen.Length; next++)
+                if (!coarse.Hides(triangles[next].Cells, firstRow, triangles[next].MostW))
+                    seen[count++] = triangles[next].First;
+            AddEach(set, seen[..count]);
+            if (next < triangles.Length) Refresh();
+        }
+        AddWaiting();
+    }
+
+    private void AddEach(ScreenTriangles<N> set, ReadOnlySpan<int> triangles)
     {
         if (triangles.Length == 0) return;
         if (isEmpty) Begin();
@@ -159,9 +171,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             for (var i = 0; i < 8; i++) ids[i] = triangles[Math.Min(first + i, triangles.Length - 1)];
             set.Corners.See(ids, out eight);
             Add(set, Vector256.Create<int>(ids), triangles.Length - first);
-            if ((first + 8) % TrianglesAtOnce == 0) Refresh();
         }
-        AddWaiting();
     }
 
     /// <summary>Takes the eight triangles that are seen, or less: those in whose boxes are samples wait.</summary>
