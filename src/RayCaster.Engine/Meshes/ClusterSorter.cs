@@ -7,8 +7,8 @@ namespace RayCaster.Engine;
 /// cluster's triangles one by one.</summary>
 internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
-    /// <summary>In more tiles than this the triangles are sorted one by one: they are far from each other, or large.</summary>
-    private const int ManyTiles = 64;
+    /// <summary>In a larger rectangle of pixels the triangles are sorted one by one: they are large, or far from each other.</summary>
+    private const long LargeArea = 2 * Tile.MaxSide * Tile.MaxSide;
 
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
@@ -109,7 +109,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         if (Math.Ceiling(left[i]) > right[i] || Math.Ceiling(bottom[i]) > top[i]) return; // between samples
         var (first, end) = boxes.TrianglesOf(cluster);
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
-        if (TileLists.TilesOf(x0, x1, y0, y1) > ManyTiles) each.Add(first, end);
+        if ((x1 - x0 + 1L) * (y1 - y0 + 1L) > LargeArea) each.Add(first, end);
         else Lists.Add(first, (float)most[i], (int)(sides >> i) & 1, x0, x1, y0, y1);
     }
 
