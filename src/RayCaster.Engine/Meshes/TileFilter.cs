@@ -205,7 +205,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             if (waiting.IsFull) cover.AddSmall(waiting);
         }
         var large = shows & ~small;
-        if (large != 0) large = Visible(large, left, right, bottom, top);
         if (large != 0)
         {
             waitingLarge.Add(t, names, large);
