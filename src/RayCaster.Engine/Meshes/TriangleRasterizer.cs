@@ -196,7 +196,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<T> Two<T>(RawSpan<T> rows, int pixel) where T : struct =>
-        Vector512.Create(rows.Load256(pixel), rows.Load256(pixel + TilePixels.Stride));
+        rows.Load256(pixel).ToVector512Unsafe().WithUpper(rows.Load256(pixel + TilePixels.Stride));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Store<T>(Vector512<T> two, RawSpan<T> rows, int pixel) where T : struct
