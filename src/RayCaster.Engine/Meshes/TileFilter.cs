@@ -32,7 +32,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     {
         this.screen = screen;
         hits = new(screen, pixels);
-        cover = new(screen, pixels, hits.Decide);
+        cover = new(screen, pixels, coarse, hits.Decide);
     }
 
     /// <summary>The view whose pixels it knows; null where it knows none.</summary>

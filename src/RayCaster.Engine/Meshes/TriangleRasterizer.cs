@@ -10,7 +10,7 @@ namespace RayCaster.Engine;
 /// changes; only uncertain ones, which are rare, take a branch. In a large box samples outside are predictable, so a branch skips them.
 /// </remarks>
 /// <param name="decide">Decides about all queued pixels.</param>
-internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, Action decide)
+internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, CoarseDepth coarse, Action decide)
 {
     /// <summary>A triangle is small if its box has at most so many samples on each side.</summary>
     public const int SmallSide = 2;
@@ -98,7 +98,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                 for (; bits != 0; bits &= bits - 1)
                 {
                     var i = BitOperations.TrailingZeroCount(bits);
-                    var (pixel, name) = (Whole(s, i, TriangleSetUp.Pixel) + y * TilePixels.Stride + x, names[firstName + i]);
+                    var (pixel, name) = (TriangleSetUp.Whole(s, i, TriangleSetUp.Pixel) + y * TilePixels.Stride + x, names[firstName + i]);
                     ref var coveredHere = ref coveredAt[pixel];
                     ref var frontHere = ref frontAt[pixel];
                     ref var proposedHere = ref proposedAt[pixel];
@@ -137,9 +137,10 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         {
             var lane = BitOperations.TrailingZeroCount(shows);
             var name = Vector512.Create(names[firstName + lane]);
-            var (first, width, height) = (Whole(s, lane, TriangleSetUp.Pixel),
-                Whole(s, lane, TriangleSetUp.Across), Whole(s, lane, TriangleSetUp.Upwards));
+            var (first, width, height) = (TriangleSetUp.Whole(s, lane, TriangleSetUp.Pixel),
+                TriangleSetUp.Whole(s, lane, TriangleSetUp.Across), TriangleSetUp.Whole(s, lane, TriangleSetUp.Upwards));
             var isLarge = Math.Max(width, height) >= LargeSide;
+            if (isLarge && coarse.Hides(s, lane)) continue;
             var count = 0;
             for (var x = 0; x <= width; x += 8)
             {
@@ -190,9 +191,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     /// <summary>One triangle's value in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<float> All(RawSpan<float> setup, int lane, int field) => Vector512.Create(setup[8 * field + lane]);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int Whole(RawSpan<float> setup, int lane, int field) => BitConverter.SingleToInt32Bits(setup[8 * field + lane]);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<T> Two<T>(RawSpan<T> rows, int pixel) where T : struct =>
