@@ -140,7 +140,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
             var (first, width, height) = (TriangleSetUp.Whole(s, lane, TriangleSetUp.Pixel),
                 TriangleSetUp.Whole(s, lane, TriangleSetUp.Across), TriangleSetUp.Whole(s, lane, TriangleSetUp.Upwards));
             var isLarge = Math.Max(width, height) >= LargeSide;
-            if (isLarge && coarse.Hides(s, lane)) continue;
+            if (Math.Max(width, height) >= CoarseDepth.CellSide && coarse.Hides(s, lane)) continue;
             var count = 0;
             for (var x = 0; x <= width; x += 8)
             {
