@@ -8,7 +8,7 @@ namespace RayCaster.Engine;
 internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>In a larger rectangle of pixels the triangles are sorted one by one: they are large, or far from each other.</summary>
-    private const long LargeArea = 2 * Tile.MaxSide * Tile.MaxSide;
+    private const long LargeArea = Tile.MaxSide * Tile.MaxSide;
 
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];

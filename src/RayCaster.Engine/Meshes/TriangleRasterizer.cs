@@ -53,7 +53,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     {
         for (var first = 0; first < triangles.Count; first += 8)
         {
-            Cover(triangles.Triangles, first, SetUp(triangles, first));
+            Cover(triangles.Triangles, first, Visible(SetUp(triangles, first)));
             if (pixels.IsFull) decide();
         }
         triangles.Clear();
@@ -64,6 +64,22 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         var shows = TriangleSetUp.Of(triangles, first, screen, tile, setup);
         greatestW = Vector256.MaxNative(greatestW, Field(new(setup), TriangleSetUp.MostW));
         return triangles.Count - first < 8 ? shows & ((1u << (triangles.Count - first)) - 1) : shows;
+    }
+
+    /// <summary>Those triangles that are not hidden. Small ones are not tested: to cover their samples takes no longer.</summary>
+    /// <param name="shows">A bit for each triangle.</param>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private uint Visible(uint shows)
+    {
+        var s = new RawSpan<float>(setup);
+        var side = Vector256.Max(Field(s, TriangleSetUp.Across).AsInt32(), Field(s, TriangleSetUp.Upwards).AsInt32());
+        var tested = shows & Vector256.GreaterThanOrEqual(side, Vector256.Create(CoarseDepth.CellSide)).ExtractMostSignificantBits();
+        for (; tested != 0; tested &= tested - 1)
+        {
+            var lane = BitOperations.TrailingZeroCount(tested);
+            if (coarse.Hides(s, lane)) shows &= ~(1u << lane);
+        }
+        return shows;
     }
 
     /// <summary>Covers samples of eight small triangles, one sample of each at a time.</summary>
@@ -140,7 +156,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
             var (first, width, height) = (TriangleSetUp.Whole(s, lane, TriangleSetUp.Pixel),
                 TriangleSetUp.Whole(s, lane, TriangleSetUp.Across), TriangleSetUp.Whole(s, lane, TriangleSetUp.Upwards));
             var isLarge = Math.Max(width, height) >= LargeSide;
-            if (Math.Max(width, height) >= CoarseDepth.CellSide && coarse.Hides(s, lane)) continue;
             var count = 0;
             for (var x = 0; x <= width; x += 8)
             {
