@@ -56,14 +56,17 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         foreach (var set in sets)
         {
             // Most of what is seen of a closed mesh faces the camera with the same side; that side first, most of the other is found to be hidden.
-            AddEach(set, CollectionsMarshal.AsSpan(set.Large));
-            AddWaiting();
+            for (var large = CollectionsMarshal.AsSpan(set.Large); large.Length > 0; large = large[Math.Min(TrianglesAtOnce, large.Length)..])
+            {
+                AddTriangles(set, large[..Math.Min(TrianglesAtOnce, large.Length)]);
+                Refresh();
+            }
             var nearer = MeanW(set, tile, 0) < MeanW(set, tile, 1) ? 1 : 0;
-            Add(set, set.ClustersOf(tile, nearer));
-            AddSingle(set, set.Of(tile, nearer));
+            Add(set, set.ClustersOf(tile, nearer), areClusters: true);
+            Add(set, set.Of(tile, nearer), areClusters: false);
             if (!isEmpty) Refresh();
-            Add(set, set.ClustersOf(tile, 1 - nearer));
-            AddSingle(set, set.Of(tile, 1 - nearer));
+            Add(set, set.ClustersOf(tile, 1 - nearer), areClusters: true);
+            Add(set, set.Of(tile, 1 - nearer), areClusters: false);
         }
         if (isEmpty)
         {
@@ -103,64 +106,47 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         cover.Enter(tile);
     }
 
+    /// <summary>Adds what is not hidden.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> groups)
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all, bool areClusters)
     {
-        if (groups.Length == 0) return;
-        if (isEmpty) Begin();
-        var firstRow = tile.Row % Tile.MaxSide;
-        var corners = set.Corners;
-        Span<int> seen = stackalloc int[ClustersAtOnce];
-        for (var next = 0; next < groups.Length;)
-        {
-            var count = 0;
-            for (; next < groups.Length && count < seen.Length; next++)
-                if (!coarse.Hides(groups[next].Cells, firstRow, groups[next].MostW))
-                    seen[count++] = groups[next].First;
-
-            // A group's indices and vertices lie anywhere; to wait for them would take longer than all that is computed.
-            for (var i = -Ahead; i < count; i++)
-            {
-                if (i + Ahead < count) corners.Fetch(seen[i + Ahead]);
-                if (i + Ahead / 2 is >= 0 and var near && near < count) corners.FetchVertices(seen[near]);
-                if (i >= 0) Add(set, seen[i]);
-            }
-            if (next < groups.Length) Refresh();
-        }
-        AddWaiting();
-    }
-
-    private void Add(ScreenTriangles<N> set, int group)
-    {
-        var end = Math.Min(group + TriangleCluster.Length, set.Corners.Count);
-        for (var first = group; first < end; first += 8)
-        {
-            set.Corners.SeeRun(first, out eight);
-            Add(set, Vector256.Create(first) + Vector256<int>.Indices, end - first);
-        }
-    }
-
-    private void AddSingle(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> triangles)
-    {
-        if (triangles.Length == 0) return;
+        if (all.Length == 0) return;
         if (isEmpty) Begin();
         var firstRow = tile.Row % Tile.MaxSide;
         Span<int> seen = stackalloc int[TrianglesAtOnce];
-        for (var next = 0; next < triangles.Length;)
+        if (areClusters) seen = seen[..ClustersAtOnce];
+        for (var next = 0; next < all.Length;)
         {
             var count = 0;
-            for (; next < triangles.Length && count < seen.Length; next++)
-                if (!coarse.Hides(triangles[next].Cells, firstRow, triangles[next].MostW))
-                    seen[count++] = triangles[next].First;
-            AddEach(set, seen[..count]);
-            if (next < triangles.Length) Refresh();
+            for (; next < all.Length && count < seen.Length; next++)
+                if (!coarse.Hides(all[next].Cells, firstRow, all[next].MostW))
+                    seen[count++] = all[next].First;
+            if (areClusters) AddClusters(set, seen[..count]);
+            else AddTriangles(set, seen[..count]);
+            if (next < all.Length) Refresh();
         }
         AddWaiting();
     }
 
-    private void AddEach(ScreenTriangles<N> set, ReadOnlySpan<int> triangles)
+    /// <remarks>Their indices and vertices lie anywhere; to wait for them would take longer than all that is computed.</remarks>
+    private void AddClusters(ScreenTriangles<N> set, ReadOnlySpan<int> clusters)
     {
-        if (triangles.Length == 0) return;
+        for (var i = -Ahead; i < clusters.Length; i++)
+        {
+            if (i + Ahead < clusters.Length) set.Corners.Fetch(clusters[i + Ahead]);
+            if (i + Ahead / 2 is >= 0 and var near && near < clusters.Length) set.Corners.FetchVertices(clusters[near]);
+            if (i < 0) continue;
+            var end = Math.Min(clusters[i] + TriangleCluster.Length, set.Corners.Count);
+            for (var first = clusters[i]; first < end; first += 8)
+            {
+                set.Corners.SeeRun(first, out eight);
+                Add(set, Vector256.Create(first) + Vector256<int>.Indices, end - first);
+            }
+        }
+    }
+
+    private void AddTriangles(ScreenTriangles<N> set, ReadOnlySpan<int> triangles)
+    {
         if (isEmpty) Begin();
         Span<int> ids = stackalloc int[8];
         set.Corners.Fetch(triangles[..Math.Min(IndicesAhead, triangles.Length)]);
