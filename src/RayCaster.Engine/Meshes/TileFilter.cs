@@ -10,7 +10,7 @@ namespace RayCaster.Engine;
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
     /// <summary>After so many clusters or triangles it is found out anew what is hidden.</summary>
-    private const int ClustersAtOnce = 32, TrianglesAtOnce = 64;
+    private const int ClustersAtOnce = 32, TrianglesAtOnce = 128;
 
     /// <summary>How many clusters ahead memory is fetched.</summary>
     private const int Ahead = 4;
