@@ -73,7 +73,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     {
         var s = new RawSpan<float>(setup);
         var side = Vector256.Max(Field(s, TriangleSetUp.Across).AsInt32(), Field(s, TriangleSetUp.Upwards).AsInt32());
-        var tested = shows & Vector256.GreaterThanOrEqual(side, Vector256.Create(CoarseDepth.CellSide)).ExtractMostSignificantBits();
+        var tested = shows & Vector256.GreaterThanOrEqual(side, Vector256.Create(CoarseDepth.CellSide / 2)).ExtractMostSignificantBits();
         for (; tested != 0; tested &= tested - 1)
         {
             var lane = BitOperations.TrailingZeroCount(tested);
