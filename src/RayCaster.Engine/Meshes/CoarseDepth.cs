@@ -53,7 +53,8 @@ internal sealed class CoarseDepth
         const float Middle = (CellSide - 1) / 2f;
         var (bottom, left) = Math.DivRem(TriangleSetUp.Whole(setup, lane, TriangleSetUp.Pixel), TilePixels.Stride);
         var (right, up) = (setup[8 * (TriangleSetUp.Depth + 1) + lane], setup[8 * (TriangleSetUp.Depth + 2) + lane]);
-        // Of a cell the plane's w in the middle, and how much more it is at the nearest corner. Twice the slack, since this is rounded, too.
+        // Of a cell the plane's w in the middle, and how much more it is at the nearest corner. These steps round by less than the slack, which has
+        // 64 units of 2⁻²⁴ of w and 2000 of the slope; so it counts twice. A w that is NaN hides nothing, or counts as the greatest.
         var nearest = setup[8 * TriangleSetUp.Depth + lane] + 2 * setup[8 * TriangleSetUp.Slack + lane] + Middle * (Math.Abs(right) + Math.Abs(up));
         var row = Vector256.Create(nearest) + (CellSide * Vector256<float>.Indices + Vector256.Create(Middle - left)) * Vector256.Create(right);
         var most = Vector256.Create(setup[8 * TriangleSetUp.MostW + lane]);

@@ -207,6 +207,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<float> All(RawSpan<float> setup, int lane, int field) => Vector512.Create(setup[8 * field + lane]);
 
+    /// <summary>Eight pixels of a row and of the one above it. (With Vector512.Create, the compiler writes both halves into the register of the rows
+    /// before, and each step waits for them.)</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<T> Two<T>(RawSpan<T> rows, int pixel) where T : struct =>
         rows.Load256(pixel).ToVector512Unsafe().WithUpper(rows.Load256(pixel + TilePixels.Stride));
