@@ -7,24 +7,19 @@ namespace RayCaster.Engine;
 /// cluster's triangles one by one.</summary>
 internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
-    /// <summary>In more tiles than this the triangles are sorted one by one: they are far from each other, or large.</summary>
-    private const int ManyTiles = 64;
+    /// <summary>In a larger rectangle of pixels the triangles are sorted one by one: they are large, or far from each other.</summary>
+    private const long LargeArea = Tile.MaxSide * Tile.MaxSide;
 
-    private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
     private uint sides; // a bit for each box: which side of its triangles is seen; only the order of work depends on it
-    private (uint Left, uint Right, uint Bottom, uint Top) extent = (int.MaxValue, 0, int.MaxValue, 0);
 
-    public PooledList<(int Place, TriangleCluster Cluster)> Clusters { get; } = new();
-
-    /// <summary>The pixels that may be covered.</summary>
-    public (int Left, int Right, int Bottom, int Top) Extent => ((int)extent.Left, (int)extent.Right, (int)extent.Bottom, (int)extent.Top);
+    public TileLists Lists { get; } = new(screen.Camera.Width);
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
-        Clusters.Reserve(end - first);
+        Lists.Items.Reserve(end - first);
         for (; first < end; first += N.Count)
         {
             var (fit, shows) = Project(first);
@@ -113,37 +108,10 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     {
         if (Math.Ceiling(left[i]) > right[i] || Math.Ceiling(bottom[i]) > top[i]) return; // between samples
         var (first, end) = boxes.TrianglesOf(cluster);
-        var side = (int)(sides >> i) & 1;
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
-        if (x0 < extent.Left) extent.Left = x0;
-        if (x1 > extent.Right) extent.Right = x1;
-        if (y0 < extent.Bottom) extent.Bottom = y0;
-        if (y1 > extent.Top) extent.Top = y1;
-        var group = new TriangleCluster(first, (float)most[i], Cells.Of(x0, x1, y0, y1));
-        if (((x0 ^ x1) | (y0 ^ y1)) < Tile.MaxSide) Clusters.Add((PlaceOf(x0 / Tile.MaxSide, y0 / Tile.MaxSide, side), group));
-        else if (Tiles(x0, x1) * Tiles(y0, y1) > ManyTiles) each.Add(first, end);
-        else PlaceInTiles(group, x0, x1, y0, y1, side);
+        if ((x1 - x0 + 1L) * (y1 - y0 + 1L) > LargeArea) each.Add(first, end);
+        else Lists.Add(first, (float)most[i], (int)(sides >> i) & 1, x0, x1, y0, y1);
     }
-
-    private void PlaceInTiles(TriangleCluster group, uint x0, uint x1, uint y0, uint y1, int side)
-    {
-        for (var y = y0 / Tile.MaxSide; y <= y1 / Tile.MaxSide; y++)
-        {
-            for (var x = x0 / Tile.MaxSide; x <= x1 / Tile.MaxSide; x++)
-            {
-                var (column, row) = (x * Tile.MaxSide, y * Tile.MaxSide);
-                const uint Last = Tile.MaxSide - 1;
-                var cells = Cells.Of(Math.Max(x0, column), Math.Min(x1, column + Last), Math.Max(y0, row), Math.Min(y1, row + Last));
-                Clusters.Add((PlaceOf(x, y, side), group with { Cells = cells }));
-            }
-        }
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int PlaceOf(uint tileX, uint tileY, int side) => 2 * ((int)tileY * tilesAcross + (int)tileX) + side;
-
-    /// <summary>How many tiles pixels lie in.</summary>
-    private static long Tiles(uint first, uint last) => last / Tile.MaxSide - first / Tile.MaxSide + 1L;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static uint Pixel(double place) => (uint)double.ConvertToIntegerNative<int>(place);

@@ -10,7 +10,7 @@ internal sealed class Duplicates(Vector3[] vertices, int[] indices)
 {
     private Vector3[] vertices = vertices;
     private int[] indices = indices;
-    private readonly (int Round, int Triangle)[] table = new (int, int)[1 << 10];
+    private readonly (int Round, int Triangle, long Hash)[] table = new (int, int, long)[1 << 10];
     private int round = 1;
 
     /// <summary>Goes to another mesh, and forgets all.</summary>
@@ -28,10 +28,10 @@ internal sealed class Duplicates(Vector3[] vertices, int[] indices)
         var (a, b, c) = (vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);
         var hash = HashOf(a) + 3 * HashOf(b) + 5 * HashOf(c);
         ref var slot = ref table[(int)((ulong)(hash * -7046029254386353131) >> 54)];
-        if (slot.Round == round && slot.Triangle < triangle && IsCorner(slot.Triangle, 0, a) && IsCorner(slot.Triangle, 1, b)
+        if (slot.Round == round && slot.Triangle < triangle && slot.Hash == hash && IsCorner(slot.Triangle, 0, a) && IsCorner(slot.Triangle, 1, b)
             && IsCorner(slot.Triangle, 2, c))
             return true;
-        slot = (round, triangle);
+        slot = (round, triangle, hash);
         return false;
     }
 

@@ -6,8 +6,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     private const int LeastForAThread = 1 << 15;
 
     private readonly int tilesAcross;
-    private readonly Bins<int> triangles; // two places for each tile, one for each side of a triangle
-    private readonly Bins<TriangleCluster> groups;
+    private readonly Bins<TriangleCluster> triangles, groups; // two places for each tile, one for each side of a triangle
 
     /// <param name="owners">The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</param>
     /// <param name="boxes">The boxes of the clusters; null if triangles are sorted one by one.</param>
@@ -26,15 +25,15 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
             else clusterSorters[i].Add(first, end);
         });
 
-        triangles = new(Array.ConvertAll(sorters, sorter => sorter.Triangles));
-        groups = new(Array.ConvertAll(clusterSorters, sorter => sorter.Clusters));
+        triangles = new(Array.ConvertAll(sorters, sorter => sorter.Lists.Items));
+        groups = new(Array.ConvertAll(clusterSorters, sorter => sorter.Lists.Items));
         foreach (var sorter in sorters)
         {
             Large.AddRange(sorter.Large);
             Unfit.AddRange(sorter.Unfit);
-            Extend(sorter.Extent);
+            Extend(sorter.Lists.Extent);
         }
-        foreach (var sorter in clusterSorters) Extend(sorter.Extent);
+        foreach (var sorter in clusterSorters) Extend(sorter.Lists.Extent);
     }
 
     public Corners Corners { get; }
@@ -52,7 +51,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     public List<int> Large { get; } = [];
 
     /// <summary>The triangles of a tile whose corners run one way (0) or the other way (1) around, except those in clusters.</summary>
-    public ReadOnlySpan<int> Of(in Tile tile, int side) => triangles[2 * PlaceOf(tile) + side];
+    public ReadOnlySpan<TriangleCluster> Of(in Tile tile, int side) => triangles[2 * PlaceOf(tile) + side];
 
     /// <summary>The clusters of a tile whose middle triangle runs one way or the other way around.</summary>
     public ReadOnlySpan<TriangleCluster> ClustersOf(in Tile tile, int side) => groups[2 * PlaceOf(tile) + side];

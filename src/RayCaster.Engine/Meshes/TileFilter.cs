@@ -10,7 +10,7 @@ namespace RayCaster.Engine;
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
     /// <summary>After so many clusters or triangles it is found out anew what is hidden.</summary>
-    private const int ClustersAtOnce = 32, TrianglesAtOnce = 256;
+    private const int ClustersAtOnce = 32, TrianglesAtOnce = 128;
 
     /// <summary>How many clusters ahead memory is fetched.</summary>
     private const int Ahead = 4;
@@ -32,7 +32,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     {
         this.screen = screen;
         hits = new(screen, pixels);
-        cover = new(screen, pixels, hits.Decide);
+        cover = new(screen, pixels, coarse, hits.Decide);
     }
 
     /// <summary>The view whose pixels it knows; null where it knows none.</summary>
@@ -56,13 +56,17 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         foreach (var set in sets)
         {
             // Most of what is seen of a closed mesh faces the camera with the same side; that side first, most of the other is found to be hidden.
-            Add(set, CollectionsMarshal.AsSpan(set.Large));
+            for (var large = CollectionsMarshal.AsSpan(set.Large); large.Length > 0; large = large[Math.Min(TrianglesAtOnce, large.Length)..])
+            {
+                AddTriangles(set, large[..Math.Min(TrianglesAtOnce, large.Length)]);
+                Refresh();
+            }
             var nearer = MeanW(set, tile, 0) < MeanW(set, tile, 1) ? 1 : 0;
-            Add(set, set.ClustersOf(tile, nearer));
-            Add(set, set.Of(tile, nearer));
+            Add(set, set.ClustersOf(tile, nearer), areClusters: true);
+            Add(set, set.Of(tile, nearer), areClusters: false);
             if (!isEmpty) Refresh();
-            Add(set, set.ClustersOf(tile, 1 - nearer));
-            Add(set, set.Of(tile, 1 - nearer));
+            Add(set, set.ClustersOf(tile, 1 - nearer), areClusters: true);
+            Add(set, set.Of(tile, 1 - nearer), areClusters: false);
         }
         if (isEmpty)
         {
@@ -86,18 +90,11 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private static float MeanW(ScreenTriangles<N> set, in Tile tile, int side)
     {
         const int Samples = 8;
-        var sum = 0f;
-        if (set.ClustersOf(tile, side) is { Length: > 0 } groups)
-        {
-            var step = (groups.Length + Samples - 1) / Samples;
-            for (var i = 0; i < groups.Length; i += step) sum += groups[i].MostW;
-            return sum / ((groups.Length + step - 1) / step);
-        }
-        if (set.Of(tile, side) is not { Length: > 0 } triangles) return 0;
-        Span<int> ids = stackalloc int[Samples];
-        for (var i = 0; i < Samples; i++) ids[i] = triangles[(int)((long)i * triangles.Length / Samples)];
-        set.Corners.See(ids, out var seen);
-        return Vector256.Sum(seen.A.W) / Samples;
+        var some = set.ClustersOf(tile, side) is { Length: > 0 } clusters ? clusters : set.Of(tile, side);
+        if (some.Length == 0) return 0;
+        var (sum, step) = (0f, (some.Length + Samples - 1) / Samples);
+        for (var i = 0; i < some.Length; i += step) sum += some[i].MostW;
+        return sum / ((some.Length + step - 1) / step);
     }
 
     /// <summary>Comes to a tile in which there may be something; all that is known is of another one.</summary>
@@ -109,46 +106,47 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         cover.Enter(tile);
     }
 
+    /// <summary>Adds what is not hidden.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> groups)
+    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all, bool areClusters)
     {
-        if (groups.Length == 0) return;
+        if (all.Length == 0) return;
         if (isEmpty) Begin();
         var firstRow = tile.Row % Tile.MaxSide;
-        var corners = set.Corners;
-        Span<int> seen = stackalloc int[ClustersAtOnce];
-        for (var next = 0; next < groups.Length;)
+        Span<int> seen = stackalloc int[TrianglesAtOnce];
+        if (areClusters) seen = seen[..ClustersAtOnce];
+        for (var next = 0; next < all.Length;)
         {
             var count = 0;
-            for (; next < groups.Length && count < seen.Length; next++)
-                if (!coarse.Hides(groups[next].Cells, firstRow, groups[next].MostW))
-                    seen[count++] = groups[next].First;
-
-            // A group's indices and vertices lie anywhere; to wait for them would take longer than all that is computed.
-            for (var i = -Ahead; i < count; i++)
-            {
-                if (i + Ahead < count) corners.Fetch(seen[i + Ahead]);
-                if (i + Ahead / 2 is >= 0 and var near && near < count) corners.FetchVertices(seen[near]);
-                if (i >= 0) Add(set, seen[i]);
-            }
-            if (next < groups.Length) Refresh();
+            for (; next < all.Length && count < seen.Length; next++)
+                if (!coarse.Hides(all[next].Cells, firstRow, all[next].MostW))
+                    seen[count++] = all[next].First;
+            if (areClusters) AddClusters(set, seen[..count]);
+            else AddTriangles(set, seen[..count]);
+            if (next < all.Length) Refresh();
         }
         AddWaiting();
     }
 
-    private void Add(ScreenTriangles<N> set, int group)
+    /// <remarks>Their indices and vertices lie anywhere; to wait for them would take longer than all that is computed.</remarks>
+    private void AddClusters(ScreenTriangles<N> set, ReadOnlySpan<int> clusters)
     {
-        var end = Math.Min(group + TriangleCluster.Length, set.Corners.Count);
-        for (var first = group; first < end; first += 8)
+        for (var i = -Ahead; i < clusters.Length; i++)
         {
-            set.Corners.SeeRun(first, out eight);
-            Add(set, Vector256.Create(first) + Vector256<int>.Indices, end - first);
+            if (i + Ahead < clusters.Length) set.Corners.Fetch(clusters[i + Ahead]);
+            if (i + Ahead / 2 is >= 0 and var near && near < clusters.Length) set.Corners.FetchVertices(clusters[near]);
+            if (i < 0) continue;
+            var end = Math.Min(clusters[i] + TriangleCluster.Length, set.Corners.Count);
+            for (var first = clusters[i]; first < end; first += 8)
+            {
+                set.Corners.SeeRun(first, out eight);
+                Add(set, Vector256.Create(first) + Vector256<int>.Indices, end - first);
+            }
         }
     }
 
-    private void Add(ScreenTriangles<N> set, ReadOnlySpan<int> triangles)
+    private void AddTriangles(ScreenTriangles<N> set, ReadOnlySpan<int> triangles)
     {
-        if (triangles.Length == 0) return;
         if (isEmpty) Begin();
         Span<int> ids = stackalloc int[8];
         set.Corners.Fetch(triangles[..Math.Min(IndicesAhead, triangles.Length)]);
@@ -159,9 +157,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             for (var i = 0; i < 8; i++) ids[i] = triangles[Math.Min(first + i, triangles.Length - 1)];
             set.Corners.See(ids, out eight);
             Add(set, Vector256.Create<int>(ids), triangles.Length - first);
-            if ((first + 8) % TrianglesAtOnce == 0) Refresh();
         }
-        AddWaiting();
     }
 
     /// <summary>Takes the eight triangles that are seen, or less: those in whose boxes are samples wait.</summary>
@@ -195,7 +191,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
             if (waiting.IsFull) cover.AddSmall(waiting);
         }
         var large = shows & ~small;
-        if (large != 0) large = Visible(large, left, right, bottom, top);
         if (large != 0)
         {
             waitingLarge.Add(t, names, large);

@@ -10,7 +10,7 @@ namespace RayCaster.Engine;
 /// changes; only uncertain ones, which are rare, take a branch. In a large box samples outside are predictable, so a branch skips them.
 /// </remarks>
 /// <param name="decide">Decides about all queued pixels.</param>
-internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, Action decide)
+internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, CoarseDepth coarse, Action decide)
 {
     /// <summary>A triangle is small if its box has at most so many samples on each side.</summary>
     public const int SmallSide = 2;
@@ -53,7 +53,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     {
         for (var first = 0; first < triangles.Count; first += 8)
         {
-            Cover(triangles.Triangles, first, SetUp(triangles, first));
+            Cover(triangles.Triangles, first, Visible(SetUp(triangles, first)));
             if (pixels.IsFull) decide();
         }
         triangles.Clear();
@@ -64,6 +64,22 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         var shows = TriangleSetUp.Of(triangles, first, screen, tile, setup);
         greatestW = Vector256.MaxNative(greatestW, Field(new(setup), TriangleSetUp.MostW));
         return triangles.Count - first < 8 ? shows & ((1u << (triangles.Count - first)) - 1) : shows;
+    }
+
+    /// <summary>Those triangles that are not hidden. Small ones are not tested: to cover their samples takes no longer.</summary>
+    /// <param name="shows">A bit for each triangle.</param>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private uint Visible(uint shows)
+    {
+        var s = new RawSpan<float>(setup);
+        var side = Vector256.Max(Field(s, TriangleSetUp.Across).AsInt32(), Field(s, TriangleSetUp.Upwards).AsInt32());
+        var tested = shows & Vector256.GreaterThanOrEqual(side, Vector256.Create(CoarseDepth.CellSide / 2)).ExtractMostSignificantBits();
+        for (; tested != 0; tested &= tested - 1)
+        {
+            var lane = BitOperations.TrailingZeroCount(tested);
+            if (coarse.Hides(s, lane)) shows &= ~(1u << lane);
+        }
+        return shows;
     }
 
     /// <summary>Covers samples of eight small triangles, one sample of each at a time.</summary>
@@ -98,7 +114,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                 for (; bits != 0; bits &= bits - 1)
                 {
                     var i = BitOperations.TrailingZeroCount(bits);
-                    var (pixel, name) = (Whole(s, i, TriangleSetUp.Pixel) + y * TilePixels.Stride + x, names[firstName + i]);
+                    var (pixel, name) = (TriangleSetUp.Whole(s, i, TriangleSetUp.Pixel) + y * TilePixels.Stride + x, names[firstName + i]);
                     ref var coveredHere = ref coveredAt[pixel];
                     ref var frontHere = ref frontAt[pixel];
                     ref var proposedHere = ref proposedAt[pixel];
@@ -137,8 +153,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         {
             var lane = BitOperations.TrailingZeroCount(shows);
             var name = Vector512.Create(names[firstName + lane]);
-            var (first, width, height) = (Whole(s, lane, TriangleSetUp.Pixel),
-                Whole(s, lane, TriangleSetUp.Across), Whole(s, lane, TriangleSetUp.Upwards));
+            var (first, width, height) = (TriangleSetUp.Whole(s, lane, TriangleSetUp.Pixel),
+                TriangleSetUp.Whole(s, lane, TriangleSetUp.Across), TriangleSetUp.Whole(s, lane, TriangleSetUp.Upwards));
             var isLarge = Math.Max(width, height) >= LargeSide;
             var count = 0;
             for (var x = 0; x <= width; x += 8)
@@ -191,12 +207,11 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<float> All(RawSpan<float> setup, int lane, int field) => Vector512.Create(setup[8 * field + lane]);
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static int Whole(RawSpan<float> setup, int lane, int field) => BitConverter.SingleToInt32Bits(setup[8 * field + lane]);
-
+    /// <summary>Eight pixels of a row and of the one above it. (With Vector512.Create, the compiler writes both halves into the register of the rows
+    /// before, and each step waits for them.)</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector512<T> Two<T>(RawSpan<T> rows, int pixel) where T : struct =>
-        Vector512.Create(rows.Load256(pixel), rows.Load256(pixel + TilePixels.Stride));
+        rows.Load256(pixel).ToVector512Unsafe().WithUpper(rows.Load256(pixel + TilePixels.Stride));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static void Store<T>(Vector512<T> two, RawSpan<T> rows, int pixel) where T : struct

@@ -131,6 +131,10 @@ internal static class TriangleSetUp
         return Vector256.GreaterThanOrEqual(most, Vector256.Create(-4f) * slack);
     }
 
+    /// <summary>An integer of one triangle.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static int Whole(RawSpan<float> setup, int lane, int field) => BitConverter.SingleToInt32Bits(setup[8 * field + lane]);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Vector256<float> Whole(Vector256<float> numbers) => Vector256.ConvertToInt32Native(numbers).AsSingle();
 

@@ -14,19 +14,13 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
     /// <summary>How many triangles ahead vertices are fetched: they may lie anywhere.</summary>
     private const int Ahead = 24;
 
-    private readonly int tilesAcross = Tile.TilesOf(screen.Camera.Width);
-    private (int Left, int Right, int Bottom, int Top) extent = (int.MaxValue, -1, int.MaxValue, -1);
-
-    public PooledList<(int Place, int Triangle)> Triangles { get; } = new();
+    public TileLists Lists { get; } = new(screen.Camera.Width);
 
     /// <summary>Triangles in many tiles.</summary>
     public List<int> Large { get; } = [];
 
     /// <summary>Triangles with a corner that is not fit for floats.</summary>
     public List<int> Unfit { get; } = [];
-
-    /// <summary>The pixels that may be covered.</summary>
-    public (int Left, int Right, int Bottom, int Top) Extent => extent;
 
     /// <summary>Sorts triangles; drops those that certainly cover no sample.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
@@ -39,6 +33,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
         var (leastW, mostW) = (Vector256.Create(screen.LeastW), Vector256.Create(screen.MostW));
         Span<int> ids = stackalloc int[8];
         Span<int> box = stackalloc int[32];
+        Span<float> w = stackalloc float[8];
         for (; first < end; first += 8)
         {
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i + Ahead, corners.Count - 1);
@@ -82,30 +77,25 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             Vector256.ConvertToInt32(column1).CopyTo(box[8..]);
             Vector256.ConvertToInt32(row0).CopyTo(box[16..]);
             Vector256.ConvertToInt32(row1).CopyTo(box[24..]);
+            (TriangleSetUp.StretchedW(Lanes.Most(t.A.W, t.B.W, t.C.W), size, screen) * Vector256.Create(1 + 1e-5f)).CopyTo(w);
             for (; bits != 0; bits &= bits - 1)
             {
                 var i = BitOperations.TrailingZeroCount(bits);
-                Place(first + i, (int)(turned >> i) & 1, box[i], box[i + 8], box[i + 16], box[i + 24]);
+                Place(first + i, w[i], (int)(turned >> i) & 1, (uint)box[i], (uint)box[i + 8], (uint)box[i + 16], (uint)box[i + 24]);
             }
         }
     }
 
-    private void Place(int triangle, int side, int left, int right, int bottom, int top)
+    private void Place(int triangle, float mostW, int side, uint left, uint right, uint bottom, uint top)
     {
-        if (left < extent.Left) extent.Left = left;
-        if (right > extent.Right) extent.Right = right;
-        if (bottom < extent.Bottom) extent.Bottom = bottom;
-        if (top > extent.Top) extent.Top = top;
-        var (x0, x1, y0, y1) = (left / Tile.MaxSide, right / Tile.MaxSide, bottom / Tile.MaxSide, top / Tile.MaxSide);
-        var tiles = (long)(x1 - x0 + 1) * (y1 - y0 + 1);
+        var tiles = TileLists.TilesOf(left, right, bottom, top);
         if (tiles > 1 && twins is not null && twins.HasEarlier(triangle)) return;
-        if (tiles > ManyTiles)
+        if (tiles <= ManyTiles)
         {
-            Large.Add(triangle);
+            Lists.Add(triangle, mostW, side, left, right, bottom, top);
             return;
         }
-        for (var y = y0; y <= y1; y++)
-            for (var x = x0; x <= x1; x++)
-                Triangles.Add((2 * (y * tilesAcross + x) + side, triangle));
+        Lists.Extend(left, right, bottom, top);
+        Large.Add(triangle);
     }
 }
