@@ -13,6 +13,11 @@ internal static class BoxMistakes
             "Where d is negative, which face of a slab comes first?",
             "If t0 > t1, swap them, for each of x, y and z.")
             .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", Unsorted(axes)))
+            .Or(from axis in (int[])[0, 1, 2]
+                from of in (int[])[0, 1, 2]
+                where of != axis
+                select ($"box: t0 and t1 of {"xyz"[axis]} swapped where those of {"xyz"[of]} should be",
+                    One(axis, (box, P, d, _) => ByAxis(box, P, d, axis, of))))
             .Or("box: t0 and t1 always swapped", Each((lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (t1, t0) : default))
             .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t0 changed where both should be swapped{Of(axis)}", Half(axis, first: true)))
             .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t1 changed where both should be swapped{Of(axis)}", Half(axis, first: false))),
@@ -26,6 +31,9 @@ internal static class BoxMistakes
                 lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Max)))
             .Or("box: t_min is the least way out, t_max the last way in", lab => lab.Box.Is((box, d) => Slabs(lab, box, d,
                 (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1) ? (t1, t0) : default, Math.Min, Math.Max)))
+            .Or(Folds())
+            .Or(from axis in (int[])[0, 1, 2] select ($"box: the way out for the way in, for {"xyz"[axis]} in t_min", One(axis, (_, _, _, slab) => slab with { In = slab.Out })))
+            .Or(from axis in (int[])[0, 1, 2] select ($"box: the way in for the way out, for {"xyz"[axis]} in t_max", One(axis, (_, _, _, slab) => slab with { Out = slab.In })))
             .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
@@ -88,6 +96,12 @@ internal static class BoxMistakes
                     One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(i), d.At(k))));
                 yield return ($"box: the slab of {axes[i]} with the {axes[k]} of P",
                     One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(k), d.At(i))));
+                foreach (var (dk0, pk0, dk1, pk1) in ((int, int, int, int)[])[(k, i, i, i), (i, k, i, i), (i, i, k, i), (i, i, i, k)])
+                {
+                    var letter = axes[k] + (dk0 == k || dk1 == k ? " of d in t" : " of P in t") + (dk0 == k || pk0 == k ? "0" : "1");
+                    yield return ($"box: the slab of {axes[i]} with the {letter}", One(i, (box, P, d, _) =>
+                        Sorted((box.Min.At(i) - P.At(pk0)) / d.At(dk0), (box.Max.At(i) - P.At(pk1)) / d.At(dk1))));
+                }
                 yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0",
                     One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(i), P.At(i), d.At(i))));
                 yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B1",
@@ -99,7 +113,7 @@ internal static class BoxMistakes
     }
 
     /// <summary>Another slab of one axis, from the box, P, d and the right slab.</summary>
-    private static Action<Lab> One(int axis, Func<Aabb, Vector3, Vector3, (double In, double Out), (double In, double Out)> slab) => lab =>
+    internal static Action<Lab> One(int axis, Func<Aabb, Vector3, Vector3, (double In, double Out), (double In, double Out)> slab) => lab =>
         lab.Box.Is((box, d) =>
         {
             InSlab other = (lo, hi, origin, direction) => slab(box, lab.P, d, Slab(lo, hi, origin, direction));
@@ -113,6 +127,30 @@ internal static class BoxMistakes
             ? (first ? double.NegativeInfinity : t0, last ? double.PositiveInfinity : t1) : default;
         return Slabs(lab, box, d, (axis == 0 ? Slab : other, axis == 1 ? Slab : other, axis == 2 ? Slab : other), Math.Max, Math.Min);
     });
+
+    /// <summary>t_min and t_max each with another of Math.Min and Math.Max, for the first or for the last two axes.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Folds()
+    {
+        foreach (var (inner, outer, names) in ((Func<double, double, double>, Func<double, double, double>, string)[])
+            [(Math.Min, Math.Max, "max(x, min(y, z))"), (Math.Max, Math.Min, "min(x, max(y, z))")])
+        {
+            foreach (var first in (bool[])[false, true])
+            {
+                double Fold(double x, double y, double z) => first ? outer(inner(x, y), z) : outer(x, inner(y, z));
+                var how = first ? names + " with z for x" : names;
+                yield return ($"box: t_min = {how}", lab => lab.Box.Is((box, d) => Folded(lab, box, d, Fold, (x, y, z) => Math.Min(x, Math.Min(y, z)))));
+                yield return ($"box: t_max = {how}", lab => lab.Box.Is((box, d) => Folded(lab, box, d, (x, y, z) => Math.Max(x, Math.Max(y, z)), Fold)));
+            }
+        }
+    }
+
+    private static Crossings<Scalar> Folded(Lab lab, Aabb box, Vector3 d, Func<double, double, double, double> lastIn, Func<double, double, double, double> firstOut)
+    {
+        var slabs = (int[])[0, 1, 2];
+        (double In, double Out)[] ways = [.. slabs.Select(i => Slab(box.Min.At(i), box.Max.At(i), lab.P.At(i), d.At(i)))];
+        var (tMin, tMax) = (lastIn(ways[0].In, ways[1].In, ways[2].In), firstOut(ways[0].Out, ways[1].Out, ways[2].Out));
+        return tMin <= tMax ? new(tMin, tMax) : None;
+    }
 
     /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays; for one axis, or with −1 for all.</summary>
     private static Action<Lab> Half(int axis, bool first) => lab => lab.Box.Is((box, d) =>
@@ -137,6 +175,10 @@ internal static class BoxMistakes
         }
         return new(tMin, tMax);
     });
+
+    /// <summary>A slab's t0 and t1 in the order of another one's.</summary>
+    private static (double, double) ByAxis(Aabb box, Vector3 P, Vector3 d, int axis, int of) =>
+        Faces(box.Min.At(axis), box.Max.At(axis), P.At(axis), d.At(axis)) is var (t0, t1) && d.At(of) < 0 ? (t1, t0) : (t0, t1);
 
     private static string Names(int left)
     {

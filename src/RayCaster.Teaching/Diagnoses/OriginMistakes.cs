@@ -16,6 +16,7 @@ internal static class OriginMistakes
             "t = (Q − P)·n / d·n; for a sphere L = C − P, for a box t0 = (B0 − P) / d.")
             .Or(PlaneReaders.Of("Q·n / d·n, without P", (_, Q, n, d) => Q * n / (d * n)).Skip(1))
             .Or(PlaneReaders.Of("P·n / d·n, without Q", (P, _, n, d) => P * n / (d * n)))
+            .Or(PlaneReaders.Of("−P·n / d·n, without Q", (P, _, n, d) => -(P * n) / (d * n)))
             .Or("circle: X = t d, without P", lab => lab.Circle.Becomes(cross => (circle, d) =>
             {
                 var t = cross(circle with { Radius = double.PositiveInfinity }, d).Near;
@@ -28,10 +29,21 @@ internal static class OriginMistakes
                 lab.TrianglesReachOut = true;
             })
             .Or("triangle: neither t nor X with P", WithoutP(Concerns.Triangles))
+            .Or("triangle: the corners' volumes without P", lab =>
+            {
+                lab.Triangle.Is((triangle, d) => TriangleByVolumes(lab, triangle, d, from: Vector3.Zero));
+                lab.TrianglesReachOut = true;
+            })
             .Or("sphere: L = C, without P", WithoutP(Concerns.Spheres))
+            .Or("sphere: b = −2 d·C, without P", SphereMistakes.Quadratic((P, C) => -C, (P, C) => P - C))
+            .Or("sphere: b = 2 d·P, without C", SphereMistakes.Quadratic((P, C) => P, (P, C) => P - C))
+            .Or("sphere: c = C² − R², without P", SphereMistakes.Quadratic((P, C) => P - C, (P, C) => C))
+            .Or("sphere: c = P² − R², without C", SphereMistakes.Quadratic((P, C) => P - C, (P, C) => P))
             .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))
             .Or("box: B0 / d, without P", Box((lo, hi, origin, d) => Sorted(lo / d, (hi - origin) / d)))
             .Or("box: B1 / d, without P", Box((lo, hi, origin, d) => Sorted((lo - origin) / d, hi / d)))
+            .Or(from axis in (int[])[0, 1, 2] select ($"box: without P, for {"xyz"[axis]}",
+                BoxMistakes.One(axis, (box, _, d, _) => Slab(box.Min.At(axis), box.Max.At(axis), 0, d.At(axis)))))
             .Or("every shape: the ray starts at the origin of the world", WithoutP(Shapes)),
     ];
 

@@ -103,6 +103,18 @@ internal static class SlideFormulas
         return inside(u, v) ? new(t) : None;
     }
 
+    /// <summary>The same as the hand-out has it: w, u and v are shares of the volumes that d spans with the corners seen from P.</summary>
+    public static Crossed TriangleByVolumes(Lab lab, Triangle triangle, Vector3 d, Vector3? from = null)
+    {
+        var (_, t) = CrossPlane(lab, triangle, d);
+        if (!lab.Counts(t, d)) return None;
+        var P = from ?? lab.P;
+        var (a, b, c) = (triangle.A - P, triangle.B - P, triangle.C - P);
+        var (w, u, v) = (d * lab.Cross.Do(b, c), d * lab.Cross.Do(c, a), d * lab.Cross.Do(a, b));
+        var sum = w + u + v;
+        return w / sum >= 0 && u / sum >= 0 && v / sum >= 0 ? new(t) : None;
+    }
+
     /// <summary>Whether u and v are those of a point in the triangle.</summary>
     public static bool IsInside(double u, double v) => u >= 0 && v >= 0 && u + v <= 1;
 
