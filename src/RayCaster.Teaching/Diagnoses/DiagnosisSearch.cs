@@ -35,7 +35,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     private const double Unlikely = 1.5;
 
     /// <summary>How many wordings of a mistake are tried where all pairs are.</summary>
-    private const int MostWordings = 5;
+    private const int MostWordings = 12;
 
     /// <summary>How many of the nearest mistakes are tried beside each way to be unfinished.</summary>
     private const int Besides = 3;
@@ -160,7 +160,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// <summary>The best pairs with one of both in another wording, and with rays through the other place of each pixel.</summary>
     private static List<WrongProgram> Reworded(List<WrongProgram> pairs) =>
     [
-        .. from pair in pairs.Take(Partners)
+        .. from pair in pairs.DistinctBy(pair => pair.Id).Take(Partners)
            from place in (int[])[0, 1]
            from wording in pair.Wordings[place].Wordings
            from otherSample in (bool[])[false, true]
