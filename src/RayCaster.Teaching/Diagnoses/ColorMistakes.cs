@@ -18,6 +18,8 @@ internal static class ColorMistakes
             .Or("1 − t / (|T − P| / 2)", lab => lab.Attenuation.Becomes(fade => t => fade(4 * t)))
             .Or("1 − t / (4 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(t / 2)))
             .Or("1 − t / 2 · |T − P|, without brackets", Fade((t, D, _) => 1 - t / 2 * D))
+            .Or("1 − t / 2, without |T − P|", Fade((t, _, _) => 1 - t / 2))
+            .Or("1 − t, without 2 |T − P|", Fade((t, _, _) => 1 - t))
             .Or("1 − t / |2 T − P|", lab => lab.Reach.Is(() => lab.Length.Do(2 * lab.T - lab.P)))
             .Or("1 − t / (2 |T + P|)", lab => lab.Reach.Is(() => lab.Length.Do(2 * (lab.T + lab.P)))),
         new Mistake("att-inv", Concerns.Color, Slides.Shading, "t / (2 |T − P|): far is bright",

@@ -94,7 +94,8 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         evidence.Misfit(new Lab(scene, center), 0.05).Unexplained < 0.9 * evidence.WrongCount;
 
     /// <summary>A trial, and before it the same with all shapes drawn: a shape that seems missing may be misplaced by a second mistake.</summary>
-    private static WrongProgram[] Written(WrongProgram trial) => trial.Base.Kinds.Any() ? [trial with { Base = Unfinished.Nothing }, trial] : [trial];
+    private static WrongProgram[] Written(WrongProgram trial) =>
+        trial.Base.Kinds.Any() ? [trial with { Base = Unfinished.Nothing }, trial] : [trial];
 
     private bool IsDone(List<WrongProgram> all, double left = Explained) => all.Exists(trial => trial.Misfit.Unexplained <= left * Wrong);
 

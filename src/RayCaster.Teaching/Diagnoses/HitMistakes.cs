@@ -84,7 +84,8 @@ internal static class HitMistakes
             "With which t is the first hit compared?",
             "Start with the best t = +∞.")
             .Or("the best t starts at 1", lab => lab.Start.Is(() => 1))
-            .Or("the best t starts at 10", lab => lab.Start.Is(() => 10)),
+            .Or("the best t starts at 10", lab => lab.Start.Is(() => 10))
+            .Or("the best t starts at |T − P|", lab => lab.Start.Is(() => lab.Length.Do(lab.T - lab.P))),
         new("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)),
             "What the near plane cuts is cut along a wrong line.",
@@ -152,15 +153,12 @@ internal static class HitMistakes
                 lab.Ahead.Is(t => t > 0.1);
                 lab.Near.Is((_, _) => true);
             }),
-        new Mistake("clip-root", Concerns.Hit, Slides.ClipPlanes,
+        new("clip-root", Concerns.Hit, Slides.ClipPlanes,
             "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",
-            lab => lab.First.Becomes(first => (crossed, d) => first(Chosen(lab, crossed), d)),
+            lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),
             "A sphere or a box that the near plane cuts has a hole through it.",
             "If the first crossing is cut away, what of the second?",
-            "The first crossing that counts is the hit; ask both.")
-            .Or("the near crossing of a sphere chosen before zNear is asked",
-                lab => lab.Sphere.Becomes(cross => (sphere, d) => Chosen(lab, cross(sphere, d))))
-            .Or("the near crossing of a box chosen before zNear is asked", lab => lab.Box.Becomes(cross => (box, d) => Chosen(lab, cross(box, d)))),
+            "The first crossing that counts is the hit; ask both."),
     ];
 
     private static Action<Lab> Both => lab => lab.OffersBoth = true;
@@ -174,8 +172,6 @@ internal static class HitMistakes
     /// <summary>A mistake with each hit, where the first crossing of a body that counts is its hit, and where both crossings are.</summary>
     private static (string, Action<Lab>)[] Either(string what, Action<Lab> deviate) =>
         [(what, deviate), (what + "; both crossings of a sphere or a box are hits", Both + deviate)];
-
-    private static Crossings<Scalar> Chosen(Lab lab, Crossings<Scalar> crossed) => lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed;
 
     /// <summary>zNear or zFar or both not asked where such shapes are hit.</summary>
     private static Action<Lab> Unclipped(Concerns kinds, bool near, bool far) => lab =>

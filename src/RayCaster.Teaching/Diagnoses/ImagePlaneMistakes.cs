@@ -53,6 +53,8 @@ internal static class ImagePlaneMistakes
             .Or("h = 1, whatever fovY is", lab => lab.Tan.Is(_ => 0.5))
             .Or("h = 2 and w = 2: uc and ur run from −1 to 1", Square(2))
             .Or("h = 1 and w = 1: uc and ur run from −1/2 to 1/2", Square(1))
+            .Or("w = width / height, without h", lab => lab.PlaneWidth.Is(_ => lab.Wide))
+            .Or("w = 2 · width / height, without h", lab => lab.PlaneWidth.Is(_ => 2 * lab.Wide))
             .Or("h = fovY, in degrees", lab => lab.Tan.Is(a => a * 180 / Math.PI))
             .Or("1 / (2 tan)", lab => lab.Tan.Is(a => 0.5 / Math.Tan(a)))
             .Or("sin · cos for the tangent", lab => lab.Tan.Is(a => Math.Sin(a) * Math.Cos(a)))
@@ -70,10 +72,7 @@ internal static class ImagePlaneMistakes
             "All is too long along the picture's longer side, as if stretched.",
             "Is a pixel of the plane a square?",
             "w = h · width / height.")
-            .Or("h = w", lab => Stretch(lab, 1, lab.Wide))
-            .Or("w = width / height, without h", lab => lab.PlaneWidth.Is(_ => lab.Wide))
-            .Or("w = 2 · width / height, without h", lab => lab.PlaneWidth.Is(_ => 2 * lab.Wide))
-            .Or("w = h + width / height", lab => lab.PlaneWidth.Is(h => h + lab.Wide)),
+            .Or("h = w", lab => Stretch(lab, 1, lab.Wide)),
         new Mistake("aspect-int", Concerns.Camera, Slides.Camera, "w = h · (width / height), divided in integers",
             lab => lab.PlaneWidth.Is(h => h * (lab.Camera.Width / lab.Camera.Height)),
             "All is stretched; a picture that is higher than wide has only stripes.",

@@ -132,7 +132,7 @@ internal static class SphereMistakes
         return Roots(a, b, b * b - 4 * a * (C * C - s.Radius * s.Radius));
     });
 
-    /// <summary>Other numbers for the 2 in b, for the 4 in b² − 4ac and for the 2 in / 2a; what is so still right, or stands by itself, is left out.</summary>
+    /// <summary>Other numbers for the 2 in b, the 4 in b² − 4ac and the 2 in / 2a, at most two of them wrong.</summary>
     private static IEnumerable<(string, Action<Lab>)> OtherFactors() =>
         from inB in (int[])[1, 2, 4]
         from inRoot in (int[])[1, 2, 4, -4]

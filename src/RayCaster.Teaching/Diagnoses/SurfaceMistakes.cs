@@ -119,6 +119,12 @@ internal static class SurfaceMistakes
             .Or("triangle: −u for u", TriangleWhere((u, v) => IsInside(-u, v)))
             .Or("triangle: −v for v", TriangleWhere((u, v) => IsInside(u, -v)))
             .Or("triangle: −u for u and −v for v", TriangleWhere((u, v) => IsInside(-u, -v)))
+            .Or(from volume in ((string Name, Vector3 Signs)[])[("w", new(-1, 1, 1)), ("u", new(1, -1, 1)), ("v", new(1, 1, -1))]
+                select ($"triangle: the volume {volume.Name} with the wrong sign", (Action<Lab>)(lab =>
+                {
+                    lab.Triangle.Is((triangle, d) => TriangleByVolumes(lab, triangle, d, signs: volume.Signs));
+                    lab.TrianglesReachOut = true;
+                })))
             .Or("triangle: u ≥ 0 or v ≥ 0 where both are meant", TriangleWhere((u, v) => (u >= 0 || v >= 0) && u + v <= 1))
             .Or("triangle: u ≥ 0 and v ≥ 0, or u + v ≤ 1", TriangleWhere((u, v) => (u >= 0 && v >= 0) || u + v <= 1))
             .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
@@ -154,7 +160,7 @@ internal static class SurfaceMistakes
         })),
     ];
 
-    /// <summary>Some of u ≥ 0, v ≥ 0, u + v ≤ 1, u ≤ 1 and v ≤ 1 asked, the others not; the first wordings of tri-uv and tri-neg are left out.</summary>
+    /// <summary>Some of u ≥ 0, v ≥ 0, u + v ≤ 1, u ≤ 1 and v ≤ 1 asked, the others not, without the first wordings of tri-uv and tri-neg.</summary>
     private static IEnumerable<(string, Action<Lab>)> Asked(Func<(bool U, bool V, bool Sum), bool> belongs)
     {
         string[] names = ["u ≥ 0", "v ≥ 0", "u + v ≤ 1", "u ≤ 1", "v ≤ 1"];

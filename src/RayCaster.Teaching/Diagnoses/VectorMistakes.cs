@@ -12,7 +12,7 @@ internal static class VectorMistakes
             "U = (up × W) normalised.")
             .Or("U is normalised only after V = W × U",
                 lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, w)) * V(w, u)))
-            .Or(LongAxes()),
+            .Or("U is not normalised, but V is", Longer(1, 0, lab => lab.Cross.Do(lab.Camera.Up, lab.W))),
         new Mistake("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",
             lab => lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t)),
             "Everything is drawn out, the more the farther the target is, or zFar has cut all of it away.",
@@ -26,6 +26,10 @@ internal static class VectorMistakes
                 lab => lab.PlaneHeight.Becomes(h => fovY => lab.Camera.ZNear * h(fovY)))
             .Or("d = uc U + ur V − zNear W, while h and w are those at 1",
                 lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / lab.Camera.ZNear))
+            .Or(from up in ((string Name, Func<Lab, Vector3> Of)[])[("up", lab => lab.Camera.Up), ("up / |up|", lab => lab.Unit.Do(lab.Camera.Up))]
+                from ofV in (int[])[0, 1]
+                select ($"U = {up.Name} × (P − T){(ofV == 0 ? ", and V is normalised" : ", V = W × U")}",
+                    Longer(1, ofV, lab => lab.Cross.Do(up.Of(lab), lab.P - lab.T))))
             .Or("V = (T − P) × U", lab => lab.AxisV.Becomes(V => (w, u) => -lab.Length.Do(lab.T - lab.P) * V(w, u)))
             .Or("W is not normalised, but V is", lab =>
             {
@@ -63,7 +67,7 @@ internal static class VectorMistakes
             .Or(from part in Parts
                 from wording in Lengths($"{part.Name} forgotten in the length", a => part.Of(Vector3.Zero, a).Length) select wording)
             .Or(from part in Parts
-                from wording in Lengths($"|a| with {part.Name} for {part.Name}²", a => Math.Sqrt(Unsquared(part.Of(a, Vector3.Zero), part.Of(Vector3.Zero, a))))
+                from wording in Lengths($"|a| with {part.Name} for {part.Name}²", a => Unsquared(part.Of(a, Vector3.Zero), part.Of(Vector3.Zero, a)))
                 select wording)
             .Or(Lengths("|a| = |x| + |y| + |z|", a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
             .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
@@ -125,22 +129,12 @@ internal static class VectorMistakes
             .Or(Swapped("components have moved back by one place", n => new(n.Z, n.X, n.Y))),
     ];
 
-    /// <summary>U from up and T − P, neither or only one of them normalised, while V is or is not.</summary>
-    private static IEnumerable<(string, Action<Lab>)> LongAxes()
+    /// <summary>U or V or both as long as a vector is: 1 for as long, 0 for normalised.</summary>
+    private static Action<Lab> Longer(int ofU, int ofV, Func<Lab, Vector3> vector) => lab => lab.Towards.Becomes(towards => (uc, ur) =>
     {
-        foreach (var (name, length) in ((string, Func<Lab, double>)[])
-        [
-            ("up × W", lab => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, lab.W))),
-            ("up × (P − T)", lab => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, lab.P - lab.T))),
-            ("up / |up| × (P − T)", lab => lab.Length.Do(lab.Cross.Do(lab.Unit.Do(lab.Camera.Up), lab.P - lab.T))),
-            ("up × W / |up|", lab => lab.Length.Do(lab.Cross.Do(lab.Unit.Do(lab.Camera.Up), lab.W))),
-        ])
-        {
-            yield return ($"U = {name}, and V is normalised", lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc * length(lab), ur)));
-            if (name != "up × W")
-                yield return ($"U = {name}, V = W × U", lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc * length(lab), ur * length(lab))));
-        }
-    }
+        var length = lab.Length.Do(vector(lab));
+        return towards(uc * (ofU == 0 ? 1 : length), ur * (ofV == 0 ? 1 : length));
+    });
 
     private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur));
 
@@ -165,7 +159,7 @@ internal static class VectorMistakes
         ("x", (b, a) => a with { X = b.X }), ("y", (b, a) => a with { Y = b.Y }), ("z", (b, a) => a with { Z = b.Z }),
     ];
 
-    private static double Unsquared(Vector3 part, Vector3 rest) => part.X + part.Y + part.Z + rest * rest;
+    private static double Unsquared(Vector3 part, Vector3 rest) => Math.Sqrt(part.X + part.Y + part.Z + rest * rest);
 
     /// <summary>Another way to normalise, with the sphere's formula for any d and with the one for d·d = 1.</summary>
     private static IEnumerable<(string, Action<Lab>)> Units(string what, Func<Vector3, Vector3> unit) =>
