@@ -7,7 +7,7 @@ internal static class Program
     /// <summary>The signal for a file that is larger than "ulimit -f" allows; the same number on Linux and macOS.</summary>
     private const PosixSignal FileTooLarge = (PosixSignal)25;
 
-    private static int Main(string[] arguments)
+    internal static int Main(string[] arguments)
     {
         using var cancellation = new CancellationTokenSource();
         var exitCode = ExitCode.Interrupted;

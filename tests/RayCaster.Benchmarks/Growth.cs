@@ -4,7 +4,7 @@ namespace RayCaster.Benchmarks;
 internal sealed class Growth(Options options, Workshop workshop, string? peer)
 {
     private readonly (int Width, int Height) size = options.Quick ? (500, 500) : (1920, 1080);
-    private readonly int mostModels = options.Quick ? 10_000 : int.MaxValue;
+    private readonly int mostModels = options.Quick ? 10_000 : options.Largest ? int.MaxValue : 10_000_000;
     private readonly int mostPixels = options.Quick ? 1_000_000 : options.Largest ? 100_000_000 : 10_000_000;
     private readonly string largeMesh = options.Quick ? "bumpy-1k" : "bumpy-1m";
     private readonly int rounds = options.Quick ? 2 : Math.Min(5, options.Repeats);
@@ -13,21 +13,44 @@ internal sealed class Growth(Options options, Workshop workshop, string? peer)
 
     private string MeshText => options.Quick ? "1 k triangles" : "1 M triangles";
 
-    public IEnumerable<Chart> Run() => [Triangles(), Spheres(), Pixels(), Threads()];
+    /// <summary>Meshes of 4 m (m − 1) triangles: from 8 to 10 or 30 million.</summary>
+    private IEnumerable<BenchmarkScene> Meshes => new[] { 2, 6, 16, 50, 158, 500, 1581, 2739 }.Where(m => 4 * m * (m - 1) <= mostModels)
+        .Select(m => BenchmarkScene.Bumpy($"bumpy-{m}", m));
 
-    private Chart Triangles()
-    {
-        // 4 m (m − 1) triangles: from 8 to 10 million.
-        var scenes = new[] { 2, 6, 16, 50, 158, 500, 1581 }.Where(m => 4 * m * (m - 1) <= mostModels)
-            .Select(m => BenchmarkScene.Bumpy($"bumpy-{m}", m));
-        return Models("growth-triangles", "A bumpy sphere of more and more triangles", "triangles", scenes);
-    }
+    private IEnumerable<BenchmarkScene> Crowds => new[] { 10, 100, 1000, 10_000, 100_000, 1_000_000, 3_000_000 }.Where(n => n <= mostModels)
+        .Select(n => BenchmarkScene.Spheres($"spheres-{n}", n));
 
-    private Chart Spheres()
+    public IEnumerable<Chart> Run() =>
+    [
+        Models("growth-triangles", "A bumpy sphere of more and more triangles", "triangles", Meshes),
+        Models("growth-spheres", "More and more spheres", "spheres", Crowds),
+        Pixels(),
+        Threads(),
+    ];
+
+    /// <summary>How much memory the first frame takes. To be measured first, because pools keep what a picture needed.</summary>
+    public Chart Memory()
     {
-        var scenes = new[] { 10, 100, 1000, 10_000, 100_000, 1_000_000 }.Where(n => n <= mostModels)
-            .Select(n => BenchmarkScene.Spheres($"spheres-{n}", n));
-        return Models("growth-spheres", "More and more spheres", "spheres", scenes);
+        const int Megabyte = 1 << 20;
+        var chart = new Chart("growth-memory", $"Memory beside the scene's own, {Size}, one thread", "triangles or spheres", "megabytes");
+        var map = new HitMap(size.Width, size.Height);
+        Peak(BenchmarkScene.Bumpy("small", 10)); // compiles the code, and touches what receives the hits
+        foreach (var (kind, scenes, dashed) in new[] { ("triangles", Meshes, false), ("spheres", Crowds, true) })
+        {
+            foreach (var benchmark in scenes.Where(scene => scene.ModelCount >= 1000))
+            {
+                if (benchmark.Mesh is { } mesh)
+                    chart.Add("the mesh itself", Ink.Scalar, benchmark.ModelCount, (24.0 * mesh.Vertices.Length + 4.0 * mesh.Indices.Length) / Megabyte);
+                chart.Add($"drawing the {kind}", Ink.Exact, benchmark.ModelCount, Peak(benchmark) / Megabyte, dashed);
+            }
+        }
+        return chart;
+
+        double Peak(BenchmarkScene benchmark)
+        {
+            var renderer = new Renderer(benchmark.Create(size.Width, size.Height), 1);
+            return PeakMemory.Of(() => renderer.CastHits(map));
+        }
     }
 
     private Chart Models(string file, string title, string unit, IEnumerable<BenchmarkScene> scenes)

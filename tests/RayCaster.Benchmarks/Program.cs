@@ -40,6 +40,7 @@ if (options.Does("rays"))
         }
     }
 }
+if (options.Does("memory") && PeakMemory.IsKnown) report.Charts.Add(new Growth(options, workshop, peer).Memory());
 if (options.Does("growth")) report.Charts.AddRange(new Growth(options, workshop, peer).Run());
 if (options.Does("programs")) report.Programs.AddRange(new Programs(options, workshop, peer).Run());
 

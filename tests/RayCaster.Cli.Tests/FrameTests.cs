@@ -4,7 +4,7 @@ using System.Text;
 
 namespace RayCaster.Cli.Tests;
 
-/// <summary>Frames, and what is made of them, with the real process.</summary>
+/// <summary>Frames, and what is made of them, as commands.</summary>
 public sealed class FrameTests : IDisposable
 {
     private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");

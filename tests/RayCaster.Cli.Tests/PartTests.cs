@@ -1,6 +1,6 @@
 namespace RayCaster.Cli.Tests;
 
-/// <summary>Parts of a picture, and the picture that they make, with the real process.</summary>
+/// <summary>Parts of a picture, and the picture that they make, as commands.</summary>
 public sealed class PartTests : IDisposable
 {
     private static readonly string Room = Path.Combine(RayCasterProcess.Scenes, "room.json");

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace RayCaster.Cli.Tests;
 
-/// <summary>The console app as a real process, in a temporary folder.</summary>
+/// <summary>The console app in a temporary folder: in this process, or where a test depends on it, in one of its own.</summary>
 internal sealed class RayCasterProcess : IDisposable
 {
     /// <summary>The console app itself.</summary>
@@ -38,6 +38,14 @@ internal sealed class RayCasterProcess : IDisposable
     public RayCasterProcess Run(params string[] arguments) => Run("", arguments);
 
     public RayCasterProcess Run(string input, string[] arguments)
+    {
+        if (!SameProcess.IsPossible) return RunApart(input, arguments);
+        var (exitCode, output, error) = SameProcess.Run(Folder, input, arguments);
+        return Finish(exitCode, output, System.Text.Encoding.UTF8.GetString(error));
+    }
+
+    /// <summary>Runs the app as a process of its own, for what depends on that.</summary>
+    public RayCasterProcess RunApart(string input, params string[] arguments)
     {
         using var process = Start(arguments);
         return Finish(process, input);
@@ -76,7 +84,12 @@ internal sealed class RayCasterProcess : IDisposable
         using var output = new MemoryStream();
         process.StandardOutput.BaseStream.CopyTo(output);
         process.WaitForExit();
-        (ExitCode, Output, Error) = (process.ExitCode, output.ToArray(), error.Result.ReplaceLineEndings("\n"));
+        return Finish(process.ExitCode, output.ToArray(), error.Result);
+    }
+
+    private RayCasterProcess Finish(int exitCode, byte[] output, string error)
+    {
+        (ExitCode, Output, Error) = (exitCode, output, error.ReplaceLineEndings("\n"));
         Assert.DoesNotContain("   at ", Error); // no stack trace, whatever happens
         return this;
     }

@@ -1,4 +1,3 @@
-using System.Buffers;
 using System.Runtime.InteropServices;
 using System.Text;
 
@@ -75,9 +74,8 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 
     private int[] FindLineStarts()
     {
-        var ends = SearchValues.Create("\r\n"u8);
         var starts = new List<int> { 0 };
-        for (var i = 0; Utf8[i..].IndexOfAny(ends) is >= 0 and var next;)
+        for (var i = 0; Utf8[i..].IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var next;)
         {
             i += next + 1;
             if (Utf8[i - 1] == '\r' && i < Utf8.Length && Utf8[i] == '\n') i++;

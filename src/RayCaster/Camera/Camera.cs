@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary>A camera: turns a pixel into a ray (slides "Camera" and "Ray through a pixel").</summary>
+/// <summary>A camera: turns a pixel into a ray (slides "Camera" and "Camera Pixel Translation").</summary>
 public sealed class Camera
 {
     /// <summary>The most pixels in a row, and the most rows.</summary>

@@ -27,7 +27,7 @@ public sealed class ProcessTests : IDisposable
             raycaster.Write("mesh.json", $$"""{ "camera": {{camera}}, "models": [{ "type": "mesh", "file": "{{file}}" }] }""");
             var before = raycaster.Files;
 
-            raycaster.Run((i % 4) switch
+            raycaster.RunApart("", (i % 4) switch
             {
                 0 => [file, "-s", "20x10", "-o", "out.png"],
                 1 => ["check", file],
@@ -50,7 +50,7 @@ public sealed class ProcessTests : IDisposable
         raycaster.Write("scene.json", """{ "camera": { "position": [9, 0, 0], "target": [0, 0, 0], "width": 9, "height": 9 }, "models": [] }""");
         for (var i = 0; i < Sample; i++)
         {
-            raycaster.Run(OddCommandLine.Words(OddCommandLine.Next(new Random(Campaign.Seed * 1000 + i))));
+            raycaster.RunApart("", OddCommandLine.Words(OddCommandLine.Next(new Random(Campaign.Seed * 1000 + i))));
             Assert.Contains(raycaster.ExitCode, (int[])[0, 1, 2]);
             Promise.Wholesome(raycaster.Error.Replace("\r", ""));
             Assert.DoesNotContain(raycaster.Files, name => name.EndsWith(".tmp"));
