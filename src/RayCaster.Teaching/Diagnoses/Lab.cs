@@ -116,6 +116,13 @@ internal sealed partial class Lab
     /// the first that counts.</summary>
     public bool OffersBoth { get; set; }
 
+    /// <summary>Puts a formula in the place of the triangle's that may hit it outside of itself.</summary>
+    public void TriangleIs(Func<Triangle, Vector3, Crossed> formula)
+    {
+        Triangle.Is(formula);
+        TrianglesReachOut = true;
+    }
+
     /// <summary>Leaves out all models of a kind.</summary>
     /// <param name="kind">As a scene file calls it.</param>
     public void LeaveOut(string kind) => models = [.. models.Where(model => model.Kind != kind)];

@@ -26,11 +26,8 @@ internal static class OriginMistakes
                 select ($"{Names(shapes)}: X = {X.Is}", OtherX(shapes, X.Of)))
             .Or("circle: neither t nor X with P", WithoutP(Concerns.Circles))
             .Or("triangle: neither t nor X with P", WithoutP(Concerns.Triangles))
-            .Or("triangle: the corners' volumes without P", lab =>
-            {
-                lab.Triangle.Is((triangle, d) => TriangleByVolumes(lab, triangle, d, from: Vector3.Zero));
-                lab.TrianglesReachOut = true;
-            })
+            .Or("triangle: the corners' volumes without P",
+                lab => lab.TriangleIs((triangle, d) => TriangleByVolumes(lab, triangle, d, from: Vector3.Zero)))
             .Or("sphere: L = C, without P", WithoutP(Concerns.Spheres))
             .Or("sphere: b = −2 d·C, without P", SphereMistakes.Quadratic((P, C) => -C, (P, C) => P - C))
             .Or("sphere: b = 2 d·P, without C", SphereMistakes.Quadratic((P, C) => P, (P, C) => P - C))
@@ -58,9 +55,8 @@ internal static class OriginMistakes
                 return (X(lab.P, (double)t, d) - circle.Center).Length <= circle.Radius ? new(t) : None;
             });
         }
-        if (!shapes.HasFlag(Concerns.Triangles)) return;
-        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, IsInside, at: t => X(lab.P, t, d)));
-        lab.TrianglesReachOut = true;
+        if (shapes.HasFlag(Concerns.Triangles))
+            lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, IsInside, at: t => X(lab.P, t, d)));
     };
 
     /// <summary>What has its ray start at the origin lies, seen from P, as much farther on as P is from there.</summary>

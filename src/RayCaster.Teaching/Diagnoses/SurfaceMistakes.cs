@@ -83,15 +83,11 @@ internal static class SurfaceMistakes
             "Which condition draws the side from B to C? What are u and v at B and at C?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1; u is 1 at B, v is 1 at C.")
             .Or(Asked(sides => sides.U && sides.V && !sides.Sum))
-            .Or("triangle: n normalised, so that u and v are too large or too small", lab =>
+            .Or("triangle: n normalised, so that u and v are too large or too small", lab => lab.TriangleIs((triangle, d) =>
             {
-                lab.Triangle.Is((triangle, d) =>
-                {
-                    var length = NormalOf(lab, triangle).Length;
-                    return SlideFormulas.Triangle(lab, triangle, d, (u, v) => IsInside(length * u, length * v));
-                });
-                lab.TrianglesReachOut = true;
-            })
+                var length = NormalOf(lab, triangle).Length;
+                return SlideFormulas.Triangle(lab, triangle, d, (u, v) => IsInside(length * u, length * v));
+            }))
             .Or(ThirdSide("u² + v² ≤ 1", (u, v) => u * u + v * v <= 1))
             .Or(ThirdSide("u + v ≤ 1/2", (u, v) => u + v <= 0.5))
             .Or(ThirdSide("u + v ≤ 2", (u, v) => u + v <= 2))
@@ -121,10 +117,7 @@ internal static class SurfaceMistakes
             .Or("triangle: −u for u and −v for v", TriangleWhere((u, v) => IsInside(-u, -v)))
             .Or(from volume in ((string Name, Vector3 Signs)[])[("w", new(-1, 1, 1)), ("u", new(1, -1, 1)), ("v", new(1, 1, -1))]
                 select ($"triangle: the volume {volume.Name} with the wrong sign", (Action<Lab>)(lab =>
-                {
-                    lab.Triangle.Is((triangle, d) => TriangleByVolumes(lab, triangle, d, signs: volume.Signs));
-                    lab.TrianglesReachOut = true;
-                })))
+                    lab.TriangleIs((triangle, d) => TriangleByVolumes(lab, triangle, d, signs: volume.Signs)))))
             .Or("triangle: u ≥ 0 or v ≥ 0 where both are meant", TriangleWhere((u, v) => (u >= 0 || v >= 0) && u + v <= 1))
             .Or("triangle: u ≥ 0 and v ≥ 0, or u + v ≤ 1", TriangleWhere((u, v) => (u >= 0 && v >= 0) || u + v <= 1))
             .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
@@ -179,10 +172,7 @@ internal static class SurfaceMistakes
         [($"triangle: {what} where u + v ≤ 1 is meant", TriangleWhere((u, v) => u >= 0 && v >= 0 && holds(u, v)))];
 
     private static Action<Lab> TriangleWhere(Func<double, double, bool> inside) => lab =>
-    {
-        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, inside));
-        lab.TrianglesReachOut = true;
-    };
+        lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, inside));
 
     private static Vector3 NormalOf(Lab lab, Triangle triangle) => lab.Cross.Do(triangle.B - triangle.A, triangle.C - triangle.A);
 }

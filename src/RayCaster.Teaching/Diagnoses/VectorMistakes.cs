@@ -233,24 +233,16 @@ internal static class VectorMistakes
         ($"the cross product's {which}, but triangles do without it", lab => lab.Cross.Becomes(cross => (a, b) => swap(cross(a, b)))),
     ];
 
-    private static void CompareVolumes(Lab lab)
-    {
-        lab.Triangle.Is((triangle, d) => SlideFormulas.TriangleByVolumes(lab, triangle, d));
-        lab.TrianglesReachOut = true;
-    }
+    private static void CompareVolumes(Lab lab) => lab.TriangleIs((triangle, d) => SlideFormulas.TriangleByVolumes(lab, triangle, d));
 
     /// <summary>The triangle's n is the lab's cross product; u and v do without it.</summary>
-    private static void TakeOnlyNormals(Lab lab)
-    {
-        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside, sides: (a, b) => a % b));
-        lab.TrianglesReachOut = true;
-    }
+    private static void TakeOnlyNormals(Lab lab) =>
+        lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside, sides: (a, b) => a % b));
 
     /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
     private static void MistakeCross(Lab lab, Func<Vector3, Vector3, Vector3, Vector3> other)
     {
         lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
-        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside));
-        lab.TrianglesReachOut = true;
+        lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside));
     }
 }
