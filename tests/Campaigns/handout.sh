@@ -41,4 +41,39 @@ for k in "$@"; do
         grep -E "^ +[0-9]+ +([0-9]+ of|not written) " log
     )
 done
+
+echo "== a body that does not end"
+raycaster handout -q "$folder/endless"
+(
+    cd "$folder/endless"
+    sed -i 's/Todo.Note("Ray – Plane Intersection");/while (true) { }/' src/Lab/Plane.cs
+    dotnet run --project src/Lab -- scenes/room.json room.png 2> said
+    grep -q "^Plane.Intersect does not end" said
+    grep -q "^Not written yet: .*vectors, ray, camera, .*triangle" said
+)
+
+echo "== files that students must not change"
+raycaster handout -q "$folder/changed" --solution
+(
+    cd "$folder/changed"
+    git init -q
+    git config user.name teacher
+    git config user.email teacher@example.org
+    git add -A
+    git commit -qm "hand-out"
+    sed -i 's/"radius": 1,/"radius": 1.5,/' scenes/circle.json
+    cmp -s scenes/circle.json <(git show HEAD:scenes/circle.json) && exit 1
+    dotnet test --filter step=9 > log && exit 1
+    grep -q "scenes/circle.json is not as it was handed out" log
+    rm tests/Lab.Tests/Step10Triangle.cs
+    mkdir src/Lab/Shapes
+    mv src/Lab/Circle.cs src/Lab/Shapes
+    echo "// mine" >> src/Lab/Sphere.cs
+    git add -A
+    git commit -qm "all done"
+    CI= sh .ci/restore.sh 2> said && exit 1
+    grep -q "runs only in CI" said
+    CI=1 sh .ci/restore.sh
+    [ "$(git status --porcelain -uall)" = "$(printf ' D src/Lab/Circle.cs\n M src/Lab/Sphere.cs\n?? src/Lab/Shapes/Circle.cs')" ]
+)
 echo "hand-out: all as it should be"

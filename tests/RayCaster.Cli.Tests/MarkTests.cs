@@ -13,7 +13,7 @@ public sealed class MarkTests : IDisposable
             .Replace("\"target\"", "\"width\": 60, \"height\": 40, \"target\""));
         raycaster.Write("rubric.json", $$"""
             { "title": "A ball", "scenes": ["ball.json"], {{more}} "items": [
-                { "name": "ball", "points": 3, "mistakes": ["far-root"], "undone": ["sphere"] },
+                { "name": "ball", "points": 3, "mistakes": ["far-root", "oc-sign"], "undone": ["sphere"] },
                 { "name": "floor", "points": 2, "mistakes": ["plane-sign"], "undone": ["plane"] } ] }
             """);
     }
@@ -41,12 +41,50 @@ public sealed class MarkTests : IDisposable
         Assert.Equal("student,points,open,of,ball,floor,look yourself,not drawn yet,mistakes,right pictures", Table()[0]);
         Assert.Equal("'=boris,2,0,5,0,2,,sphere,,0 of 1", Table()[1]);
         Assert.Equal("anna,5,0,5,3,2,,,,1 of 1", Table()[2]);
-        Assert.Equal("clara,0,5,5,0?,0?,ball: no picture ball.png,,,0 of 1", Table()[3]);
+        Assert.Equal("clara,0,5,5,0?,0?,ball: the submission's folder is empty,,,0 of 1", Table()[3]);
         var page = File.ReadAllText(raycaster.PathOf("marks/=boris/feedback.html"));
-        Assert.Contains("Not drawn yet: spheres.", page);
+        Assert.Contains("No spheres are drawn: they are not written yet, or a mistake hides them.", page);
         Assert.DoesNotContain("http", page); // it needs no network
-        Assert.Contains("<failure message=\"0 of 3 points. Not drawn yet: spheres.\" />", File.ReadAllText(raycaster.PathOf("marks.xml")));
-        Assert.Contains("=boris", File.ReadAllText(raycaster.PathOf("marks/class.html")));
+        Assert.Contains("<failure message=\"0 of 3 points. No spheres are drawn: they are not written yet, or a mistake hides them.\" />", File.ReadAllText(raycaster.PathOf("marks.xml")));
+        var forTheTeacher = File.ReadAllText(raycaster.PathOf("marks/class.html"));
+        Assert.Contains("=boris", forTheTeacher);
+        Assert.Contains("To discuss next: No spheres are drawn.", forTheTeacher);
+    }
+
+    [Fact]
+    public void AFolderWithoutSubmissionsIsAnError()
+    {
+        WriteRubric("");
+        Folder(".git");
+        raycaster.Write("class/ball.png", "");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
+        Assert.Equal((2, "raycaster: no submissions in class: it contains no folders and 1 file, but must contain a folder for each student, " +
+            "named after the student\n"), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
+    public void AProgramThatDoesNotBuildIsToldOnceWithItsErrorsAndIsAnErrorInJUnit()
+    {
+        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        WriteRubric("""  "build": ["sh", "{dir}/build.sh"], "run": ["draw", "{scene}", "{out}"], """);
+        var folder = raycaster.PathOf("class/anna");
+        var error = $"{folder}/Sphere.cs(3,5): error CS1002: ; expected [{folder}/Lab.csproj]";
+        raycaster.Write(Folder("anna") + "build.sh", $"echo '{error}'; echo Build FAILED.; echo '{error}'; echo '    1 Error(s)'; exit 1");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "--junit", "marks.xml");
+        const string problem = "t does not build: ended with exit code 1; it printed: Sphere.cs(3,5): error CS1002: ; expected";
+        Assert.Contains($"\"ball: i{problem}\",", Table()[1]);
+        Assert.Equal(2, File.ReadAllText(raycaster.PathOf("marks/anna/feedback.html")).Split($"I{problem}.").Length);
+        Assert.Contains($"errors=\"2\" skipped=\"0\"", File.ReadAllText(raycaster.PathOf("marks.xml")));
+        Assert.Contains($"<error message=\"i{problem}\" />", File.ReadAllText(raycaster.PathOf("marks.xml")));
+    }
+
+    [Fact]
+    public void WithoutHintsAMistakeHasNoWords()
+    {
+        WriteRubric("\"hint\": \"none\",");
+        raycaster.Run("draw", "ball.json", "-q", "--mistake", "far-root", "-o", Folder("anna") + "ball.png");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
+        Assert.Contains("<td>ball</td><td class=\"n\">0 of 3</td><td></td>", File.ReadAllText(raycaster.PathOf("marks/anna/feedback.html")));
     }
 
     [Fact]

@@ -1,5 +1,4 @@
 using System.Globalization;
-using System.Text;
 
 namespace RayCaster.Files;
 
@@ -13,20 +12,10 @@ public static class CameraEdit
         var mark = utf8.Span.StartsWith(Encodings.Utf8Mark) ? Encodings.Utf8Mark.Length : 0;
         var tree = JsonTree.Parse(new SourceText("", utf8[mark..]), out _) ?? throw new ArgumentException("the text is not JSON", nameof(utf8));
         var place = tree.Root.Find("camera") ?? throw new ArgumentException("the text has no camera", nameof(utf8));
-        var edits = new List<(int Start, int End, string Number)>();
+        var edits = new List<(JsonValue, string)>();
         Replace("position", camera.Position);
         Replace("target", camera.Target);
-        edits.Sort();
-
-        var (text, done) = (new MemoryStream(), 0);
-        foreach (var (start, end, number) in edits)
-        {
-            text.Write(utf8.Span[done..(mark + start)]);
-            text.Write(Encoding.ASCII.GetBytes(number));
-            done = mark + end;
-        }
-        text.Write(utf8.Span[done..]);
-        return text.ToArray();
+        return [.. utf8.Span[..mark], .. tree.With(edits)];
 
         void Replace(string key, Vector3 v)
         {
@@ -34,7 +23,7 @@ public static class CameraEdit
                 throw new ArgumentException($"the camera has no {key}", nameof(utf8));
             foreach (var (value, number) in (ReadOnlySpan<(JsonValue, double)>)[(x, v.X), (y, v.Y), (z, v.Z)])
                 if (value.Number != number)
-                    edits.Add((value.Start, value.End, number.ToString("R", CultureInfo.InvariantCulture)));
+                    edits.Add((value, number.ToString("R", CultureInfo.InvariantCulture)));
         }
     }
 }

@@ -1,3 +1,4 @@
+using System.Text;
 using System.Text.Json;
 
 namespace RayCaster.Files;
@@ -46,6 +47,20 @@ internal sealed class JsonTree
 
     /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>
     public int? KeyOfLastClosed => lastClosed > 0 && nodes[lastClosed - 1].Kind == JsonTokenType.PropertyName ? lastClosed - 1 : null;
+
+    /// <summary>The text with other numbers in place of some; comments and layout stay.</summary>
+    public byte[] With(IEnumerable<(JsonValue Number, string Text)> edits)
+    {
+        var (text, done) = (new MemoryStream(), 0);
+        foreach (var (number, by) in edits.OrderBy(edit => edit.Number.Start))
+        {
+            text.Write(Text.Utf8[done..number.Start]);
+            text.Write(Encoding.ASCII.GetBytes(by));
+            done = number.End;
+        }
+        text.Write(Text.Utf8[done..]);
+        return text.ToArray();
+    }
 
     /// <summary>Reads a text.</summary>
     /// <param name="text">Valid UTF-8.</param>

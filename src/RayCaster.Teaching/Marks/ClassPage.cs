@@ -12,7 +12,6 @@ internal static class ClassPage
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         var page = new Page($"{rubric.Title}: {marks.Count} submissions");
-        if (marks.Count == 0) return page.Element("p", "No submissions.").ToString();
         page.Element("p",
             $"{MarksTable.Number(Math.Round(marks.Average(student => student.Points), 2))} of {MarksTable.Number(rubric.Points)} points " +
             "on average; "
@@ -31,13 +30,9 @@ internal static class ClassPage
             .. marks.SelectMany(student => student.Mistakes.Concat(student.NotDrawn)).CountBy(id => id)
                 .Select(count => (count.Key, count.Value)).OrderByDescending(count => count.Value),
         ];
-        var mistakes = counts.Select(count => MistakeCatalog.Named(count.Id)).OfType<Mistake>().ToArray();
         page.Element("h2", "Mistakes by frequency");
-        if (counts.Length == 0) page.Element("p", "No mistakes were found.");
-        if (mistakes.Length > 0)
-            page.Element("p",
-                "To discuss next: " +
-                $"{string.Join("; ", mistakes.Take(MostToDiscuss).Select(mistake => $"{mistake.Cause} (slide \"{mistake.Slide}\")"))}.");
+        page.Element("p", counts.Length == 0 ? "No mistakes were found."
+            : $"To discuss next: {string.Join("; ", counts.Take(MostToDiscuss).Select(count => ToDiscuss(count.Id)))}.");
         page.Html("<table><tr><th class=\"n\">Students</th><th>Mistake</th><th>What is wrong</th><th>Slide</th></tr>");
         foreach (var (id, count) in counts)
         {
@@ -47,6 +42,9 @@ internal static class ClassPage
         }
         page.Html("</table>");
     }
+
+    private static string ToDiscuss(string id) =>
+        MistakeCatalog.Named(id) is { } mistake ? $"{mistake.Cause} (slide \"{mistake.Slide}\")" : MarkWords.NotDrawn(id).Split(':')[0];
 
     private static void AddLookYourself(Page page, IReadOnlyList<StudentMarks> marks)
     {
@@ -100,7 +98,7 @@ internal static class ClassPage
     private static void AddTable(Page page, Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         page.Element("h2", "All");
-        page.Html("<table><tr><th>Student</th><th class=\"n\">Points</th>" +
+        page.Html("<div class=\"wide small\"><table><tr><th>Student</th><th class=\"n\">Points</th>" +
             $"{string.Concat(rubric.Items.Select(item => $"<th class=\"n\">{Page.Escaped(item.Name)}</th>"))}<th>Found</th></tr>");
         foreach (var student in marks)
         {
@@ -110,7 +108,7 @@ internal static class ClassPage
             page.Html($"<tr class=\"{style}\"><td>{Link(student)}</td><td class=\"n\">{MarksTable.Number(student.Points)}" +
                 $"{(student.Open > 0 ? $" + {MarksTable.Number(student.Open)}?" : "")}</td>{items}<td>{Page.Escaped(found)}</td></tr>");
         }
-        page.Html("</table>");
+        page.Html("</table></div>");
     }
 
     private static string Link(StudentMarks student) =>

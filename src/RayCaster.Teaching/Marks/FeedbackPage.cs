@@ -13,7 +13,9 @@ internal static class FeedbackPage
         foreach (var item in marks.Items) AddItem(page, rubric, item);
         page.Html("</table>");
         AddOthers(page, rubric, marks);
-        for (var i = 0; i < pictures.Count; i++) AddScene(page, marks.Scenes[i], pictures[i]);
+        var common = marks.CommonProblem;
+        if (common is not null) page.Element("h2", "No pictures").Element("p", Sentence(common));
+        for (var i = 0; i < pictures.Count; i++) AddScene(page, marks.Scenes[i], pictures[i], common);
         return page.ToString();
     }
 
@@ -21,7 +23,7 @@ internal static class FeedbackPage
     {
         var style = item.Open > 0 ? "open" : item.Points < item.Of ? "lost" : "";
         var why = item.Open > 0 ? "Not decided: your teacher will look."
-            : string.Join("<br>", item.Because.Select(because => Hint(rubric, because)));
+            : string.Join("<br>", item.Because.Select(because => Hint(rubric, because)).Where(hint => hint != ""));
         page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">{MarksTable.Item(item)} of " +
             $"{MarksTable.Number(item.Of)}</td><td>{why}</td></tr>");
     }
@@ -29,23 +31,27 @@ internal static class FeedbackPage
     /// <summary>Mistakes that cost no points.</summary>
     private static void AddOthers(Page page, Rubric rubric, StudentMarks marks)
     {
-        string[] free = [.. marks.Mistakes.Concat(marks.NotDrawn).Except(marks.Items.SelectMany(item => item.Because))];
+        string[] free = [.. marks.Mistakes.Concat(marks.NotDrawn).Except(marks.Items.SelectMany(item => item.Because))
+            .Select(because => Hint(rubric, because)).Where(hint => hint != "")];
         if (free.Length == 0) return;
         page.Element("h2", "Other mistakes, which cost no points");
-        foreach (var because in free) page.Html($"<p>{Hint(rubric, because)}</p>");
+        foreach (var hint in free) page.Html($"<p>{hint}</p>");
     }
 
+    /// <summary>A hint; empty if the rubric wants none for a mistake.</summary>
     private static string Hint(Rubric rubric, string because) => rubric.Hint switch
     {
-        null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.NotDrawn(because)) : "Something is wrong here.",
+        null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.NotDrawn(because)) : "",
         HintLevel.Symptom => Page.Escaped(MarkWords.Symptom(because)),
         _ => Page.Escaped($"{MarkWords.Symptom(because)} {MarkWords.Question(because)}".TrimEnd()),
     };
 
-    private static void AddScene(Page page, SceneMarks scene, SubmittedPicture submitted)
+    private static string Sentence(string problem) => char.ToUpperInvariant(problem[0]) + problem[1..] + ".";
+
+    private static void AddScene(Page page, SceneMarks scene, SubmittedPicture submitted, string? common)
     {
         page.Element("h2", $"{scene.Name}: {scene.Verdict.InWords()}");
-        if (submitted.Problem is { } problem) page.Element("p", char.ToUpperInvariant(problem[0]) + problem[1..] + ".");
+        if (submitted.Problem is { } problem && problem != common) page.Element("p", Sentence(problem));
         var right = submitted.Scene.Right;
         if (submitted.Picture is not { } picture)
         {

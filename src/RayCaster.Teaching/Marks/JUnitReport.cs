@@ -4,7 +4,8 @@ using System.Xml;
 
 namespace RayCaster.Teaching;
 
-/// <summary>The marks as JUnit XML: a suite for each student, a case for each item. It has no answers.</summary>
+/// <summary>The marks as JUnit XML: a suite for each student, a case for each item. It has no answers. A program without any picture
+/// is an error, not a skipped test: whoever reads only the sums must see it.</summary>
 internal static class JUnitReport
 {
     /// <summary>The text of the file.</summary>
@@ -27,13 +28,15 @@ internal static class JUnitReport
         xml.WriteAttributeString("name", Clean(student.Student));
         Count("tests", student.Items.Count);
         Count("failures", student.Items.Count(IsLost));
-        Count("skipped", student.Items.Count(item => item.Open > 0));
+        Count("errors", student.CommonProblem is null ? 0 : student.Items.Count);
+        Count("skipped", student.CommonProblem is null ? student.Items.Count(item => item.Open > 0) : 0);
         foreach (var item in student.Items)
         {
             xml.WriteStartElement("testcase");
             xml.WriteAttributeString("classname", Clean(student.Student));
             xml.WriteAttributeString("name", Clean(item.Name));
-            if (item.Open > 0) WriteMessage(xml, "skipped", "The teacher must look: " + string.Join("; ", student.LookYourself));
+            if (student.CommonProblem is { } problem) WriteMessage(xml, "error", problem);
+            else if (item.Open > 0) WriteMessage(xml, "skipped", "The teacher must look: " + string.Join("; ", student.LookYourself));
             else if (IsLost(item))
                 WriteMessage(xml, "failure", $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)} points. {MarkWords.Symptoms(item)}");
             xml.WriteEndElement();

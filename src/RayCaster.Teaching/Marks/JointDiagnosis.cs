@@ -20,11 +20,20 @@ internal sealed class JointDiagnosis
     /// <summary>How many of the best programs get one more mistake.</summary>
     private const int Bases = 8;
 
+    /// <summary>How many pictures are diagnosed by themselves.</summary>
+    private const int Consulted = 2;
+
     /// <summary>One more mistake must reduce the loss to less than this share: more mistakes always explain a picture a little better.</summary>
     private const double Gain = 0.6;
 
     /// <summary>A verdict that changes a picture must not leave a greater share of its wrong pixels unexplained.</summary>
     private const double Helpless = 0.5;
+
+    /// <summary>A program is near the pictures if its loss is less than this share of the loss of a right program.</summary>
+    private const double Near = 0.8;
+
+    /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
+    private const double OneKind = 0.9;
 
     /// <summary>Losses that differ by less are taken as equal.</summary>
     private const double Alike = 0.01;
@@ -49,9 +58,10 @@ internal sealed class JointDiagnosis
             IsGuess = Unexplained.Any(IsHardlyExplained);
             return;
         }
-        if (!TellsNothing) Nearest = Verdict;
+        if (verdictLoss < Near * wrong) Nearest = Verdict;
         (Verdict, Alternatives) = (right, []);
         Unexplained = [.. pictures.Where(picture => !picture.IsRight)];
+        IsOnlyLight = !TellsNothing && IsLightOfAll();
     }
 
     /// <summary>What is wrong; a right program if nothing is wrong, or if nothing explains most of the wrong pictures.</summary>
@@ -70,6 +80,12 @@ internal sealed class JointDiagnosis
     /// <summary>The program that comes nearest where none explains the pictures; null where one does.</summary>
     public WrongProgram? Nearest { get; }
 
+    /// <summary>
+    /// Whether nothing explains the pictures, but all outlines are right. The light is wrong on more than one kind of shape, so no formula of a
+    /// shape is the reason.
+    /// </summary>
+    public bool IsOnlyLight { get; }
+
     /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
     public bool TellsNothing { get; }
 
@@ -83,6 +99,13 @@ internal sealed class JointDiagnosis
     {
         var (left, all) = (picture.Unexplained(Verdict), picture.Unexplained(right));
         return left != all && left > Helpless * all;
+    }
+
+    private bool IsLightOfAll()
+    {
+        var kinds = Unexplained.Select(picture => picture.InAnotherLight()).TakeWhile(kinds => kinds.Count > 0).ToList();
+        var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value).Select(kind => kind.Sum()).ToList();
+        return kinds.Count == Unexplained.Count && counts.Max() < OneKind * counts.Sum();
     }
 
     private void Search()
@@ -105,8 +128,24 @@ internal sealed class JointDiagnosis
             return Extended(single.Program).Select(pair =>
                 new Scored(pair, pictures.Sum(picture => picture.Loss(picture.Unexplained(pair, residues[picture])))));
         });
-        Take(Closer([.. pairs.OrderBy(scored => scored.Loss).DistinctBy(scored => scored.Program.Id)]));
+        var ranked = Closer([.. pairs.OrderBy(scored => scored.Loss).DistinctBy(scored => scored.Program.Id)]);
+        if (!IsEnough(ranked[0].Program)) ranked = [.. ranked.Concat(Best(NamedForOnePicture())).OrderBy(scored => scored.Loss)];
+        Take(ranked);
     }
+
+    /// <summary>
+    /// What a diagnosis of single pictures names, in each wording. It tries all pairs of mistakes that change a whole picture: neither of two such
+    /// is near by itself.
+    /// </summary>
+    private IEnumerable<WrongProgram> NamedForOnePicture() =>
+        from picture in pictures.Where(picture => !picture.IsRight).Take(Consulted)
+        from suspect in picture.Of.Judge.Judge(picture.Picture).Suspects
+        let way = new Unfinished(suspect.NotYet)
+        from program in suspect.Mistakes.Intersect(known).Except(way.AsMistakes).Aggregate(
+            (IEnumerable<WrongProgram>)[new(way, [], suspect.OtherSample)],
+            (programs, mistake) => programs.SelectMany(program =>
+                mistake.Wordings.Select(wording => program with { Wordings = [.. program.Wordings, wording] })))
+        select program;
 
     /// <summary>A program with one mistake more, in each wording that can still be seen.</summary>
     private IEnumerable<WrongProgram> Extended(WrongProgram program)

@@ -15,12 +15,14 @@ internal static class MarkWords
     /// <summary>A missing part in words.</summary>
     public static string NotDrawn(string part) => part switch
     {
-        "attenuation" => "Not written yet: attenuation. Colours do not get darker with the distance.",
-        "clipping" => "Not written yet: zNear and zFar.",
-        "aabb" => "Not drawn yet: boxes.",
-        "mesh" => "Not drawn yet: meshes.",
-        _ => $"Not drawn yet: {part}s.",
+        "attenuation" => "Colours do not get darker with the distance: attenuation is not written yet, or a mistake hides it.",
+        "clipping" => "zNear and zFar cut nothing: they are not written yet, or a mistake hides them.",
+        "aabb" => NoneDrawn("boxes"),
+        "mesh" => NoneDrawn("meshes"),
+        _ => NoneDrawn(part + "s"),
     };
+
+    private static string NoneDrawn(string shapes) => $"No {shapes} are drawn: they are not written yet, or a mistake hides them.";
 
     /// <summary>A verdict in words for the student.</summary>
     public static string InWords(this SceneVerdict verdict) => verdict switch

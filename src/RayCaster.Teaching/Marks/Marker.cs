@@ -16,7 +16,7 @@ internal sealed class Marker(Rubric rubric)
         var diagnosis = JointDiagnosis.Of(pictures, rubric.Known);
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
         var verdict = diagnosis.Verdict;
-        return new(student, digest, Items(diagnosis, Told(pictures, diagnosis), pictures.Count), scenes,
+        return new(student, digest, Items(diagnosis, pictures), scenes,
             [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.Wordings.Select(wording => wording.Id)],
             [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
@@ -25,10 +25,11 @@ internal sealed class Marker(Rubric rubric)
     private static List<MarkedScene> Told(List<ScenePicture> pictures, JointDiagnosis diagnosis) =>
         [.. pictures.Except(diagnosis.Unexplained).Where(picture => picture.IsRight || !diagnosis.IsGuess).Select(picture => picture.Of)];
 
-    private List<ItemMarks> Items(JointDiagnosis diagnosis, List<MarkedScene> told, int judged)
+    private List<ItemMarks> Items(JointDiagnosis diagnosis, List<ScenePicture> pictures)
     {
         var items = new List<ItemMarks>();
-        var isAllTold = judged == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
+        var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Of));
+        var isAllTold = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
         foreach (var item in rubric.Items)
         {
             var (lost, because) = Cost(item, diagnosis.Verdict);
@@ -39,7 +40,7 @@ internal sealed class Marker(Rubric rubric)
                 (least, most) = (Math.Min(least, other), Math.Max(most, other));
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
-            if (!isAllTold && !Tells(told, item)) most = item.Points;
+            if (diagnosis.IsOnlyLight ? ConcernsLight(item) || !Tells(judged, item) : !isAllTold && !Tells(told, item)) most = item.Points;
             if (diagnosis.IsGuess) least = 0;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
         }
@@ -52,6 +53,10 @@ internal sealed class Marker(Rubric rubric)
     private bool Tells(List<MarkedScene> told, RubricItem item) =>
         told.Count > 0
         && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
+
+    /// <summary>Whether an item is about the way from a hit to its colour.</summary>
+    private static bool ConcernsLight(RubricItem item) => item.Undone.Contains(Diagnosis.Attenuation)
+        || item.Mistakes.Any(mistake => (MistakeCatalog.Named(mistake)!.Concerns & Concerns.Color) != 0);
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
     private static (double Lost, string[] Because) Cost(RubricItem item, WrongProgram program)
@@ -77,12 +82,14 @@ internal sealed class Marker(Rubric rubric)
     private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
     {
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
-            yield return $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
+            yield return group.Count() == submitted.Count && submitted.Count > 1 ? $"all scenes: {group.Key}"
+                : $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
         foreach (var scenes in Repeated(submitted)) yield return $"{scenes}: the same picture of different scenes";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
-        foreach (var picture in diagnosis.TellsNothing ? [] : diagnosis.Unexplained)
-            yield return $"{picture.Of.Name}: nothing explains this picture" +
-                (diagnosis.Nearest is { } near && Names(near) != "" ? $" (nearest: {Names(near)})" : "");
+        if (diagnosis is { TellsNothing: false, Unexplained.Count: > 0 })
+            yield return $"{string.Join(", ", diagnosis.Unexplained.Select(picture => picture.Of.Name))}: " +
+                (diagnosis.IsOnlyLight ? "all outlines are right, only the light is not, and no known mistake explains it"
+                    : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
         foreach (var other in diagnosis.Alternatives)
             if (rubric.Items.Any(item => Cost(item, other).Lost != Cost(item, diagnosis.Verdict).Lost))
                 yield return $"these scenes cannot tell {Names(diagnosis.Verdict)} from {Names(other)}";

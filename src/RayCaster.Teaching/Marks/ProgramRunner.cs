@@ -126,7 +126,7 @@ internal sealed class ProgramRunner(Containment containment)
     /// <summary>What a program prints: all bytes are counted, the last characters are kept.</summary>
     private sealed class PrintedText
     {
-        private const int Kept = 2000; // characters
+        private const int Kept = 8000; // characters
 
         private readonly StringBuilder text = new();
         private readonly long most;

@@ -72,6 +72,9 @@ public static class RubricReader
         var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", Diagnosis.Parts)}.", false);
         var each = o.Number("each", "What one of its mistakes costs; all of its points where it is left out.", Limits.Positive, points);
         o.Close();
+        if (before.Any(item => item.Name == name))
+            o.Refuse("name", $" is \"{name}\", which another item is called already: tables and pages tell items apart by their names");
+        if (each > points) o.Refuse("each", $" must be at most the item's points, {points}, but is {each}");
         var ids = MistakeCatalog.All.Select(mistake => mistake.Id).ToArray();
         for (var i = 0; i < mistakes.Count; i++)
         {

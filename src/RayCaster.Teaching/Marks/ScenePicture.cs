@@ -21,6 +21,12 @@ internal sealed class ScenePicture
     /// <summary>A wrong pixel's error, 1 for black against white, is added with this weight. It decides only between equal counts.</summary>
     private const double ErrorWeight = 0.02;
 
+    /// <summary>The share of wrong pixels that must show what they should.</summary>
+    private const double Nearly = 0.97;
+
+    /// <summary>By how many levels two neighbours of one model may differ, and how many make a border.</summary>
+    private const int Step = 8, NewBorder = 40;
+
     private readonly Evidence evidence;
 
     /// <param name="of">The scene.</param>
@@ -65,6 +71,34 @@ internal sealed class ScenePicture
     /// <summary>The loss of a program that leaves a share unexplained: 0 for nothing, 1 for all that is wrong, or more.</summary>
     public double Loss(double unexplained) =>
         Math.Min(1, Math.Log(1 + unexplained / LeastShare) / Math.Log(1 + Math.Max(WrongShare, LeastShare) / LeastShare));
+
+    /// <summary>
+    /// In how many wrong pixels each kind of shape and the background shows, if nearly all of them show what they should in another light; empty
+    /// if not. Grey is a shade of black and of white, so new borders must be few. A clamped channel has lost the ratio of the colours.
+    /// </summary>
+    public IReadOnlyDictionary<string, int> InAnotherLight()
+    {
+        var none = new Dictionary<string, int>();
+        if ((Picture.Width, Picture.Height) != (Of.Right.Width, Of.Right.Height)) return none;
+        var (models, count) = (new Renderer(Of.Scene).CastHits().Model, new Dictionary<string, int>());
+        var (right, difference) = (Of.Right, new PictureDifference(Picture, Of.Right));
+        var (wrong, borders) = (0, 0);
+        for (var i = 0; i < models.Length; i++)
+        {
+            var (y, x) = Math.DivRem(i, Picture.Width);
+            var shown = Picture[x, y];
+            if (difference.LevelsAt(i) <= Evidence.Tolerance || IsClamped(shown) || IsClamped(right[x, y])) continue;
+            wrong++;
+            if (x > 0 && PictureDifference.Levels(right[x - 1, y], right[x, y]) < Step
+                && PictureDifference.Levels(Picture[x - 1, y], shown) > NewBorder) borders++;
+            var (kind, color) = models[i] < 0 ? ("background", Of.Scene.Background)
+                : (Of.Scene.Models[models[i]].Kind, Of.Scene.Models[models[i]].Color);
+            if (Unfinished.IsShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
+        }
+        return count.Values.Sum() >= Nearly * wrong && 4 * borders <= Math.Sqrt(wrong) ? count : none;
+
+        static bool IsClamped((byte R, byte G, byte B) color) => Math.Max(color.R, Math.Max(color.G, color.B)) == byte.MaxValue;
+    }
 
     /// <summary>A few pixels for finding a second mistake: most of them are pixels that a program with one mistake leaves unexplained.</summary>
     public Residue Leave(WrongProgram program)

@@ -9,7 +9,6 @@ namespace RayCaster.Teaching;
 /// Makes a similar scene with other numbers: each axis is stretched a little here and there, and radii change a little. Along an axis the order
 /// stays, and equal coordinates stay equal. So a box still stands on its floor.
 /// </summary>
-/// <remarks>Only numbers in the text are replaced; comments and layout stay.</remarks>
 public sealed class SceneVariation
 {
     private const int MostTries = 16;
@@ -30,7 +29,7 @@ public sealed class SceneVariation
     private readonly double growth;
     private readonly byte[] seed;
     private readonly int decimals;
-    private readonly List<(int Start, int End, string Text)> edits = [];
+    private readonly List<(JsonValue Number, string Text)> edits = [];
 
     private SceneVariation(JsonTree tree, double distance, string seed, double amplitude)
     {
@@ -69,17 +68,7 @@ public sealed class SceneVariation
     {
         if (tree.Root.Find("camera") is { } camera) Warp(camera, cameraPoints);
         foreach (var model in tree.Root.Find("models") is { } models ? models.Content : []) Warp(model, modelPoints);
-        edits.Sort();
-        var text = new List<byte>();
-        var from = 0;
-        foreach (var (start, end, number) in edits)
-        {
-            text.AddRange(tree.Text.Utf8[from..start]);
-            text.AddRange(Encoding.ASCII.GetBytes(number));
-            from = end;
-        }
-        text.AddRange(tree.Text.Utf8[from..]);
-        return [.. text];
+        return tree.With(edits);
     }
 
     private void Warp(JsonValue o, string[] points)
@@ -96,7 +85,7 @@ public sealed class SceneVariation
     }
 
     private void Replace(JsonValue number, double by) =>
-        edits.Add((number.Start, number.End, Math.Round(by, decimals).ToString("0.###############", CultureInfo.InvariantCulture)));
+        edits.Add((number, Math.Round(by, decimals).ToString("0.###############", CultureInfo.InvariantCulture)));
 
     /// <summary>The new coordinate is x + A sin(k x + φ). A k is less than 1, so it grows with x and the order stays.</summary>
     private readonly record struct Axis(double A, double K, double Phase)

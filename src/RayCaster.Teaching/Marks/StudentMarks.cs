@@ -16,6 +16,11 @@ public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<I
 
     /// <summary>The points that are not decided: the teacher must look.</summary>
     public double Open => Items.Sum(item => item.Open);
+
+    /// <summary>Why no scene has a picture, if the reason is the same for all, such as a program that does not build; otherwise null.</summary>
+    public string? CommonProblem =>
+        Scenes.All(scene => scene.Verdict == SceneVerdict.NoPicture) && Scenes.Select(scene => scene.Problem).Distinct().Count() == 1
+            ? Scenes[0].Problem : null;
 }
 
 /// <summary>A student's points for an item.</summary>

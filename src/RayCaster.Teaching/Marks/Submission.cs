@@ -18,7 +18,9 @@ internal sealed record Submission(string Folder)
     public string Student => Path.GetFileName(Folder);
 
     /// <summary>The submissions in a folder: each folder in it is one. Sorted by name.</summary>
-    /// <exception cref="PictureFileException">The folder cannot be listed, or holds a name with an invisible character.</exception>
+    /// <exception cref="PictureFileException">
+    /// The folder cannot be listed, contains no folder, or contains a name with an invisible character.
+    /// </exception>
     public static IReadOnlyList<Submission> In(string folder)
     {
         try
@@ -28,6 +30,12 @@ internal sealed record Submission(string Folder)
                 .. Directory.EnumerateDirectories(Path.GetFullPath(folder)).Where(path => !Path.GetFileName(path).StartsWith('.'))
                     .Order(StringComparer.Ordinal).Select(path => new Submission(path)),
             ];
+            if (all.Length == 0)
+            {
+                var files = Directory.GetFiles(folder).Length;
+                throw new PictureFileException($"no submissions in {folder}: it contains no folders and {files} file{(files == 1 ? "" : "s")}, " +
+                    "but must contain a folder for each student, named after the student");
+            }
             foreach (var submission in all)
                 if (!submission.Student.All(PrintableText.IsPrintable))
                     throw new PictureFileException(

@@ -1,11 +1,14 @@
+using System.Text.RegularExpressions;
+
 namespace RayCaster.Teaching;
 
 /// <summary>Gets the pictures of a submission: finds them in its folder, or runs its program.</summary>
 /// <param name="rubric">The scenes and the commands.</param>
 /// <param name="runner">Runs programs.</param>
-internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
+internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runner)
 {
-    private const int Quoted = 200; // characters of what a program printed
+    /// <summary>How many characters, and how many errors, of what a program printed are told.</summary>
+    private const int Quoted = 200, MostErrors = 3;
 
     /// <summary>A program that was ended for so many scenes in a row is not run for the rest: that could take hours.</summary>
     private const int Patience = 2;
@@ -14,9 +17,9 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
     public IReadOnlyList<SubmittedPicture> Pictures(Submission submission, CancellationToken cancellation)
     {
         var source = rubric.Source;
+        if (!Submission.State(submission.Folder).Any()) return None("the submission's folder is empty");
         if (source.Run.Count == 0) return [.. rubric.Scenes.Select(scene => Find(submission, scene))];
-        if (source.Build.Count > 0 && Build(submission, cancellation) is { } problem)
-            return [.. rubric.Scenes.Select(scene => new SubmittedPicture(scene, null, problem))];
+        if (source.Build.Count > 0 && Build(submission, cancellation) is { } problem) return None(problem);
         var pictures = new List<SubmittedPicture>();
         var ended = 0; // runs in a row that were ended
         foreach (var scene in rubric.Scenes)
@@ -30,6 +33,8 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
             ended = isEnded ? ended + 1 : 0;
         }
         return pictures;
+
+        IReadOnlyList<SubmittedPicture> None(string problem) => [.. rubric.Scenes.Select(scene => new SubmittedPicture(scene, null, problem))];
     }
 
     private SubmittedPicture Find(Submission submission, MarkedScene scene)
@@ -45,7 +50,7 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
         using var temporary = new WorkFolder();
         var run = runner.Run(
             Words(source.Build, submission, null, ""), submission.Folder, temporary.Path, limits, limits.BuildTime, cancellation);
-        return run.IsDone ? null : $"it does not build: {run.InWords(limits, limits.BuildTime)}{Quote(run)}";
+        return run.IsDone ? null : $"it does not build: {run.InWords(limits, limits.BuildTime)}{Quote(run, submission)}";
     }
 
     private SubmittedPicture Draw(Submission submission, MarkedScene scene, CancellationToken cancellation, out bool isEnded)
@@ -56,9 +61,9 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
         var run = runner.Run(Words(rubric.Source.Run, submission, scene, output), folder.Path, folder.Path, limits, limits.Time, cancellation);
         isEnded = run.End is not (ProgramEnd.Exited or ProgramEnd.NotStarted);
         if (!File.Exists(output) && Path.ChangeExtension(output, ".ppm") is var other && File.Exists(other)) output = other;
-        var note = run.IsDone ? null : run.InWords(limits, limits.Time) + Quote(run);
+        var note = run.IsDone ? null : run.InWords(limits, limits.Time) + Quote(run, submission);
         if (run.End != ProgramEnd.Exited) return new(scene, null, note); // the picture may be incomplete
-        return SubmittedPicture.Read(scene, output, note ?? (File.Exists(output) ? null : "it wrote no picture" + Quote(run)));
+        return SubmittedPicture.Read(scene, output, note ?? (File.Exists(output) ? null : "it wrote no picture" + Quote(run, submission)));
     }
 
     private static string[] Words(IReadOnlyList<string> command, Submission submission, MarkedScene? scene, string output) =>
@@ -67,10 +72,24 @@ internal sealed class SubmissionRunner(Rubric rubric, ProgramRunner runner)
             .Replace("{name}", scene?.Name)),
     ];
 
-    private static string Quote(ProgramRun run)
+    /// <summary>
+    /// What it printed: the lines with errors, each once, as MSBuild repeats them; without such lines the end. Paths begin in the submission's
+    /// folder, since those of the teacher's machine say nothing to a student.
+    /// </summary>
+    private static string Quote(ProgramRun run, Submission submission)
     {
         if (run.Printed.Length == 0 || run.End == ProgramEnd.NotStarted) return "";
-        var text = run.Printed.Length > Quoted ? "… " + run.Printed[^Quoted..] : run.Printed;
-        return $"; it printed: {text.ReplaceLineEndings(" / ")}";
+        var text = ProjectName().Replace(run.Printed.Replace(submission.Folder + Path.DirectorySeparatorChar, ""), "");
+        var lines = text.Split('\n', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
+        string[] errors = [.. lines.Where(line => IsError().IsMatch(line)).Distinct()];
+        if (errors.Length == 0) return $"; it printed: {(text.Length > Quoted ? $"… {text[^Quoted..]}" : text).ReplaceLineEndings(" / ")}";
+        return $"; it printed: {string.Join(" / ", errors.Take(MostErrors))}{(errors.Length > MostErrors ? $" / and {errors.Length - MostErrors} more errors" : "")}";
     }
+
+    /// <summary>The project at the end of a compiler's message.</summary>
+    [GeneratedRegex(@" \[[^\]\n]*proj\]")]
+    private static partial Regex ProjectName();
+
+    [GeneratedRegex(@"\berror\b(?!\(s\))|Unhandled exception", RegexOptions.IgnoreCase)]
+    private static partial Regex IsError();
 }

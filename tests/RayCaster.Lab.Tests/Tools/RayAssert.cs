@@ -46,9 +46,14 @@ public static class RayAssert
     /// <summary>The lab's vector of a vector of the library.</summary>
     public static Vector3 Mine(RayCaster.Vector3 v) => new(v.X, v.Y, v.Z);
 
-    /// <summary>The slide that has the formula, as messages have it. The table of steps looks for the second half.</summary>
-    public static string Cite(string slide) =>
-        $"Slide \"{slide}\"{(Todo.Missing().Any(body => body.Slide == slide) ? ", which is not written yet" : "")}";
+    /// <summary>The slide that has the formula, as messages have it. The table of steps looks for what is not written.</summary>
+    public static string Cite(string slide)
+    {
+        var missing = Todo.Missing();
+        var step = missing.FirstOrDefault(body => body.Slide == slide).Step;
+        var isBegun = Todo.Bodies.Any(body => body.Step == step && !missing.Contains(body));
+        return $"Slide \"{slide}\"{(step == 0 ? "" : isBegun ? ", the part of the step that is not written yet" : ", which is not written yet")}";
+    }
 
     /// <summary>A vector as messages have it.</summary>
     public static string Text(RayCaster.Vector3 v) => $"({Text(v.X)}, {Text(v.Y)}, {Text(v.Z)})";

@@ -61,14 +61,23 @@ public class MarkerTests
         Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
     }
 
-    [Fact]
-    public void AWrongCameraGetsItsPointsInNoCase()
+    [Theory] // each of the two changes a whole picture, so neither is near by itself
+    [InlineData("rows", "nohalf", "4")]
+    [InlineData("v-cross", "att-depth", "4 5")]
+    public void TwoMistakesThatChangeWholePicturesCostTheirItems(string mistake, string second, string lost)
     {
-        var two = With([new("4 Camera", 3, 1, ["rows", "nohalf", "u-cross"], [])], Scenes("3-inside", "4-all"));
+        var two = With(whole.Items, Scenes("3-inside", "4-all").Select(Small));
         var marks = new Marker(two).Mark("somebody", "", [.. two.Scenes.Select(scene => new SubmittedPicture(
-            scene, SlideCaster.Render(scene.Scene, Manner.OfTheSlides, Named("u-cross"), Named("nohalf")), null))]);
-        Assert.Contains("4", Lost(marks));
+            scene, SlideCaster.Render(scene.Scene, Manner.OfTheSlides, Named(mistake), Named(second)), null))]);
+        Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
     }
+
+    [Theory]
+    [Trait("kind", "campaign")] // more of the same
+    [InlineData("u-cross", "nohalf", "4")]
+    [InlineData("no2", "att-none", "4 5")]
+    public void OtherMistakesThatChangeWholePicturesCostTheirItems(string mistake, string second, string lost) =>
+        TwoMistakesThatChangeWholePicturesCostTheirItems(mistake, second, lost);
 
     [Theory]
     [Trait("kind", "campaign")] // more of the same
@@ -101,7 +110,36 @@ public class MarkerTests
         });
         Assert.Equal((0.0, 20.0), (marks.Points, marks.Open));
         Assert.Empty(marks.Mistakes);
-        Assert.Equal(rubric.Scenes.Count, marks.LookYourself.Count);
+        Assert.Equal("1-planes, 3-inside, 4-flat, 4-all: no known mistake explains this", Assert.Single(marks.LookYourself));
+    }
+
+    [Fact]
+    public void WhereAllOutlinesAreRightOnlyTheLightIsOpen()
+    {
+        var marks = Mark(scene =>
+        {
+            var picture = ScalarRenderer.Render(scene);
+            for (var i = 0; i < picture.Rgb.Length; i++) picture.Rgb[i] /= 2;
+            return picture;
+        });
+        Assert.Equal((18.0, "5"), (marks.Points, string.Join(' ', Lost(marks))));
+        Assert.Contains("all outlines are right, only the light is not", Assert.Single(marks.LookYourself));
+    }
+
+    [Fact]
+    public void WhereTheLightOfOneKindOfShapeIsWrongItsItemIsOpen()
+    {
+        var spheres = With(whole.Items, Scenes("3-spheres", "4-all").Select(Small));
+        var marks = new Marker(spheres).Mark("somebody", "", [.. spheres.Scenes.Select(scene => new SubmittedPicture(scene, Darkened(scene), null))]);
+        Assert.Contains("8", Lost(marks));
+
+        static Picture Darkened(MarkedScene scene)
+        {
+            var (picture, models) = (ScalarRenderer.Render(scene.Scene), new Renderer(scene.Scene).CastHits().Model);
+            for (var i = 0; i < picture.Rgb.Length; i++)
+                if (models[i / 3] is >= 0 and var model && scene.Scene.Models[model].Kind == "sphere") picture.Rgb[i] = (byte)(picture.Rgb[i] * 0.7);
+            return picture;
+        }
     }
 
     [Fact]

@@ -64,5 +64,9 @@ public sealed class RubricReaderTests : IDisposable
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["rad"] }, """ +
         """{ "name": "b", "points": 1, "mistakes": ["rad"] }] }""",
         "rubric.json(1,130): error: items[1].mistakes[0] is rad, which costs points of \"a\" already: a mistake belongs to one item")]
+    [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1 }, { "name": "a", "points": 2 }] }""",
+        "rubric.json(1,78): error: items[1].name is \"a\", which another item is called already: tables and pages tell items apart by their names")]
+    [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "each": 1.5 }] }""",
+        "rubric.json(1,74): error: items[0].each must be at most the item's points, 1, but is 1.5")]
     public void AnErrorIsToldWithItsPlaceAndTheWayOut(string text, string error) => Assert.Equal(error, ErrorOf(text));
 }
