@@ -70,6 +70,9 @@ internal static class AxisMistakes
             "The picture is mirrored at its rising diagonal; in a wide picture it is stretched, too.",
             "Columns count to the right. Which of U and V points to the right?",
             "d = (uc U + ur V − W) normalised.")
+            .Or(from signs in ((string U, string V, int OfU, int OfV)[])[("", "−", 1, -1), ("−", "", -1, 1), ("−", "−", -1, -1)]
+                select ($"d = {signs.U}ur U + {signs.V}uc V − W", (Action<Lab>)(lab => lab.Towards.Becomes(towards => (uc, ur) =>
+                    towards(signs.OfU * ur, signs.OfV * uc)))))
             .Or("d = uc U + uc V − W", lab => lab.Towards.Becomes(towards => (uc, _) => towards(uc, uc)))
             .Or("d = ur U + ur V − W", lab => lab.Towards.Becomes(towards => (_, ur) => towards(ur, ur)))
             .Or("d = uc U + ur U − W", lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc + ur, 0)))

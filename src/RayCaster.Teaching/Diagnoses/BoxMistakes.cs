@@ -17,15 +17,15 @@ internal static class BoxMistakes
             .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t0 changed where both should be swapped{Of(axis)}", Half(axis, first: true)))
             .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t1 changed where both should be swapped{Of(axis)}", Half(axis, first: false))),
         new Mistake("slab-minmin", Concerns.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
-            lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Min)),
+            Folded(Least, Least),
             "Boxes smear over the picture.",
             "The ray is in the box when it is in all three slabs. Has it entered at the first way in, or at the last?",
             "t_min = max of the ways in, t_max = min of the ways out.")
-            .Or("box: t_max is the last way out, not the first", lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Max, Math.Max)))
-            .Or("box: t_min is the least way in, t_max the last way out",
-                lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, Math.Min, Math.Max)))
+            .Or("box: t_max is the last way out, not the first", Folded(Greatest, Greatest))
+            .Or("box: t_min is the least way in, t_max the last way out", Folded(Least, Greatest))
             .Or("box: t_min is the least way out, t_max the last way in", lab => lab.Box.Is((box, d) => Slabs(lab, box, d,
-                (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1) ? (t1, t0) : default, Math.Min, Math.Max)))
+                (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1) ? (t1, t0) : default, Least, Greatest)))
+            .Or(Folds())
             .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
@@ -44,10 +44,12 @@ internal static class BoxMistakes
             "Boxes look hollow and too dark: you see their far faces from inside.",
             "Which of t_min and t_max comes first?",
             "t = t_min, and t_max only if that does not count.")
+            .Or("box: t is the middle of t_min and t_max",
+                lab => lab.Box.Becomes(cross => (box, d) => cross(box, d) is var crossed ? new(0.5 * (crossed.Near + crossed.Far)) : default))
             .Or("box: t_max is tried first, then t_min", lab => lab.Box.Becomes(cross => (box, d) => Turned(cross(box, d)))),
         new("slab-inv-nan", Concerns.Boxes, Slides.BoxParameters, "box: (B − P) · (1 / d) with d = 0 gives 0 · ∞, NaN, which loses the box",
             lab => lab.Box.Is((box, d) => Slabs(lab, box, d, (lo, hi, origin, direction) =>
-                Sorted((lo - origin) * (1 / direction), (hi - origin) * (1 / direction)), Math.Max, Math.Min)),
+                Sorted((lo - origin) * (1 / direction), (hi - origin) * (1 / direction)), Greatest, Least)),
             "A box lacks a line one pixel wide, at its edge or right through it.",
             "What is 0 · (1 / 0) in doubles?",
             "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0."),
@@ -82,12 +84,22 @@ internal static class BoxMistakes
             yield return ($"box: {axes[i]} alone in t_max", Alone(i, first: false, last: true));
             yield return ($"box: {axes[i]} forgotten in t_min", One(i, (_, _, _, slab) => slab with { In = double.NegativeInfinity }));
             yield return ($"box: {axes[i]} forgotten in t_max", One(i, (_, _, _, slab) => slab with { Out = double.PositiveInfinity }));
+            yield return ($"box: t_min with the way out of {axes[i]}", One(i, (_, _, _, slab) => slab with { In = slab.Out }));
+            yield return ($"box: t_max with the way in of {axes[i]}", One(i, (_, _, _, slab) => slab with { Out = slab.In }));
             foreach (var k in (int[])[(i + 1) % 3, (i + 2) % 3])
             {
                 yield return ($"box: the slab of {axes[i]} divided by the {axes[k]} of d",
                     One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(i), d.At(k))));
                 yield return ($"box: the slab of {axes[i]} with the {axes[k]} of P",
                     One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(k), d.At(i))));
+                yield return ($"box: t0 and t1 of {axes[i]} swapped where those of {axes[k]} should be", One(i, (box, P, d, _) =>
+                    Faces(box.Min.At(i), box.Max.At(i), P.At(i), d.At(i)) is var (t0, t1) && d.At(k) < 0 ? (t1, t0) : (t0, t1)));
+                foreach (var (dk0, pk0, dk1, pk1) in ((int, int, int, int)[])[(k, i, i, i), (i, k, i, i), (i, i, k, i), (i, i, i, k)])
+                {
+                    var letter = axes[k] + (dk0 == k || dk1 == k ? " of d in t" : " of P in t") + (dk0 == k || pk0 == k ? "0" : "1");
+                    yield return ($"box: the slab of {axes[i]} with the {letter}", One(i, (box, P, d, _) =>
+                        Sorted((box.Min.At(i) - P.At(pk0)) / d.At(dk0), (box.Max.At(i) - P.At(pk1)) / d.At(dk1))));
+                }
                 yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0",
                     One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(i), P.At(i), d.At(i))));
                 yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B1",
@@ -99,11 +111,11 @@ internal static class BoxMistakes
     }
 
     /// <summary>Another slab of one axis, from the box, P, d and the right slab.</summary>
-    private static Action<Lab> One(int axis, Func<Aabb, Vector3, Vector3, (double In, double Out), (double In, double Out)> slab) => lab =>
+    internal static Action<Lab> One(int axis, Func<Aabb, Vector3, Vector3, (double In, double Out), (double In, double Out)> slab) => lab =>
         lab.Box.Is((box, d) =>
         {
             InSlab other = (lo, hi, origin, direction) => slab(box, lab.P, d, Slab(lo, hi, origin, direction));
-            return Slabs(lab, box, d, (axis == 0 ? other : Slab, axis == 1 ? other : Slab, axis == 2 ? other : Slab), Math.Max, Math.Min);
+            return Slabs(lab, box, d, (axis == 0 ? other : Slab, axis == 1 ? other : Slab, axis == 2 ? other : Slab), Greatest, Least);
         });
 
     /// <summary>t_min or t_max or both are those of one axis, as where each axis overwrites the one before.</summary>
@@ -111,15 +123,31 @@ internal static class BoxMistakes
     {
         InSlab other = (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1)
             ? (first ? double.NegativeInfinity : t0, last ? double.PositiveInfinity : t1) : default;
-        return Slabs(lab, box, d, (axis == 0 ? Slab : other, axis == 1 ? Slab : other, axis == 2 ? Slab : other), Math.Max, Math.Min);
+        return Slabs(lab, box, d, (axis == 0 ? Slab : other, axis == 1 ? Slab : other, axis == 2 ? Slab : other), Greatest, Least);
     });
+
+    /// <summary>t_min or t_max with another of Math.Min and Math.Max for two of the axes.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Folds() =>
+    [
+        ("box: t_min = max(x, min(y, z))", Folded((x, y, z) => Math.Max(x, Math.Min(y, z)), Least)),
+        ("box: t_min = min(x, max(y, z))", Folded((x, y, z) => Math.Min(x, Math.Max(y, z)), Least)),
+        ("box: t_min = max(min(x, y), z)", Folded((x, y, z) => Math.Max(Math.Min(x, y), z), Least)),
+        ("box: t_min = min(max(x, y), z)", Folded((x, y, z) => Math.Min(Math.Max(x, y), z), Least)),
+        ("box: t_max = min(x, max(y, z))", Folded(Greatest, (x, y, z) => Math.Min(x, Math.Max(y, z)))),
+        ("box: t_max = max(x, min(y, z))", Folded(Greatest, (x, y, z) => Math.Max(x, Math.Min(y, z)))),
+        ("box: t_max = min(max(x, y), z)", Folded(Greatest, (x, y, z) => Math.Min(Math.Max(x, y), z))),
+        ("box: t_max = max(min(x, y), z)", Folded(Greatest, (x, y, z) => Math.Max(Math.Min(x, y), z))),
+    ];
+
+    private static Action<Lab> Folded(Func<double, double, double, double> lastIn, Func<double, double, double, double> firstOut) =>
+        lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, lastIn, firstOut));
 
     /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays; for one axis, or with −1 for all.</summary>
     private static Action<Lab> Half(int axis, bool first) => lab => lab.Box.Is((box, d) =>
     {
         InSlab half = (lo, hi, origin, direction) => Faces(lo, hi, origin, direction) is var (t0, t1) && t0 <= t1 ? (t0, t1)
             : first ? (t1, t1) : (t0, t0);
-        return Slabs(lab, box, d, (axis is 0 or -1 ? half : Slab, axis is 1 or -1 ? half : Slab, axis is 2 or -1 ? half : Slab), Math.Max, Math.Min);
+        return Slabs(lab, box, d, (axis is 0 or -1 ? half : Slab, axis is 1 or -1 ? half : Slab, axis is 2 or -1 ? half : Slab), Greatest, Least);
     });
 
     /// <summary>The slide's way to ask: x first, then for y and for z whether they overlap with what there is, and what is left of it.</summary>
@@ -147,16 +175,16 @@ internal static class BoxMistakes
     private static string Of(int axis) => axis < 0 ? "" : $", for {"xyz"[axis]}";
 
     /// <summary>Another slab of each axis.</summary>
-    private static Action<Lab> Each(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Math.Max, Math.Min));
+    private static Action<Lab> Each(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Greatest, Least));
 
     /// <summary>Another question about t_min and t_max than t_min ≤ t_max.</summary>
     private static Action<Lab> Asked(Func<double, double, bool> isHit) => lab => lab.Box.Is((box, d) =>
-        Slabs(lab, box, d, (Slab, Slab, Slab), Math.Max, Math.Min, isHit));
+        Slabs(lab, box, d, (Slab, Slab, Slab), Greatest, Least, isHit));
 
     private static Action<Lab> Corners(Func<Aabb, Aabb> other) => lab => lab.Box.Becomes(cross => (box, d) => cross(other(box), d));
 
     /// <summary>The first way in is the lower face's for these axes, whichever way the ray goes.</summary>
     private static Action<Lab> Unsorted(string axes) => lab =>
         lab.Box.Is((box, d) => Slabs(lab, box, d,
-            (axes.Contains('x') ? Faces : Slab, axes.Contains('y') ? Faces : Slab, axes.Contains('z') ? Faces : Slab), Math.Max, Math.Min));
+            (axes.Contains('x') ? Faces : Slab, axes.Contains('y') ? Faces : Slab, axes.Contains('z') ? Faces : Slab), Greatest, Least));
 }

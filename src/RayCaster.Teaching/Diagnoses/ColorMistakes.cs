@@ -18,6 +18,8 @@ internal static class ColorMistakes
             .Or("1 − t / (|T − P| / 2)", lab => lab.Attenuation.Becomes(fade => t => fade(4 * t)))
             .Or("1 − t / (4 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(t / 2)))
             .Or("1 − t / 2 · |T − P|, without brackets", Fade((t, D, _) => 1 - t / 2 * D))
+            .Or("1 − t / 2, without |T − P|", Fade((t, _, _) => 1 - t / 2))
+            .Or("1 − t, without 2 |T − P|", Fade((t, _, _) => 1 - t))
             .Or("1 − t / |2 T − P|", lab => lab.Reach.Is(() => lab.Length.Do(2 * lab.T - lab.P)))
             .Or("1 − t / (2 |T + P|)", lab => lab.Reach.Is(() => lab.Length.Do(2 * (lab.T + lab.P)))),
         new Mistake("att-inv", Concerns.Color, Slides.Shading, "t / (2 |T − P|): far is bright",
@@ -27,6 +29,8 @@ internal static class ColorMistakes
             "1 − t / (2 |T − P|).")
             .Or("t / (2 |T − P|) − 1", lab => lab.Attenuation.Becomes(fade => t => -fade(t)))
             .Or("1 − 2 |T − P| / t", Fade((t, D, _) => 1 - 2 * D / t))
+            .Or("−t / (2 |T − P|), and nothing is clamped",
+                Fade((t, D, _) => -t / (2 * D)) + Wraps(channel => channel, channel => 255 * channel))
             .Or("1 + t / (2 |T − P|)", lab => lab.Attenuation.Becomes(fade => t => fade(-t))),
         new Mistake("att-none", Concerns.Color, Slides.Shading, "no attenuation: the model's colour as it is",
             lab => lab.Attenuation.Is(_ => 1),
@@ -89,6 +93,7 @@ internal static class ColorMistakes
             "How bright should the target be, wherever zFar is?",
             "1 − t / (2 |T − P|).")
             .Or("1 − t / (2 zFar)", Fade((t, _, camera) => 1 - t / (2 * camera.ZFar)))
+            .Or("1 − t / (zFar − zNear)", Fade((t, _, camera) => 1 - t / (camera.ZFar - camera.ZNear)))
             .Or("1 − t² / zFar²", Fade((t, _, camera) => 1 - t * t / (camera.ZFar * camera.ZFar)))
             .Or("1 − depth / zFar", lab =>
             {
@@ -102,6 +107,7 @@ internal static class ColorMistakes
             "What does a cast to byte make of 306, and what of −25?",
             "Clamp each channel to 0 … 1 before you multiply by 255.")
             .Or("the same, and truncated", Wraps(channel => channel, channel => 255 * channel))
+            .Or("the same, and rounded by Math.Round", Wraps(channel => channel, channel => Math.Round(255 * channel)))
             .Or("multiplied by 255 twice", Wraps(channel => channel, channel => 255 * 255 * channel))
             .Or("only what is less than 0 is not clamped", Wraps(channel => Math.Min(channel, 1), channel => 255 * channel + 0.5))
             .Or("256 · channel, which is 0 again where the channel is 1", lab => lab.Byte.Is(channel => Wrapped(256 * channel))),

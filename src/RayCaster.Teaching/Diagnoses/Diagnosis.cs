@@ -73,6 +73,9 @@ public sealed class Diagnosis
     /// <summary>The share of the wrong pixels that each mistake of several must explain, or it is not named.</summary>
     private const double Idle = 0.002;
 
+    /// <summary>Of what is left beside shapes that are missing, so much may mistakes leave to be named in their place.</summary>
+    private const double Much = 0.25;
+
     /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all.</summary>
     private const double Mentioned = 0.8;
 
@@ -176,7 +179,10 @@ public sealed class Diagnosis
     /// <summary>What the trials come to, the best of which stands first.</summary>
     private void Answer(List<WrongProgram> ranked, Picture picture, IReadOnlyCollection<string> done)
     {
-        var best = WithoutIdle(ranked.Find(trial => trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount) ?? ranked[0]);
+        var best = ranked.Find(trial => trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount) ?? ranked[0];
+        if (best.Base.Kinds.Any() && best.Misfit.Unexplained > Nearly * WrongCount) // few wrong pixels may be all that shows of a misplaced shape
+            best = ranked.Find(trial => !trial.Base.Kinds.Any() && trial.Misfit.Unexplained <= Much * best.Misfit.Unexplained) ?? best;
+        best = WithoutIdle(best);
         var left = best.Misfit.Unexplained / WrongCount;
         var isNamed = left <= Explained
             || (MissingModel is null && left <= MayLeave(best));

@@ -12,6 +12,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// <summary>The same where no second mistake could be worth its <see cref="WrongProgram.Cost"/>.</summary>
     private const double Certain = 0.0067;
 
+    /// <summary>The same where shapes are missing, whose pixels a second mistake may explain.</summary>
+    private const double Nearly = 0.001;
+
     /// <summary>The share of the evidence that each round looks at, and how many trials are left for it at least.</summary>
     private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
 
@@ -32,7 +35,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     private const double Unlikely = 1.5;
 
     /// <summary>How many wordings of a mistake are tried where all pairs are.</summary>
-    private const int MostWordings = 5;
+    private const int MostWordings = 12;
 
     /// <summary>How many of the nearest mistakes are tried beside each way to be unfinished.</summary>
     private const int Besides = 3;
@@ -70,8 +73,8 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
                select single with { Base = way },
         ]);
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
-        if (IsDone(all, Certain)) return Sorted(all);
-        if (IsDone(all)) return Sorted([.. all, .. Best(Pairs(Sorted(all), 2))]);
+        if (IsDone([.. all.Where(trial => !trial.Base.Kinds.Any())], Certain) || IsDone(all, Nearly)) return Sorted(all);
+        if (IsDone(all)) return Sorted([.. all, .. Best(Pairs([.. Sorted(all).SelectMany(Written)], 2))]);
 
         Unfinished[] ways = [.. likely().Take(Ways)];
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
@@ -81,7 +84,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
         var pairs = Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]);
         all.AddRange([.. pairs, .. IsDone(pairs, Certain) ? [] : Best(Reworded(pairs))]);
-        if (!IsDone(all)) all.AddRange(Best(Reworded(Best(AllPairs(everySingle)))));
+        if (!IsDone(all, Certain)) all.AddRange(Best(Reworded(Best(AllPairs(everySingle)))));
         return Sorted(all);
     }
 
@@ -89,6 +92,10 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// just with the nearest.</summary>
     private bool MayBeOtherSample { get; } =
         evidence.Misfit(new Lab(scene, center), 0.05).Unexplained < 0.9 * evidence.WrongCount;
+
+    /// <summary>A trial, and before it the same with all shapes drawn: a shape that seems missing may be misplaced by a second mistake.</summary>
+    private static WrongProgram[] Written(WrongProgram trial) =>
+        trial.Base.Kinds.Any() ? [trial with { Base = Unfinished.Nothing }, trial] : [trial];
 
     private bool IsDone(List<WrongProgram> all, double left = Explained) => all.Exists(trial => trial.Misfit.Unexplained <= left * Wrong);
 
@@ -154,7 +161,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// <summary>The best pairs with one of both in another wording, and with rays through the other place of each pixel.</summary>
     private static List<WrongProgram> Reworded(List<WrongProgram> pairs) =>
     [
-        .. from pair in pairs.Take(Partners)
+        .. from pair in pairs.DistinctBy(pair => pair.Id).Take(Partners)
            from place in (int[])[0, 1]
            from wording in pair.Wordings[place].Wordings
            from otherSample in (bool[])[false, true]

@@ -47,14 +47,20 @@ internal static class HitMistakes
             "Far things cover near ones; the order of the models changes the picture.",
             "When may a hit replace the one that was found before?",
             "Keep a hit only if its t is less than the best t so far.")
+            .Or("the last hit shows, of both crossings of a sphere or a box, too", Both + (lab => lab.Better.Is((_, _) => true)))
             .Or("the first model hit shows, not the nearest", lab => lab.Better.Is((_, best) => double.IsPositiveInfinity(best)))
-            .Or("the best t is replaced by that of each hit: the braces of the if are missing", lab => lab.Replaces.Is((_, _) => true))
-            .Or("each t is compared with that of the hit before it", lab =>
+            .Or(Either("the best t is replaced by that of each hit: the braces of the if are missing", lab => lab.Replaces.Is((_, _) => true)))
+            .Or(Either("each t is compared with that of the hit before it", lab =>
             {
                 lab.Replaces.Is((_, _) => true);
                 lab.Lights.Is(lab.Better.Do);
+            }))
+            .Or(Either("the colour is computed from the t of the last hit, not of the nearest", lab => lab.Lights.Is((_, _) => true)))
+            .Or("the model stays that of the first hit, the best t becomes the least", lab =>
+            {
+                lab.Replaces.Is((t, best) => t < best);
+                lab.Better.Is((_, best) => double.IsPositiveInfinity(best));
             })
-            .Or("the colour is computed from the t of the last hit, not of the nearest", lab => lab.Lights.Is((_, _) => true))
             .Or("the model is replaced by that of each hit, the best t only by a lesser one", lab =>
             {
                 lab.Replaces.Is((t, best) => t < best);
@@ -66,22 +72,20 @@ internal static class HitMistakes
                 lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best));
                 lab.Lights.Is((t, best) => lab.Better.Do(t, best));
             }),
-        new("far-hit", Concerns.Hit, Slides.RayCasting, "the farthest hit shows",
-            lab =>
-            {
-                lab.Start.Is(() => double.NegativeInfinity);
-                lab.Better.Is((t, best) => t > best);
-            },
+        new Mistake("far-hit", Concerns.Hit, Slides.RayCasting, "the farthest hit shows",
+            Farthest,
             "Far things cover near ones.",
             "Which t is the best: the least or the greatest?",
-            "Start with the best t = +∞ and keep a hit only if t < best."),
+            "Start with the best t = +∞ and keep a hit only if t < best.")
+            .Or("the farthest hit shows, of both crossings of a sphere or a box, too", Both + Farthest),
         new Mistake("best0", Concerns.Hit, Slides.RayCasting, "the best t starts at 0, so that no hit is nearer",
             lab => lab.Start.Is(() => 0),
             "There is nothing but background.",
             "With which t is the first hit compared?",
             "Start with the best t = +∞.")
             .Or("the best t starts at 1", lab => lab.Start.Is(() => 1))
-            .Or("the best t starts at 10", lab => lab.Start.Is(() => 10)),
+            .Or("the best t starts at 10", lab => lab.Start.Is(() => 10))
+            .Or("the best t starts at |T − P|", lab => lab.Start.Is(() => lab.Length.Do(lab.T - lab.P))),
         new("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)),
             "What the near plane cuts is cut along a wrong line.",
@@ -156,6 +160,18 @@ internal static class HitMistakes
             "If the first crossing is cut away, what of the second?",
             "The first crossing that counts is the hit; ask both."),
     ];
+
+    private static Action<Lab> Both => lab => lab.OffersBoth = true;
+
+    private static Action<Lab> Farthest => lab =>
+    {
+        lab.Start.Is(() => double.NegativeInfinity);
+        lab.Better.Is((t, best) => t > best);
+    };
+
+    /// <summary>A mistake with each hit, where the first crossing of a body that counts is its hit, and where both crossings are.</summary>
+    private static (string, Action<Lab>)[] Either(string what, Action<Lab> deviate) =>
+        [(what, deviate), (what + "; both crossings of a sphere or a box are hits", Both + deviate)];
 
     /// <summary>zNear or zFar or both not asked where such shapes are hit.</summary>
     private static Action<Lab> Unclipped(Concerns kinds, bool near, bool far) => lab =>

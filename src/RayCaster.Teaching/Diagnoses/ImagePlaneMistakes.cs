@@ -53,8 +53,13 @@ internal static class ImagePlaneMistakes
             .Or("h = 1, whatever fovY is", lab => lab.Tan.Is(_ => 0.5))
             .Or("h = 2 and w = 2: uc and ur run from −1 to 1", Square(2))
             .Or("h = 1 and w = 1: uc and ur run from −1/2 to 1/2", Square(1))
+            .Or("w = width / height, without h", lab => lab.PlaneWidth.Is(_ => lab.Wide))
+            .Or("w = 2 · width / height, without h", lab => lab.PlaneWidth.Is(_ => 2 * lab.Wide))
             .Or("h = fovY, in degrees", lab => lab.Tan.Is(a => a * 180 / Math.PI))
-            .Or(OneSide("fovY / 2, in radians", a => a)),
+            .Or("1 / (2 tan)", lab => lab.Tan.Is(a => 0.5 / Math.Tan(a)))
+            .Or("sin · cos for the tangent", lab => lab.Tan.Is(a => Math.Sin(a) * Math.Cos(a)))
+            .Or(OneSide("fovY / 2, in radians", a => a))
+            .Or(OneSide("2 sin(fovY / 2)", Math.Sin)),
         new Mistake("aspect-inv", Concerns.Camera, Slides.Camera, "w = h · height / width",
             lab => lab.PlaneWidth.Is(h => h * lab.Camera.Height / lab.Camera.Width),
             "All is far too long along the picture's longer side, as if stretched.",

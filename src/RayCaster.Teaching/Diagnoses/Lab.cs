@@ -112,6 +112,17 @@ internal sealed partial class Lab
     /// definition's.</summary>
     public bool Scatters { get; set; }
 
+    /// <summary>Whether both crossings of a sphere or a box are offered one after the other, as Ray.Hit of the hand-out has it, not only
+    /// the first that counts.</summary>
+    public bool OffersBoth { get; set; }
+
+    /// <summary>Puts a formula in the place of the triangle's that may hit it outside of itself.</summary>
+    public void TriangleIs(Func<Triangle, Vector3, Crossed> formula)
+    {
+        Triangle.Is(formula);
+        TrianglesReachOut = true;
+    }
+
     /// <summary>Leaves out all models of a kind.</summary>
     /// <param name="kind">As a scene file calls it.</param>
     public void LeaveOut(string kind) => models = [.. models.Where(model => model.Kind != kind)];
@@ -165,12 +176,18 @@ internal sealed partial class Lab
         for (var i = 0; i < models.Length; i++)
         {
             if (Hit.Do(models[i], d) is not { } t) continue;
-            if (Better.Do(t, best)) hit = models[i];
-            if (Lights.Do(t, best)) shown = t;
-            if (Replaces.Do(t, best)) best = t;
+            Offer(models[i], t);
+            if (OffersBoth && (double?)CrossingsOf(models[i], d)?.Far is { } far && far > t && Counts(far, d)) Offer(models[i], far);
         }
         if (hit is null || !Kept.Do(shown, Depth.Do(shown, d))) return Bytes(Scene.Background);
         return Bytes(Lit.Do(Dark.Do(Attenuation.Do(Distance.Do(shown, d))), hit.Color));
+
+        void Offer(Model model, double t)
+        {
+            if (Better.Do(t, best)) hit = model;
+            if (Lights.Do(t, best)) shown = t;
+            if (Replaces.Do(t, best)) best = t;
+        }
     }
 
     private double? HitOf(Model model, Vector3 d) => model switch

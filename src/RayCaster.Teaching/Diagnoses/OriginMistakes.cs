@@ -16,24 +16,48 @@ internal static class OriginMistakes
             "t = (Q − P)·n / d·n; for a sphere L = C − P, for a box t0 = (B0 − P) / d.")
             .Or(PlaneReaders.Of("Q·n / d·n, without P", (_, Q, n, d) => Q * n / (d * n)).Skip(1))
             .Or(PlaneReaders.Of("P·n / d·n, without Q", (P, _, n, d) => P * n / (d * n)))
-            .Or("circle: X = t d, without P", lab => lab.Circle.Becomes(cross => (circle, d) =>
-            {
-                var t = cross(circle with { Radius = double.PositiveInfinity }, d).Near;
-                return (t * d - circle.Center).Length <= circle.Radius ? new(t) : None;
-            }))
+            .Or(PlaneReaders.Of("−P·n / d·n, without Q", (P, _, n, d) => -(P * n) / (d * n)))
+            .Or(from X in ((string Is, Func<Vector3, double, Vector3, Vector3> Of)[])
+                [
+                    ("t d, without P", (_, t, d) => t * d), ("P + d", (P, _, d) => P + d), ("P − t d", (P, t, d) => P - t * d),
+                    ("t P + d", (P, t, d) => t * P + d), ("t (P + d)", (P, t, d) => t * (P + d)),
+                ]
+                from shapes in (Concerns[])[Concerns.Circles, Concerns.Triangles, Concerns.Circles | Concerns.Triangles]
+                select ($"{Names(shapes)}: X = {X.Is}", OtherX(shapes, X.Of)))
             .Or("circle: neither t nor X with P", WithoutP(Concerns.Circles))
-            .Or("triangle: X = t d, without P", lab =>
-            {
-                lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, IsInside, from: Vector3.Zero));
-                lab.TrianglesReachOut = true;
-            })
             .Or("triangle: neither t nor X with P", WithoutP(Concerns.Triangles))
+            .Or("triangle: the corners' volumes without P",
+                lab => lab.TriangleIs((triangle, d) => TriangleByVolumes(lab, triangle, d, from: Vector3.Zero)))
             .Or("sphere: L = C, without P", WithoutP(Concerns.Spheres))
+            .Or("sphere: b = −2 d·C, without P", SphereMistakes.Quadratic((P, C) => -C, (P, C) => P - C))
+            .Or("sphere: b = 2 d·P, without C", SphereMistakes.Quadratic((P, C) => P, (P, C) => P - C))
+            .Or("sphere: c = C² − R², without P", SphereMistakes.Quadratic((P, C) => P - C, (P, C) => C))
+            .Or("sphere: c = P² − R², without C", SphereMistakes.Quadratic((P, C) => P - C, (P, C) => P))
             .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))
             .Or("box: B0 / d, without P", Box((lo, hi, origin, d) => Sorted(lo / d, (hi - origin) / d)))
             .Or("box: B1 / d, without P", Box((lo, hi, origin, d) => Sorted((lo - origin) / d, hi / d)))
+            .Or(from axis in (int[])[0, 1, 2] select ($"box: without P, for {"xyz"[axis]}",
+                BoxMistakes.One(axis, (box, _, d, _) => Slab(box.Min.At(axis), box.Max.At(axis), 0, d.At(axis)))))
             .Or("every shape: the ray starts at the origin of the world", WithoutP(Shapes)),
     ];
+
+    private static string Names(Concerns shapes) =>
+        shapes == Concerns.Circles ? "circle" : shapes == Concerns.Triangles ? "triangle" : "circle and triangle";
+
+    /// <summary>Another X, from P, t and d, where the radius or u and v are asked.</summary>
+    private static Action<Lab> OtherX(Concerns shapes, Func<Vector3, double, Vector3, Vector3> X) => lab =>
+    {
+        if (shapes.HasFlag(Concerns.Circles))
+        {
+            lab.Circle.Becomes(cross => (circle, d) =>
+            {
+                var t = cross(circle with { Radius = double.PositiveInfinity }, d).Near;
+                return (X(lab.P, (double)t, d) - circle.Center).Length <= circle.Radius ? new(t) : None;
+            });
+        }
+        if (shapes.HasFlag(Concerns.Triangles))
+            lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, IsInside, at: t => X(lab.P, t, d)));
+    };
 
     /// <summary>What has its ray start at the origin lies, seen from P, as much farther on as P is from there.</summary>
     private static Action<Lab> WithoutP(Concerns shapes) => lab =>
@@ -48,5 +72,5 @@ internal static class OriginMistakes
         lab.TrianglesReachOut = true;
     };
 
-    private static Action<Lab> Box(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Math.Max, Math.Min));
+    private static Action<Lab> Box(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Greatest, Least));
 }

@@ -33,9 +33,6 @@ internal static class PlaneReaders
             });
         }
         if (shapes.HasFlag(Concerns.Triangles))
-        {
-            lab.Triangle.Is((triangle, d) => Triangle(lab, triangle, d, IsInside, (Q, n) => t(lab.P, Q, n, d)));
-            lab.TrianglesReachOut = true;
-        }
+            lab.TriangleIs((triangle, d) => Triangle(lab, triangle, d, IsInside, (Q, n) => t(lab.P, Q, n, d)));
     };
 }

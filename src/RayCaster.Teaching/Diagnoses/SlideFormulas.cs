@@ -42,23 +42,28 @@ internal static class SlideFormulas
     /// <param name="box">The box.</param>
     /// <param name="d">The ray's direction.</param>
     /// <param name="slab">(lo, hi, origin, direction) → the ways in and out of a slab.</param>
-    /// <param name="lastIn">Of two ways in the one that counts.</param>
-    /// <param name="firstOut">Of two ways out the one that counts.</param>
+    /// <param name="lastIn">Of the ways in of x, y and z the one that counts.</param>
+    /// <param name="firstOut">Of the ways out of x, y and z the one that counts.</param>
     public static Crossed Slabs(
-        Lab lab, Aabb box, Vector3 d, InSlab slab, Func<double, double, double> lastIn, Func<double, double, double> firstOut) =>
+        Lab lab, Aabb box, Vector3 d, InSlab slab, Func<double, double, double, double> lastIn, Func<double, double, double, double> firstOut) =>
         Slabs(lab, box, d, (slab, slab, slab), lastIn, firstOut);
 
     /// <summary>The same with a formula for each slab, and perhaps with another question than t_min ≤ t_max.</summary>
     public static Crossed Slabs(Lab lab, Aabb box, Vector3 d, (InSlab X, InSlab Y, InSlab Z) slabs,
-        Func<double, double, double> lastIn, Func<double, double, double> firstOut, Func<double, double, bool>? isHit = null)
+        Func<double, double, double, double> lastIn, Func<double, double, double, double> firstOut, Func<double, double, bool>? isHit = null)
     {
         var x = slabs.X(box.Min.X, box.Max.X, lab.P.X, d.X);
         var y = slabs.Y(box.Min.Y, box.Max.Y, lab.P.Y, d.Y);
         var z = slabs.Z(box.Min.Z, box.Max.Z, lab.P.Z, d.Z);
-        var tMin = lastIn(lastIn(x.In, y.In), z.In);
-        var tMax = firstOut(firstOut(x.Out, y.Out), z.Out);
+        var (tMin, tMax) = (lastIn(x.In, y.In, z.In), firstOut(x.Out, y.Out, z.Out));
         return (isHit?.Invoke(tMin, tMax) ?? tMin <= tMax) ? new(tMin, tMax) : None;
     }
+
+    /// <summary>The greatest of three; no number if one is none.</summary>
+    public static double Greatest(double x, double y, double z) => Math.Max(Math.Max(x, y), z);
+
+    /// <summary>The least of three; no number if one is none.</summary>
+    public static double Least(double x, double y, double z) => Math.Min(Math.Min(x, y), z);
 
     /// <summary>(lo, hi, origin, direction) → the ways in and out of a slab.</summary>
     public delegate (double In, double Out) InSlab(double lo, double hi, double origin, double direction);
@@ -86,21 +91,33 @@ internal static class SlideFormulas
     /// <param name="inside">(u, v) → whether X is in the triangle.</param>
     /// <param name="crossing">(A, n) → the t where the ray crosses the triangle's plane; the right one if left out.</param>
     /// <param name="sides">The cross product of u and v; the lab's if left out.</param>
-    /// <param name="from">Where X = P + t d begins; at P if left out.</param>
+    /// <param name="at">t → X; P + t d if left out.</param>
     public static Crossed Triangle(
         Lab lab, Triangle triangle, Vector3 d, Func<double, double, bool> inside, Func<Vector3, Vector3, double>? crossing = null,
-        Func<Vector3, Vector3, Vector3>? sides = null, Vector3? from = null)
+        Func<Vector3, Vector3, Vector3>? sides = null, Func<double, Vector3>? at = null)
     {
         var (A, B, C) = (triangle.A, triangle.B, triangle.C);
         var (n, t) = CrossPlane(lab, triangle, d);
         if (crossing is not null) t = crossing(A, n);
         if (!lab.Counts(t, d)) return None; // only to be done sooner
-        var X = (from ?? lab.P) + t * d;
+        var X = at?.Invoke(t) ?? lab.P + t * d;
         if (sides is null) sides = lab.Cross.Do;
         else n = sides(B - A, C - A);
         var u = sides(A - C, X - C) * n / (n * n);
         var v = sides(B - A, X - A) * n / (n * n);
         return inside(u, v) ? new(t) : None;
+    }
+
+    /// <summary>The same as the hand-out has it: w, u and v are shares of the volumes that d spans with the corners seen from P.</summary>
+    public static Crossed TriangleByVolumes(Lab lab, Triangle triangle, Vector3 d, Vector3? from = null, Vector3? signs = null)
+    {
+        var (_, t) = CrossPlane(lab, triangle, d);
+        if (!lab.Counts(t, d)) return None;
+        var (P, sign) = (from ?? lab.P, signs ?? new(1, 1, 1));
+        var (a, b, c) = (triangle.A - P, triangle.B - P, triangle.C - P);
+        var (w, u, v) = (sign.X * (d * lab.Cross.Do(b, c)), sign.Y * (d * lab.Cross.Do(c, a)), sign.Z * (d * lab.Cross.Do(a, b)));
+        var sum = w + u + v;
+        return w / sum >= 0 && u / sum >= 0 && v / sum >= 0 ? new(t) : None;
     }
 
     /// <summary>Whether u and v are those of a point in the triangle.</summary>

@@ -49,14 +49,10 @@ internal static class SphereMistakes
             "Spheres bleed over the picture, or have a wrong size or depth.",
             "Is the discriminant b² − 4ac or (b/2)² − ac? Which one fits your b?",
             "With b = 2 d·(P − C): b² − 4ac and t = (−b ∓ √…) / 2a.")
-            .Or("sphere: b = d·(P − C) without its 2, while the discriminant is b² − 4 a c",
-                Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - 4 * a * c)))
-            .Or("sphere: discriminant b² − 2 a c", Quadratic((a, b, c) => Roots(a, b, b * b - 2 * a * c)))
+            .Or(OtherFactors())
             .Or("sphere: discriminant 2 b − 4 a c", Quadratic((a, b, c) => Roots(a, b, 2 * b - 4 * a * c)))
             .Or("sphere: b = d·(P − C) without its 2, and √(b² − c) / 2", Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - c)))
             .Or("sphere: discriminant b − 4 a c", Quadratic((a, b, c) => Roots(a, b, b - 4 * a * c)))
-            .Or("sphere: discriminant b² + 4 a c", Quadratic((a, b, c) => Roots(a, b, b * b + 4 * a * c)))
-            .Or("sphere: divided by a where 2a is meant", Quadratic((a, b, c) => Roots(a / 2, b, b * b - 4 * a * c)))
             .Or("sphere: −b − √… / 2a without brackets", Quadratic((a, b, c) => Roots(-b, Math.Sqrt(b * b - 4 * a * c) / (2 * a))))
             .Or("sphere: c = (P − C)² + R²",
                 lab => lab.Sphere.Is((s, d) => QuadraticOf(lab, s, d, s.Radius * s.Radius, (a, b, c) => Roots(a, b, b * b - 4 * a * c)))),
@@ -128,6 +124,22 @@ internal static class SphereMistakes
     /// <summary>The same with another D², from L² and tca.</summary>
     private static Action<Lab> Distances(Func<double, double, double> D2) =>
         Sphere((R, tca, right) => Roots(tca, Math.Sqrt(R * R - D2(right + tca * tca, tca))));
+
+    /// <summary>Other vectors, from P and C, in b = 2 d·(P − C) and in c = |P − C|² − R².</summary>
+    internal static Action<Lab> Quadratic(Func<Vector3, Vector3, Vector3> inB, Func<Vector3, Vector3, Vector3> inC) => lab => lab.Sphere.Is((s, d) =>
+    {
+        var (a, b, C) = (d * d, 2 * (d * inB(lab.P, s.Center)), inC(lab.P, s.Center));
+        return Roots(a, b, b * b - 4 * a * (C * C - s.Radius * s.Radius));
+    });
+
+    /// <summary>Other numbers for the 2 in b, the 4 in b² − 4ac and the 2 in / 2a, at most two of them wrong.</summary>
+    private static IEnumerable<(string, Action<Lab>)> OtherFactors() =>
+        from inB in (int[])[1, 2, 4]
+        from inRoot in (int[])[1, 2, 4, -4]
+        from under in (int[])[1, 2, 4]
+        where (inB, inRoot, under) is not ((2, 4, 2) or (2, 1, 2) or (1, 1, 1)) && (inB, inRoot, under) is (2, _, _) or (_, 4, 2) or (1, 4, 1)
+        select ($"sphere: b = {inB} d·(P − C), b² − {inRoot} a c, divided by {under} a", Quadratic((a, b, c) =>
+            Roots(under * a / 2.0, inB * b / 2.0, inB * inB * b * b / 4 - inRoot * a * c)));
 
     /// <summary>Slide "Sphere – Analytical Solution", from a, b = 2 d·(P − C) and c = |P − C|² − R² on.</summary>
     private static Action<Lab> Quadratic(Func<double, double, double, Crossings<Scalar>> roots) =>

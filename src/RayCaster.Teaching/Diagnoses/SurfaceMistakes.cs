@@ -50,6 +50,12 @@ internal static class SurfaceMistakes
             "|X − C| ≤ R, or |X − C|² ≤ R².")
             .Or("circle: |X − C|² ≤ 2 R",
                 lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = Math.Sqrt(2 * circle.Radius) }, d)))
+            .Or(Within("|x| + |y| + |z| of X − C", (lab, X, C) => new(Math.Abs(X.X - C.X) + Math.Abs(X.Y - C.Y) + Math.Abs(X.Z - C.Z), 0, 0)))
+            .Or(Within("the greatest of |x|, |y| and |z| of X − C",
+                (lab, X, C) => new(Math.Max(Math.Abs(X.X - C.X), Math.Max(Math.Abs(X.Y - C.Y), Math.Abs(X.Z - C.Z))), 0, 0)))
+            .Or("circle: |X − C| ≤ 1, whatever R is", lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = 1 }, d)))
+            .Or("circle: |X − C|² ≤ R⁴ or |X − C| ≤ √R", lab => lab.Circle.Becomes(cross => (circle, d) =>
+                cross(circle with { Radius = Math.Sqrt(Math.Sqrt(circle.Radius)) }, d)))
             .Or("circle: |X − C| ≤ R²",
                 lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = circle.Radius * circle.Radius }, d))),
         new Mistake("circ-inf", Concerns.Circles, Slides.Circle, "circle: the radius is not asked",
@@ -62,6 +68,9 @@ internal static class SurfaceMistakes
             .Or(Within("|X − C| without x", (lab, X, C) => new(0, X.Y - C.Y, X.Z - C.Z)))
             .Or(Within("|X − C| without y", (lab, X, C) => new(X.X - C.X, 0, X.Z - C.Z)))
             .Or(Within("|X − C| without z", (lab, X, C) => new(X.X - C.X, X.Y - C.Y, 0)))
+            .Or(Within("the greatest of x, y and z of X − C",
+                (lab, X, C) => new(Math.Max(0, Math.Max(X.X - C.X, Math.Max(X.Y - C.Y, X.Z - C.Z))), 0, 0)))
+            .Or(Within("|X + C|", (_, X, C) => X + C))
             .Or(Within("|X|, without C", (_, X, _) => X))
             .Or(Within("t", (lab, X, _) => X - lab.P)),
     ];
@@ -73,19 +82,13 @@ internal static class SurfaceMistakes
             "Triangles reach beyond the side that is opposite to their first corner.",
             "Which condition draws the side from B to C? What are u and v at B and at C?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1; u is 1 at B, v is 1 at C.")
-            .Or("triangle: u ≤ 1 and v ≤ 1 where u + v ≤ 1 is meant: a parallelogram",
-                TriangleWhere((u, v) => u is >= 0 and <= 1 && v is >= 0 and <= 1))
-            .Or("triangle: n normalised, so that u and v are too large or too small", lab =>
+            .Or(Asked(sides => sides.U && sides.V && !sides.Sum))
+            .Or("triangle: n normalised, so that u and v are too large or too small", lab => lab.TriangleIs((triangle, d) =>
             {
-                lab.Triangle.Is((triangle, d) =>
-                {
-                    var length = NormalOf(lab, triangle).Length;
-                    return SlideFormulas.Triangle(lab, triangle, d, (u, v) => IsInside(length * u, length * v));
-                });
-                lab.TrianglesReachOut = true;
-            })
-            .Or(ThirdSide("u ≤ 1", (u, v) => u <= 1))
-            .Or(ThirdSide("v ≤ 1", (u, v) => v <= 1))
+                var length = NormalOf(lab, triangle).Length;
+                return SlideFormulas.Triangle(lab, triangle, d, (u, v) => IsInside(length * u, length * v));
+            }))
+            .Or(ThirdSide("u² + v² ≤ 1", (u, v) => u * u + v * v <= 1))
             .Or(ThirdSide("u + v ≤ 1/2", (u, v) => u + v <= 0.5))
             .Or(ThirdSide("u + v ≤ 2", (u, v) => u + v <= 2))
             .Or(ThirdSide("u − v ≤ 1", (u, v) => u - v <= 1))
@@ -106,21 +109,19 @@ internal static class SurfaceMistakes
             "A triangle covers a large part of the picture.",
             "Which conditions draw the two sides at A?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1.")
-            .Or("triangle: nothing asked of u and v: an endless plane", TriangleWhere((_, _) => true))
+            .Or(Asked(sides => !sides.U || !sides.V))
             .Or("triangle: u ≤ 0 where u ≥ 0 is meant", TriangleWhere((u, v) => u <= 0 && v >= 0 && u + v <= 1))
             .Or("triangle: v ≤ 0 where v ≥ 0 is meant", TriangleWhere((u, v) => u >= 0 && v <= 0 && u + v <= 1))
             .Or("triangle: −u for u", TriangleWhere((u, v) => IsInside(-u, v)))
             .Or("triangle: −v for v", TriangleWhere((u, v) => IsInside(u, -v)))
             .Or("triangle: −u for u and −v for v", TriangleWhere((u, v) => IsInside(-u, -v)))
+            .Or(from volume in ((string Name, Vector3 Signs)[])[("w", new(-1, 1, 1)), ("u", new(1, -1, 1)), ("v", new(1, 1, -1))]
+                select ($"triangle: the volume {volume.Name} with the wrong sign", (Action<Lab>)(lab =>
+                    lab.TriangleIs((triangle, d) => TriangleByVolumes(lab, triangle, d, signs: volume.Signs)))))
             .Or("triangle: u ≥ 0 or v ≥ 0 where both are meant", TriangleWhere((u, v) => (u >= 0 || v >= 0) && u + v <= 1))
             .Or("triangle: u ≥ 0 and v ≥ 0, or u + v ≤ 1", TriangleWhere((u, v) => (u >= 0 && v >= 0) || u + v <= 1))
             .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
-            .Or("triangle: u ≤ 1 and v ≤ 1, nothing else", TriangleWhere((u, v) => u <= 1 && v <= 1))
-            .Or("triangle: 0 ≤ u ≤ 1, nothing of v", TriangleWhere((u, _) => u is >= 0 and <= 1))
-            .Or("triangle: 0 ≤ v ≤ 1, nothing of u", TriangleWhere((_, v) => v is >= 0 and <= 1))
-            .Or("triangle: no u ≥ 0", TriangleWhere((u, v) => v >= 0 && u + v <= 1))
-            .Or("triangle: no v ≥ 0", TriangleWhere((u, v) => u >= 0 && u + v <= 1))
-            .Or("triangle: u ≤ 1, v ≤ 1, u + v ≤ 1", TriangleWhere((u, v) => u <= 1 && v <= 1 && u + v <= 1)),
+            .Or("triangle: |u| ≤ 1, |v| ≤ 1, u + v ≤ 1", TriangleWhere((u, v) => Math.Abs(u) <= 1 && Math.Abs(v) <= 1 && u + v <= 1)),
         new Mistake("tri-area", Concerns.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
             lab => lab.Triangle.Is((triangle, d) => TriangleByAreas(lab, triangle, d)),
             "Triangles are full of holes, like lace.",
@@ -152,14 +153,26 @@ internal static class SurfaceMistakes
         })),
     ];
 
+    /// <summary>Some of u ≥ 0, v ≥ 0, u + v ≤ 1, u ≤ 1 and v ≤ 1 asked, the others not, without the first wordings of tri-uv and tri-neg.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Asked(Func<(bool U, bool V, bool Sum), bool> belongs)
+    {
+        string[] names = ["u ≥ 0", "v ≥ 0", "u + v ≤ 1", "u ≤ 1", "v ≤ 1"];
+        for (var asked = 0; asked < 32; asked++)
+        {
+            var sides = asked;
+            if (sides is 3 or 4 || !belongs(((sides & 1) != 0, (sides & 2) != 0, (sides & 4) != 0))) continue;
+            var all = string.Join(", ", names.Where((_, i) => (sides >> i & 1) != 0));
+            yield return ($"triangle: only {(all == "" ? "the plane" : all)} asked", TriangleWhere((u, v) =>
+                (u >= 0 || (sides & 1) == 0) && (v >= 0 || (sides & 2) == 0) && (u + v <= 1 || (sides & 4) == 0)
+                && (u <= 1 || (sides & 8) == 0) && (v <= 1 || (sides & 16) == 0)));
+        }
+    }
+
     private static IEnumerable<(string, Action<Lab>)> ThirdSide(string what, Func<double, double, bool> holds) =>
         [($"triangle: {what} where u + v ≤ 1 is meant", TriangleWhere((u, v) => u >= 0 && v >= 0 && holds(u, v)))];
 
     private static Action<Lab> TriangleWhere(Func<double, double, bool> inside) => lab =>
-    {
-        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, inside));
-        lab.TrianglesReachOut = true;
-    };
+        lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, inside));
 
     private static Vector3 NormalOf(Lab lab, Triangle triangle) => lab.Cross.Do(triangle.B - triangle.A, triangle.C - triangle.A);
 }

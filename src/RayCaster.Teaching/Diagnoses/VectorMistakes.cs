@@ -12,8 +12,7 @@ internal static class VectorMistakes
             "U = (up × W) normalised.")
             .Or("U is normalised only after V = W × U",
                 lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, w)) * V(w, u)))
-            .Or("U is not normalised, but V is", lab => lab.Towards.Becomes(towards => (uc, ur) =>
-                towards(uc * lab.Length.Do(lab.Cross.Do(lab.Camera.Up, lab.W)), ur))),
+            .Or("U is not normalised, but V is", Longer(1, 0, lab => lab.Cross.Do(lab.Camera.Up, lab.W))),
         new Mistake("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",
             lab => lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t)),
             "Everything is drawn out, the more the farther the target is, or zFar has cut all of it away.",
@@ -23,6 +22,14 @@ internal static class VectorMistakes
             .Or("W is not normalised in V alone", lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.T - lab.P) * V(w, u)))
             .Or("h and w are those at the target, while W is normalised",
                 lab => lab.PlaneHeight.Becomes(h => fovY => lab.Length.Do(lab.T - lab.P) * h(fovY)))
+            .Or("h and w are those at zNear, while W is normalised",
+                lab => lab.PlaneHeight.Becomes(h => fovY => lab.Camera.ZNear * h(fovY)))
+            .Or("d = uc U + ur V − zNear W, while h and w are those at 1",
+                lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / lab.Camera.ZNear))
+            .Or(from up in ((string Name, Func<Lab, Vector3> Of)[])[("up", lab => lab.Camera.Up), ("up / |up|", lab => lab.Unit.Do(lab.Camera.Up))]
+                from ofV in (int[])[0, 1]
+                select ($"U = {up.Name} × (P − T){(ofV == 0 ? ", and V is normalised" : ", V = W × U")}",
+                    Longer(1, ofV, lab => lab.Cross.Do(up.Of(lab), lab.P - lab.T))))
             .Or("V = (T − P) × U", lab => lab.AxisV.Becomes(V => (w, u) => -lab.Length.Do(lab.T - lab.P) * V(w, u)))
             .Or("W is not normalised, but V is", lab =>
             {
@@ -59,6 +66,9 @@ internal static class VectorMistakes
             .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
             .Or(from part in Parts
                 from wording in Lengths($"{part.Name} forgotten in the length", a => part.Of(Vector3.Zero, a).Length) select wording)
+            .Or(from part in Parts
+                from wording in Lengths($"|a| with {part.Name} for {part.Name}²", a => Unsquared(part.Of(a, Vector3.Zero), part.Of(Vector3.Zero, a)))
+                select wording)
             .Or(Lengths("|a| = |x| + |y| + |z|", a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
             .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
             .Or("W is divided by x² + y² + z²", lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p)))
@@ -79,14 +89,16 @@ internal static class VectorMistakes
             "What is (0, 0, 1) × (1, 0, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
             .Or(CrossWordings('y', "ax bz − az bx"))
-            .Or(Swapped("y and z", n => new(n.X, n.Z, n.Y))),
+            .Or(Swapped("y and z are swapped", n => new(n.X, n.Z, n.Y)))
+            .Or(Swapped("y and z have the wrong sign", n => new(n.X, -n.Y, -n.Z))),
         new Mistake("cross-z", Concerns.Camera, Slides.Vectors, "the cross product's z is ax by − ay by",
             lab => MistakeCross(lab, (a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }),
             "The picture is skewed, and triangles are torn.",
             "What is (1, 2, 0) × (3, 5, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
             .Or(CrossWordings('z', "ax by − ay by"))
-            .Or(Swapped("x and z", n => new(n.Z, n.Y, n.X))),
+            .Or(Swapped("x and z are swapped", n => new(n.Z, n.Y, n.X)))
+            .Or(Swapped("x and z have the wrong sign", n => new(-n.X, n.Y, -n.Z))),
         new("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
             lab =>
             {
@@ -111,8 +123,18 @@ internal static class VectorMistakes
             "What is (0, 1, 0) × (0, 0, 1)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
             .Or(CrossWordings('x', "az by − ay bz"))
-            .Or(Swapped("x and y", n => new(n.Y, n.X, n.Z))),
+            .Or(Swapped("x and y are swapped", n => new(n.Y, n.X, n.Z)))
+            .Or(Swapped("x and y have the wrong sign", n => new(-n.X, -n.Y, n.Z)))
+            .Or(Swapped("components have moved on by one place", n => new(n.Y, n.Z, n.X)))
+            .Or(Swapped("components have moved back by one place", n => new(n.Z, n.X, n.Y))),
     ];
+
+    /// <summary>U or V or both as long as a vector is: 1 for as long, 0 for normalised.</summary>
+    private static Action<Lab> Longer(int ofU, int ofV, Func<Lab, Vector3> vector) => lab => lab.Towards.Becomes(towards => (uc, ur) =>
+    {
+        var length = lab.Length.Do(vector(lab));
+        return towards(uc * (ofU == 0 ? 1 : length), ur * (ofV == 0 ? 1 : length));
+    });
 
     private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur));
 
@@ -136,6 +158,8 @@ internal static class VectorMistakes
     [
         ("x", (b, a) => a with { X = b.X }), ("y", (b, a) => a with { Y = b.Y }), ("z", (b, a) => a with { Z = b.Z }),
     ];
+
+    private static double Unsquared(Vector3 part, Vector3 rest) => Math.Sqrt(part.X + part.Y + part.Z + rest * rest);
 
     /// <summary>Another way to normalise, with the sphere's formula for any d and with the one for d·d = 1.</summary>
     private static IEnumerable<(string, Action<Lab>)> Units(string what, Func<Vector3, Vector3> unit) =>
@@ -197,29 +221,28 @@ internal static class VectorMistakes
             if (what != first) yield return ($"the cross product's {axis} is {what}", lab => MistakeCross(lab, Other));
             Action<Lab> inCamera = lab => lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b)));
             yield return ($"the cross product's {axis} is {what}, and triangles take only n from it", inCamera + TakeOnlyNormals);
+            yield return ($"the cross product's {axis} is {what}, and triangles compare volumes", inCamera + CompareVolumes);
             yield return ($"the cross product's {axis} is {what}, but triangles do without it", inCamera);
         }
     }
 
-    /// <summary>Two components of the cross product in each other's place; in triangles too, and in the camera alone.</summary>
+    /// <summary>Other places or signs of the cross product's components; in triangles too, and in the camera alone.</summary>
     private static (string, Action<Lab>)[] Swapped(string which, Func<Vector3, Vector3> swap) =>
     [
-        ($"the cross product's {which} are swapped", lab => MistakeCross(lab, (_, _, n) => swap(n))),
-        ($"the cross product's {which} are swapped, but triangles do without it", lab => lab.Cross.Becomes(cross => (a, b) => swap(cross(a, b)))),
+        ($"the cross product's {which}", lab => MistakeCross(lab, (_, _, n) => swap(n))),
+        ($"the cross product's {which}, but triangles do without it", lab => lab.Cross.Becomes(cross => (a, b) => swap(cross(a, b)))),
     ];
 
+    private static void CompareVolumes(Lab lab) => lab.TriangleIs((triangle, d) => SlideFormulas.TriangleByVolumes(lab, triangle, d));
+
     /// <summary>The triangle's n is the lab's cross product; u and v do without it.</summary>
-    private static void TakeOnlyNormals(Lab lab)
-    {
-        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside, sides: (a, b) => a % b));
-        lab.TrianglesReachOut = true;
-    }
+    private static void TakeOnlyNormals(Lab lab) =>
+        lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside, sides: (a, b) => a % b));
 
     /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
     private static void MistakeCross(Lab lab, Func<Vector3, Vector3, Vector3, Vector3> other)
     {
         lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
-        lab.Triangle.Is((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside));
-        lab.TrianglesReachOut = true;
+        lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside));
     }
 }

@@ -53,6 +53,21 @@ public class DiagnosisTests
     }
 
     [Fact]
+    public void TheLastHitIsNamedWhereBothCrossingsOfABodyAreHits()
+    {
+        var open = scene with { Background = new(1, 0, 1) };
+        var picture = ScalarRenderer.Render(open with { Models = [] });
+        foreach (var model in open.Models) // each covers the ones before it, with its far side
+        {
+            var alone = WrongPicture.Draw(open with { Models = [model] }, [MistakeCatalog.Named("far-root")!, MistakeCatalog.Named("slab-tmax")!]);
+            for (var y = 0; y < alone.Height; y++)
+                for (var x = 0; x < alone.Width; x++)
+                    if (alone[x, y] != open.Background.ToBytes()) picture[x, y] = alone[x, y];
+        }
+        Assert.Equal(["last-hit"], Diagnosis.Of(open, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id));
+    }
+
+    [Fact]
     public void ASmallMistakeIsNamedBesideOneThatChangesEverything()
     {
         var picture = WrongPicture.Draw(scene, [MistakeCatalog.Named("gamma")!, MistakeCatalog.Named("tri-uv")!]);
