@@ -13,7 +13,7 @@ public sealed class MarkTests : IDisposable
             .Replace("\"target\"", "\"width\": 60, \"height\": 40, \"target\""));
         raycaster.Write("rubric.json", $$"""
             { "title": "A ball", "scenes": ["ball.json"], {{more}} "items": [
-                { "name": "ball", "points": 3, "mistakes": ["far-root", "oc-sign"], "undone": ["sphere"] },
+                { "name": "ball", "points": 3, "mistakes": ["far-root", "oc-sign", "last-hit"], "undone": ["sphere"] },
                 { "name": "floor", "points": 2, "mistakes": ["plane-sign"], "undone": ["plane"] } ] }
             """);
     }

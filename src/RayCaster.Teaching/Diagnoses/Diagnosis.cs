@@ -287,7 +287,7 @@ public sealed class Diagnosis
                 other.Wordings.Any(wording => evidence.AreAlike(own, new WrongProgram(way, [wording], trial.OtherSample).Draw(prepared.Scene))))];
         }
         var isSame = !own.Scatters && !likeliest.Scatters && evidence.AreAlike(own, likeliest);
-        var isTypical = trial.Misfit.Unexplained <= Explained * WrongCount && trial.Wordings.All(wording => wording == MistakeCatalog.Named(wording.Id));
+        var isTypical = trial.Misfit.Unexplained <= Explained * WrongCount && trial.Unusual == 0;
         return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet, isSame, isTypical);
     }
 }

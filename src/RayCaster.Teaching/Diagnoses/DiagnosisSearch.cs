@@ -99,8 +99,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     private bool IsDone(List<WrongProgram> all, double left = Explained) => all.Exists(trial => trial.Misfit.Unexplained <= left * Wrong);
 
-    // stable: of equals the first in the catalogue
-    private List<WrongProgram> Sorted(List<WrongProgram> trials) => [.. trials.OrderBy(trial => trial.Cost(Wrong) * Surprise(trial))];
+    // stable: of equals that with the usual wordings, and of these the first in the catalogue
+    private List<WrongProgram> Sorted(List<WrongProgram> trials) =>
+        [.. trials.OrderBy(trial => trial.Cost(Wrong) * Surprise(trial)).ThenBy(trial => trial.Unusual)];
 
     private double Surprise(WrongProgram trial) =>
         likely is null ? 1 : Math.Pow(Unlikely, trial.Wordings.Count(wording => !likely(wording)) + (trial.OtherSample && !likely(center) ? 1 : 0));

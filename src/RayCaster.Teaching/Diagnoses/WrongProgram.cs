@@ -19,6 +19,9 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
         .. Wordings.Select((_, i) => this with { Wordings = [.. Wordings.Where((_, k) => k != i)] }),
     ];
 
+    /// <summary>How many of its mistakes are made in another than their usual wording, the first.</summary>
+    public int Unusual => Wordings.Count(wording => wording != MistakeCatalog.Named(wording.Id));
+
     /// <summary>Draws the scene so.</summary>
     public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Wordings, .. OtherSample ? (Mistake[])[center] : []]));
 

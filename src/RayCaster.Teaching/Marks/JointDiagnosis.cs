@@ -203,7 +203,8 @@ internal sealed class JointDiagnosis
     private List<Scored> Closer(List<Scored> sorted)
     {
         foreach (var (count, share) in (ReadOnlySpan<(int, double)>)[(Second, SecondLook), (Last, 1)])
-            sorted = [.. sorted.Take(count).Select(scored => scored with { Loss = Loss(scored.Program, share) }).OrderBy(scored => scored.Loss)];
+            sorted = [.. sorted.Take(count).Select(scored => scored with { Loss = Loss(scored.Program, share) })
+                .OrderBy(scored => scored.Loss).ThenBy(scored => scored.Program.Unusual)];
         return sorted;
     }
 

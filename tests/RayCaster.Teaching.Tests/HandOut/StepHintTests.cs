@@ -45,11 +45,18 @@ public class StepHintTests
     [Theory]
     [InlineData("clip-depth")]
     [InlineData("far-plane")]
-    [InlineData("near-plane")]
     public void DividedDepthIsAWordingWhoseSymptomIsNotClaimed(string file)
     {
         var (hint, _) = Hint(file, 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
         Assert.StartsWith($"  Ask yourself: {MistakeCatalog.Named("zboth-t")!.Hint.Question}", hint);
+    }
+
+    /// <summary>With the divided depth nothing is nearer than zNear here, as if zNear was forgotten.</summary>
+    [Fact]
+    public void OfMistakesThatDrawTheSameTheUsualWordingIsNamed()
+    {
+        var (hint, _) = Hint("near-plane", 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
+        Assert.StartsWith(MistakeCatalog.Named("no-znear")!.Hint.Symptom, hint);
     }
 
     [Theory]
