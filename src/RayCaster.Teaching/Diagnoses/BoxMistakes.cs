@@ -5,6 +5,8 @@ namespace RayCaster.Teaching;
 /// <summary>In the formula of the box.</summary>
 internal static class BoxMistakes
 {
+    private const double endless = double.PositiveInfinity;
+
     public static Mistake[] All =>
     [
         new Mistake("slab-noswap", Concerns.Boxes, Slides.BoxParameters, "box: t0 and t1 not sorted, which is wrong where d is negative",
@@ -28,15 +30,13 @@ internal static class BoxMistakes
             .Or(Folds())
             .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
-        new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
-            cross(new(box.Min with { Z = double.NegativeInfinity }, box.Max with { Z = double.PositiveInfinity }), d)),
+        new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten",
+            Corners(box => new(box.Min with { Z = -endless }, box.Max with { Z = endless })),
             "Boxes are endless columns.",
             "How many slabs make a box?",
             "Do the same for x, y and z.")
-            .Or("box: the slab of x forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
-                cross(new(box.Min with { X = double.NegativeInfinity }, box.Max with { X = double.PositiveInfinity }), d)))
-            .Or("box: the slab of y forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
-                cross(new(box.Min with { Y = double.NegativeInfinity }, box.Max with { Y = double.PositiveInfinity }), d)))
+            .Or("box: the slab of x forgotten", Corners(box => new(box.Min with { X = -endless }, box.Max with { X = endless })))
+            .Or("box: the slab of y forgotten", Corners(box => new(box.Min with { Y = -endless }, box.Max with { Y = endless })))
             .Or(AxisSlips())
             .Or(from left in (int[])[1, 2, 4, 8, 16, 32, 12, 48, 60] select ($"box: asked axis by axis, without {Names(left)}", AxisByAxis(left))),
         new Mistake("slab-tmax", Concerns.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
@@ -88,24 +88,15 @@ internal static class BoxMistakes
             yield return ($"box: t_max with the way in of {axes[i]}", One(i, (_, _, _, slab) => slab with { Out = slab.In }));
             foreach (var k in (int[])[(i + 1) % 3, (i + 2) % 3])
             {
-                yield return ($"box: the slab of {axes[i]} divided by the {axes[k]} of d",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(i), d.At(k))));
-                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of P",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(k), d.At(i))));
                 yield return ($"box: t0 and t1 of {axes[i]} swapped where those of {axes[k]} should be", One(i, (box, P, d, _) =>
                     Faces(box.Min.At(i), box.Max.At(i), P.At(i), d.At(i)) is var (t0, t1) && d.At(k) < 0 ? (t1, t0) : (t0, t1)));
-                foreach (var (dk0, pk0, dk1, pk1) in ((int, int, int, int)[])[(k, i, i, i), (i, k, i, i), (i, i, k, i), (i, i, i, k)])
+                foreach (var wrong in (string[])["d0 d1", "P0 P1", "d0", "P0", "d1", "P1", "B0", "B1", "B0 B1"])
                 {
-                    var letter = axes[k] + (dk0 == k || dk1 == k ? " of d in t" : " of P in t") + (dk0 == k || pk0 == k ? "0" : "1");
-                    yield return ($"box: the slab of {axes[i]} with the {letter}", One(i, (box, P, d, _) =>
-                        Sorted((box.Min.At(i) - P.At(pk0)) / d.At(dk0), (box.Max.At(i) - P.At(pk1)) / d.At(dk1))));
+                    int Of(string letter) => wrong.Contains(letter) ? k : i;
+                    var (B0, P0, d0, B1, P1, d1) = (Of("B0"), Of("P0"), Of("d0"), Of("B1"), Of("P1"), Of("d1"));
+                    yield return ($"box: the slab of {axes[i]} with the {axes[k]} of {wrong} in (B0 − P0) / d0 and (B1 − P1) / d1", One(i,
+                        (box, P, d, _) => Sorted((box.Min.At(B0) - P.At(P0)) / d.At(d0), (box.Max.At(B1) - P.At(P1)) / d.At(d1))));
                 }
-                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(i), P.At(i), d.At(i))));
-                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B1",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(k), P.At(i), d.At(i))));
-                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0 and B1",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(k), P.At(i), d.At(i))));
             }
         }
     }
@@ -128,16 +119,13 @@ internal static class BoxMistakes
 
     /// <summary>t_min or t_max with another of Math.Min and Math.Max for two of the axes.</summary>
     private static IEnumerable<(string, Action<Lab>)> Folds() =>
-    [
-        ("box: t_min = max(x, min(y, z))", Folded((x, y, z) => Math.Max(x, Math.Min(y, z)), Least)),
-        ("box: t_min = min(x, max(y, z))", Folded((x, y, z) => Math.Min(x, Math.Max(y, z)), Least)),
-        ("box: t_min = max(min(x, y), z)", Folded((x, y, z) => Math.Max(Math.Min(x, y), z), Least)),
-        ("box: t_min = min(max(x, y), z)", Folded((x, y, z) => Math.Min(Math.Max(x, y), z), Least)),
-        ("box: t_max = min(x, max(y, z))", Folded(Greatest, (x, y, z) => Math.Min(x, Math.Max(y, z)))),
-        ("box: t_max = max(x, min(y, z))", Folded(Greatest, (x, y, z) => Math.Max(x, Math.Min(y, z)))),
-        ("box: t_max = min(max(x, y), z)", Folded(Greatest, (x, y, z) => Math.Min(Math.Max(x, y), z))),
-        ("box: t_max = max(min(x, y), z)", Folded(Greatest, (x, y, z) => Math.Max(Math.Min(x, y), z))),
-    ];
+        from fold in ((string Is, Func<double, double, double, double> Of)[])
+        [
+            ("max(x, min(y, z))", (x, y, z) => Math.Max(x, Math.Min(y, z))), ("min(x, max(y, z))", (x, y, z) => Math.Min(x, Math.Max(y, z))),
+            ("max(min(x, y), z)", (x, y, z) => Math.Max(Math.Min(x, y), z)), ("min(max(x, y), z)", (x, y, z) => Math.Min(Math.Max(x, y), z)),
+        ]
+        from wording in ((string, Action<Lab>)[])[($"box: t_min = {fold.Is}", Folded(fold.Of, Least)), ($"box: t_max = {fold.Is}", Folded(Greatest, fold.Of))]
+        select wording;
 
     private static Action<Lab> Folded(Func<double, double, double, double> lastIn, Func<double, double, double, double> firstOut) =>
         lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, lastIn, firstOut));
@@ -175,7 +163,7 @@ internal static class BoxMistakes
     private static string Of(int axis) => axis < 0 ? "" : $", for {"xyz"[axis]}";
 
     /// <summary>Another slab of each axis.</summary>
-    private static Action<Lab> Each(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Greatest, Least));
+    internal static Action<Lab> Each(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Greatest, Least));
 
     /// <summary>Another question about t_min and t_max than t_min ≤ t_max.</summary>
     private static Action<Lab> Asked(Func<double, double, bool> isHit) => lab => lab.Box.Is((box, d) =>

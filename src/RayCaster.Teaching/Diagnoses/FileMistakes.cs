@@ -99,6 +99,8 @@ internal static class FileMistakes
                 lab => lab.Row.Becomes(row => y => row(y) + 1)))
             .Or("line y shows row height − 2 − y, the last line none", Unwritten((x, y, width, height) => y == height - 1,
                 lab => lab.Row.Becomes(row => y => row(y) - 1)))
+            .Or("column x shows column x − 1, column 0 none", Unwritten((x, y, width, height) => x == 0,
+                lab => lab.Column.Becomes(column => x => column(x) - 1)))
             .Or("row 0 and column 0 are not drawn", Unwritten((x, y, width, height) => x == 0 || y == height - 1))
             .Or("the last row and the last column are not drawn", Unwritten((x, y, width, height) => x == width - 1 || y == 0))
             .Or("row 0 is not drawn", Unwritten((x, y, width, height) => y == height - 1))

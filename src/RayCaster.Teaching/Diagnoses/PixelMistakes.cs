@@ -28,6 +28,11 @@ internal static class PixelMistakes
             .Or("+ w / 2 and + h / 2", lab => Shift(lab, -0.5, -0.5))
             .Or("+ w / 2 for − w / 2", lab => Shift(lab, -0.5, 0.5))
             .Or("+ h / 2 for − h / 2", lab => Shift(lab, 0.5, -0.5))
+            .Or("(w c / width − w) / 2 and (h r / height − h) / 2: wrong brackets", lab =>
+            {
+                lab.Uc.Becomes(uc => c => (uc(c) + uc(0)) / 2);
+                lab.Ur.Becomes(ur => r => (ur(r) + ur(0)) / 2);
+            })
             .Or("− w for − w / 2", lab => Shift(lab, 1, 0.5))
             .Or("− h for − h / 2", lab => Shift(lab, 0.5, 1))
             .Or("− 1/2 where w / 2 and h / 2 are meant", lab =>

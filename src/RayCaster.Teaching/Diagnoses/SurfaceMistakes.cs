@@ -22,6 +22,8 @@ internal static class SurfaceMistakes
             .Or("plane and circle: (Q − P)·n / |d·n|",
                 PlaneReaders.At(Concerns.Planes | Concerns.Circles, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
             .Or("box: (P − B0) / d and (P − B1) / d", lab => lab.Box.Becomes(cross => (box, d) => cross(box, -d)))
+            .Or("box: (P − B0) / d for t0 alone", BoxMistakes.Each((lo, hi, origin, d) => Sorted((origin - lo) / d, (hi - origin) / d)))
+            .Or("box: (P − B1) / d for t1 alone", BoxMistakes.Each((lo, hi, origin, d) => Sorted((lo - origin) / d, (origin - hi) / d)))
             .Or("box: (B0 + P) / d and (B1 + P) / d",
                 lab => lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + 2 * lab.P, box.Max + 2 * lab.P), d))),
         new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.RayPlane,
@@ -88,6 +90,10 @@ internal static class SurfaceMistakes
                 var length = NormalOf(lab, triangle).Length;
                 return SlideFormulas.Triangle(lab, triangle, d, (u, v) => IsInside(length * u, length * v));
             }))
+            .Or("triangle: u + v ≤ 1 asked of volumes that are not divided by their sum", lab => lab.TriangleIs((triangle, d) =>
+                TriangleByVolumes(lab, triangle, d, inside: (u, v, sum) => u / sum >= 0 && v / sum >= 0 && u + v <= 1)))
+            .Or("triangle: u and v are volumes that are not divided by their sum", lab => lab.TriangleIs((triangle, d) =>
+                TriangleByVolumes(lab, triangle, d, inside: (u, v, _) => IsInside(u, v))))
             .Or(ThirdSide("u² + v² ≤ 1", (u, v) => u * u + v * v <= 1))
             .Or(ThirdSide("u + v ≤ 1/2", (u, v) => u + v <= 0.5))
             .Or(ThirdSide("u + v ≤ 2", (u, v) => u + v <= 2))
