@@ -10,14 +10,14 @@ internal static class BoxMistakes
     public static Mistake[] All =>
     [
         new Mistake("slab-noswap", Concerns.Boxes, Slides.BoxParameters, "box: t0 and t1 not sorted, which is wrong where d is negative",
-            Unsorted("xyz"),
+            For("xyz", Faces),
             "Boxes show from one side and vanish from another.",
             "Where d is negative, which face of a slab comes first?",
             "If t0 > t1, swap them, for each of x, y and z.")
-            .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", Unsorted(axes)))
-            .Or("box: t0 and t1 always swapped", Each((lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (t1, t0) : default))
-            .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t0 changed where both should be swapped{Of(axis)}", Half(axis, first: true)))
-            .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t1 changed where both should be swapped{Of(axis)}", Half(axis, first: false))),
+            .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", For(axes, Faces)))
+            .Or("box: t0 and t1 always swapped", For("xyz", (lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (t1, t0) : default))
+            .Or(from axes in (string[])["xyz", "x", "y", "z"] select ($"box: only t0 changed where both of {axes} should be swapped", Half(axes, first: true)))
+            .Or(from axes in (string[])["xyz", "x", "y", "z"] select ($"box: only t1 changed where both of {axes} should be swapped", Half(axes, first: false))),
         new Mistake("slab-minmin", Concerns.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
             Folded(Least, Least),
             "Boxes smear over the picture.",
@@ -110,12 +110,8 @@ internal static class BoxMistakes
         });
 
     /// <summary>t_min or t_max or both are those of one axis, as where each axis overwrites the one before.</summary>
-    private static Action<Lab> Alone(int axis, bool first, bool last) => lab => lab.Box.Is((box, d) =>
-    {
-        InSlab other = (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1)
-            ? (first ? double.NegativeInfinity : t0, last ? double.PositiveInfinity : t1) : default;
-        return Slabs(lab, box, d, (axis == 0 ? Slab : other, axis == 1 ? Slab : other, axis == 2 ? Slab : other), Greatest, Least);
-    });
+    private static Action<Lab> Alone(int axis, bool first, bool last) => For("xyz".Remove(axis, 1), (lo, hi, origin, d) =>
+        Slab(lo, hi, origin, d) is var (t0, t1) ? (first ? -endless : t0, last ? endless : t1) : default);
 
     /// <summary>t_min or t_max with another of Math.Min and Math.Max for two of the axes.</summary>
     private static IEnumerable<(string, Action<Lab>)> Folds() =>
@@ -130,13 +126,9 @@ internal static class BoxMistakes
     private static Action<Lab> Folded(Func<double, double, double, double> lastIn, Func<double, double, double, double> firstOut) =>
         lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, lastIn, firstOut));
 
-    /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays; for one axis, or with −1 for all.</summary>
-    private static Action<Lab> Half(int axis, bool first) => lab => lab.Box.Is((box, d) =>
-    {
-        InSlab half = (lo, hi, origin, direction) => Faces(lo, hi, origin, direction) is var (t0, t1) && t0 <= t1 ? (t0, t1)
-            : first ? (t1, t1) : (t0, t0);
-        return Slabs(lab, box, d, (axis is 0 or -1 ? half : Slab, axis is 1 or -1 ? half : Slab, axis is 2 or -1 ? half : Slab), Greatest, Least);
-    });
+    /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays.</summary>
+    private static Action<Lab> Half(string axes, bool first) => For(axes, (lo, hi, origin, d) =>
+        Faces(lo, hi, origin, d) is var (t0, t1) && t0 <= t1 ? (t0, t1) : first ? (t1, t1) : (t0, t0));
 
     /// <summary>The slide's way to ask: x first, then for y and for z whether they overlap with what there is, and what is left of it.</summary>
     /// <param name="left">Of these six steps those that are left out: bits 0 and 1 are the questions, 2 and 3 t_min, 4 and 5 t_max.</param>
@@ -160,19 +152,18 @@ internal static class BoxMistakes
         return string.Join(", ", steps.Where((_, i) => (left >> i & 1) != 0));
     }
 
-    private static string Of(int axis) => axis < 0 ? "" : $", for {"xyz"[axis]}";
+    /// <summary>Another slab of some axes, such as "xz".</summary>
+    internal static Action<Lab> For(string axes, InSlab slab)
+    {
+        var slabs = (Of('x'), Of('y'), Of('z'));
+        return lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slabs, Greatest, Least));
 
-    /// <summary>Another slab of each axis.</summary>
-    internal static Action<Lab> Each(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Greatest, Least));
+        InSlab Of(char axis) => axes.Contains(axis) ? slab : Slab;
+    }
 
     /// <summary>Another question about t_min and t_max than t_min ≤ t_max.</summary>
     private static Action<Lab> Asked(Func<double, double, bool> isHit) => lab => lab.Box.Is((box, d) =>
         Slabs(lab, box, d, (Slab, Slab, Slab), Greatest, Least, isHit));
 
     private static Action<Lab> Corners(Func<Aabb, Aabb> other) => lab => lab.Box.Becomes(cross => (box, d) => cross(other(box), d));
-
-    /// <summary>The first way in is the lower face's for these axes, whichever way the ray goes.</summary>
-    private static Action<Lab> Unsorted(string axes) => lab =>
-        lab.Box.Is((box, d) => Slabs(lab, box, d,
-            (axes.Contains('x') ? Faces : Slab, axes.Contains('y') ? Faces : Slab, axes.Contains('z') ? Faces : Slab), Greatest, Least));
 }
