@@ -16,8 +16,10 @@ internal static class BoxMistakes
             "If t0 > t1, swap them, for each of x, y and z.")
             .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", For(axes, Faces)))
             .Or("box: t0 and t1 always swapped", For("xyz", (lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (t1, t0) : default))
-            .Or(from axes in (string[])["xyz", "x", "y", "z"] select ($"box: only t0 changed where both of {axes} should be swapped", Half(axes, first: true)))
-            .Or(from axes in (string[])["xyz", "x", "y", "z"] select ($"box: only t1 changed where both of {axes} should be swapped", Half(axes, first: false))),
+            .Or(from axes in (string[])["xyz", "x", "y", "z"]
+                select ($"box: only t0 changed where both should be swapped, for {axes}", Half(axes, first: true)))
+            .Or(from axes in (string[])["xyz", "x", "y", "z"]
+                select ($"box: only t1 changed where both should be swapped, for {axes}", Half(axes, first: false))),
         new Mistake("slab-minmin", Concerns.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
             Folded(Least, Least),
             "Boxes smear over the picture.",
@@ -120,8 +122,8 @@ internal static class BoxMistakes
             ("max(x, min(y, z))", (x, y, z) => Math.Max(x, Math.Min(y, z))), ("min(x, max(y, z))", (x, y, z) => Math.Min(x, Math.Max(y, z))),
             ("max(min(x, y), z)", (x, y, z) => Math.Max(Math.Min(x, y), z)), ("min(max(x, y), z)", (x, y, z) => Math.Min(Math.Max(x, y), z)),
         ]
-        from wording in ((string, Action<Lab>)[])[($"box: t_min = {fold.Is}", Folded(fold.Of, Least)), ($"box: t_max = {fold.Is}", Folded(Greatest, fold.Of))]
-        select wording;
+        from isIn in (bool[])[true, false]
+        select ($"box: t_{(isIn ? "min" : "max")} = {fold.Is}", isIn ? Folded(fold.Of, Least) : Folded(Greatest, fold.Of));
 
     private static Action<Lab> Folded(Func<double, double, double, double> lastIn, Func<double, double, double, double> firstOut) =>
         lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, lastIn, firstOut));

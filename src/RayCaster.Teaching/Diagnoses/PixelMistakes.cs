@@ -6,17 +6,12 @@ internal static class PixelMistakes
     public static Mistake[] All =>
     [
         new Mistake("pix-int", Concerns.Camera, Slides.PixelTranslation, "w · (c / width), divided in integers: always 0",
-            lab =>
-            {
-                lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(c / lab.Camera.Width)));
-                lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(r / lab.Camera.Height)));
-            },
+            WholeColumns + WholeRows,
             "The picture has one colour, or stripes: all rays of it, of a line or of a column are the same.",
             "What is c / width in C#, where both are int?",
             "uc = w · c / width − w / 2, from left to right: w is a double, so no integers are divided.")
-            .Or("only c / width is divided in integers", lab => lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(c / lab.Camera.Width))))
-            .Or("only r / height is divided in integers",
-                lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(r / lab.Camera.Height)))),
+            .Or("only c / width is divided in integers", WholeColumns)
+            .Or("only r / height is divided in integers", WholeRows),
         new Mistake("no-center", Concerns.Camera, Slides.PixelTranslation, "uc and ur without − w / 2 and − h / 2",
             lab => Shift(lab, 0, 0),
             "What should be in the middle is at a corner or at an edge.",
@@ -65,6 +60,12 @@ internal static class PixelMistakes
             "uc = w c / width − w / 2, ur = h r / height − h / 2.")
             .Or(SidesMixed().Skip(1)),
     ];
+
+    private static Action<Lab> WholeColumns =>
+        lab => lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(c / lab.Camera.Width)));
+
+    private static Action<Lab> WholeRows =>
+        lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(r / lab.Camera.Height)));
 
     /// <summary>Each place where a letter of the picture's other side may stand in uc and in ur; first both divided by the other side.</summary>
     private static IEnumerable<(string Cause, Action<Lab> Deviate)> SidesMixed()

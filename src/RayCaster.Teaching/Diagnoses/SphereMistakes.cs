@@ -16,7 +16,7 @@ internal static class SphereMistakes
             .Or("sphere: R⁴ where R² is meant", SphereRadius(R => R * R))
             .Or("sphere: D² > R asked where D² > R² is meant", Sphere((R, tca, D2) => D2 > R ? None : Roots(tca, Math.Sqrt(R * R - D2))))
             .Or("sphere: thc = √(R − D²), and D² > R² asked rightly", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(R - D2))))
-            .Or("sphere: thc = √(2 R − D²), and D² > R² asked rightly", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(2 * R - D2))))
+            .Or("sphere: thc = √(2 R − D²), D² > R² asked rightly", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(2 * R - D2))))
             .Or("sphere: D > R² asked where D > R is meant", Sphere((R, tca, D2) => D2 > R * R * R * R ? None : Roots(tca, Math.Sqrt(R * R - D2)))),
         new Mistake("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
             NoNumberHits((t, best) => !(t >= best)), // the same for numbers

@@ -50,7 +50,8 @@ internal static class VectorMistakes
                 from unit in (Func<Vector3, Vector3>[])[a => part.Of(a / a.Length, a), a => part.Of(a, a / a.Length)]
                 from wording in Units($"normalised in {part.Name} alone", unit) select wording)
             .Or(from part in Parts
-                select ($"d normalised, but not its {part.Name}", (Action<Lab>)(lab => lab.Direction.Is(d => part.Of(d, d / d.Length))) + AllowAnyLength))
+                select ($"d normalised, but not its {part.Name}",
+                    (Action<Lab>)(lab => lab.Direction.Is(d => part.Of(d, d / d.Length))) + AllowAnyLength))
             .Or(Units("each component divided by a length that has changed by then", a =>
             {
                 a = a with { X = a.X / a.Length };
@@ -75,12 +76,9 @@ internal static class VectorMistakes
             .Or(Lengths("|a| = (x² + y² + z²) / 2", a => a * a / 2))
             .Or(Lengths("|a| with its root taken twice", a => Math.Sqrt(a.Length)))
             .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
-            .Or("W is divided by x² + y² + z²", lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p)))
-            .Or("W is divided by x² + y² + z², but V is of length 1", lab =>
-            {
-                lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p));
-                lab.AxisV.Becomes(V => (w, u) => lab.Unit.Do(V(w, u)));
-            })
+            .Or("W is divided by x² + y² + z²", ShortenW)
+            .Or("W is divided by x² + y² + z², but V is of length 1",
+                ShortenW + (lab => lab.AxisV.Becomes(V => (w, u) => lab.Unit.Do(V(w, u)))))
             .Or("U is divided by x² + y² + z²",
                 lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
             .Or(WithBothSpheres("d is divided by x² + y² + z²", lab => lab.Direction.Is(d => d / (d * d))))
@@ -145,6 +143,8 @@ internal static class VectorMistakes
     });
 
     private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur));
+
+    private static Action<Lab> ShortenW => lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p));
 
     /// <summary>uc U + ur V − |T − P| W.</summary>
     private static Vector3 Farther(Lab lab, Func<double, double, Vector3> towards, double uc, double ur)
