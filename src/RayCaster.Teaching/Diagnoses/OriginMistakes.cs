@@ -38,12 +38,7 @@ internal static class OriginMistakes
             .Or("box: B1 / d, without P", BoxMistakes.For("xyz", (lo, hi, origin, d) => Sorted((lo - origin) / d, hi / d)))
             .Or(from axis in (int[])[0, 1, 2] select ($"box: without P, for {"xyz"[axis]}",
                 BoxMistakes.One(axis, (box, _, d, _) => Slab(box.Min.At(axis), box.Max.At(axis), 0, d.At(axis)))))
-            .Or("every shape: the ray starts at the origin of the world", WithoutP(Shapes))
-            .Or(from shape in ((string Is, Concerns Kind)[])
-                [
-                    ("plane: (Q − T)·n", Concerns.Planes), ("sphere: L = C − T", Concerns.Spheres), ("box: B0 − T and B1 − T", Concerns.Boxes),
-                ]
-                select ($"{shape.Is}, with T for P", From(lab => lab.T, shape.Kind))),
+            .Or("every shape: the ray starts at the origin of the world", WithoutP(Shapes)),
     ];
 
     private static string Names(Concerns shapes) =>
@@ -64,12 +59,10 @@ internal static class OriginMistakes
             lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, IsInside, at: t => X(lab.P, t, d)));
     };
 
-    private static Action<Lab> WithoutP(Concerns shapes) => From(_ => Vector3.Zero, shapes);
-
-    /// <summary>What has its ray start at a point lies, seen from P, as much farther on as P is from there.</summary>
-    private static Action<Lab> From(Func<Lab, Vector3> point, Concerns shapes) => lab =>
+    /// <summary>What has its ray start at the origin lies, seen from P, as much farther on as P is from there.</summary>
+    private static Action<Lab> WithoutP(Concerns shapes) => lab =>
     {
-        var P = lab.P - point(lab);
+        var P = lab.P;
         if (shapes.HasFlag(Concerns.Planes)) lab.Plane.Becomes(cross => (plane, d) => cross(plane with { Point = plane.Point + P }, d));
         if (shapes.HasFlag(Concerns.Spheres)) lab.Sphere.Becomes(cross => (sphere, d) => cross(sphere with { Center = sphere.Center + P }, d));
         if (shapes.HasFlag(Concerns.Boxes)) lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + P, box.Max + P), d));
