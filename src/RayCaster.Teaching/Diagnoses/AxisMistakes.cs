@@ -73,6 +73,8 @@ internal static class AxisMistakes
             .Or(from signs in ((string U, string V, int OfU, int OfV)[])[("", "−", 1, -1), ("−", "", -1, 1), ("−", "−", -1, -1)]
                 select ($"d = {signs.U}ur U + {signs.V}uc V − W", (Action<Lab>)(lab => lab.Towards.Becomes(towards => (uc, ur) =>
                     towards(signs.OfU * ur, signs.OfV * uc)))))
+            .Or("uc = w r / width − w / 2", lab => lab.Sample.Becomes(sample => (_, r) => sample(r, r)))
+            .Or("ur = h c / height − h / 2", lab => lab.Sample.Becomes(sample => (c, _) => sample(c, c)))
             .Or("d = uc U + uc V − W", lab => lab.Towards.Becomes(towards => (uc, _) => towards(uc, uc)))
             .Or("d = ur U + ur V − W", lab => lab.Towards.Becomes(towards => (_, ur) => towards(ur, ur)))
             .Or("d = uc U + ur U − W", lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc + ur, 0)))

@@ -5,17 +5,21 @@ namespace RayCaster.Teaching;
 /// <summary>In the formula of the box.</summary>
 internal static class BoxMistakes
 {
+    private const double endless = double.PositiveInfinity;
+
     public static Mistake[] All =>
     [
         new Mistake("slab-noswap", Concerns.Boxes, Slides.BoxParameters, "box: t0 and t1 not sorted, which is wrong where d is negative",
-            Unsorted("xyz"),
+            For("xyz", Faces),
             "Boxes show from one side and vanish from another.",
             "Where d is negative, which face of a slab comes first?",
             "If t0 > t1, swap them, for each of x, y and z.")
-            .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", Unsorted(axes)))
-            .Or("box: t0 and t1 always swapped", Each((lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (t1, t0) : default))
-            .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t0 changed where both should be swapped{Of(axis)}", Half(axis, first: true)))
-            .Or(from axis in (int[])[-1, 0, 1, 2] select ($"box: only t1 changed where both should be swapped{Of(axis)}", Half(axis, first: false))),
+            .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", For(axes, Faces)))
+            .Or("box: t0 and t1 always swapped", For("xyz", (lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (t1, t0) : default))
+            .Or(from axes in (string[])["xyz", "x", "y", "z"]
+                select ($"box: only t0 changed where both should be swapped, for {axes}", Half(axes, first: true)))
+            .Or(from axes in (string[])["xyz", "x", "y", "z"]
+                select ($"box: only t1 changed where both should be swapped, for {axes}", Half(axes, first: false))),
         new Mistake("slab-minmin", Concerns.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
             Folded(Least, Least),
             "Boxes smear over the picture.",
@@ -28,15 +32,13 @@ internal static class BoxMistakes
             .Or(Folds())
             .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
-        new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
-            cross(new(box.Min with { Z = double.NegativeInfinity }, box.Max with { Z = double.PositiveInfinity }), d)),
+        new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten",
+            Corners(box => new(box.Min with { Z = -endless }, box.Max with { Z = endless })),
             "Boxes are endless columns.",
             "How many slabs make a box?",
             "Do the same for x, y and z.")
-            .Or("box: the slab of x forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
-                cross(new(box.Min with { X = double.NegativeInfinity }, box.Max with { X = double.PositiveInfinity }), d)))
-            .Or("box: the slab of y forgotten", lab => lab.Box.Becomes(cross => (box, d) =>
-                cross(new(box.Min with { Y = double.NegativeInfinity }, box.Max with { Y = double.PositiveInfinity }), d)))
+            .Or("box: the slab of x forgotten", Corners(box => new(box.Min with { X = -endless }, box.Max with { X = endless })))
+            .Or("box: the slab of y forgotten", Corners(box => new(box.Min with { Y = -endless }, box.Max with { Y = endless })))
             .Or(AxisSlips())
             .Or(from left in (int[])[1, 2, 4, 8, 16, 32, 12, 48, 60] select ($"box: asked axis by axis, without {Names(left)}", AxisByAxis(left))),
         new Mistake("slab-tmax", Concerns.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
@@ -88,24 +90,15 @@ internal static class BoxMistakes
             yield return ($"box: t_max with the way in of {axes[i]}", One(i, (_, _, _, slab) => slab with { Out = slab.In }));
             foreach (var k in (int[])[(i + 1) % 3, (i + 2) % 3])
             {
-                yield return ($"box: the slab of {axes[i]} divided by the {axes[k]} of d",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(i), d.At(k))));
-                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of P",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(i), P.At(k), d.At(i))));
                 yield return ($"box: t0 and t1 of {axes[i]} swapped where those of {axes[k]} should be", One(i, (box, P, d, _) =>
                     Faces(box.Min.At(i), box.Max.At(i), P.At(i), d.At(i)) is var (t0, t1) && d.At(k) < 0 ? (t1, t0) : (t0, t1)));
-                foreach (var (dk0, pk0, dk1, pk1) in ((int, int, int, int)[])[(k, i, i, i), (i, k, i, i), (i, i, k, i), (i, i, i, k)])
+                foreach (var wrong in (string[])["d0 d1", "P0 P1", "d0", "P0", "d1", "P1", "B0", "B1", "B0 B1"])
                 {
-                    var letter = axes[k] + (dk0 == k || dk1 == k ? " of d in t" : " of P in t") + (dk0 == k || pk0 == k ? "0" : "1");
-                    yield return ($"box: the slab of {axes[i]} with the {letter}", One(i, (box, P, d, _) =>
-                        Sorted((box.Min.At(i) - P.At(pk0)) / d.At(dk0), (box.Max.At(i) - P.At(pk1)) / d.At(dk1))));
+                    int Of(string letter) => wrong.Contains(letter) ? k : i;
+                    var (B0, P0, d0, B1, P1, d1) = (Of("B0"), Of("P0"), Of("d0"), Of("B1"), Of("P1"), Of("d1"));
+                    yield return ($"box: the slab of {axes[i]} with the {axes[k]} of {wrong} in (B0 − P0) / d0 and (B1 − P1) / d1", One(i,
+                        (box, P, d, _) => Sorted((box.Min.At(B0) - P.At(P0)) / d.At(d0), (box.Max.At(B1) - P.At(P1)) / d.At(d1))));
                 }
-                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(i), P.At(i), d.At(i))));
-                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B1",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(i), box.Max.At(k), P.At(i), d.At(i))));
-                yield return ($"box: the slab of {axes[i]} with the {axes[k]} of B0 and B1",
-                    One(i, (box, P, d, _) => Slab(box.Min.At(k), box.Max.At(k), P.At(i), d.At(i))));
             }
         }
     }
@@ -119,36 +112,25 @@ internal static class BoxMistakes
         });
 
     /// <summary>t_min or t_max or both are those of one axis, as where each axis overwrites the one before.</summary>
-    private static Action<Lab> Alone(int axis, bool first, bool last) => lab => lab.Box.Is((box, d) =>
-    {
-        InSlab other = (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1)
-            ? (first ? double.NegativeInfinity : t0, last ? double.PositiveInfinity : t1) : default;
-        return Slabs(lab, box, d, (axis == 0 ? Slab : other, axis == 1 ? Slab : other, axis == 2 ? Slab : other), Greatest, Least);
-    });
+    private static Action<Lab> Alone(int axis, bool first, bool last) => For("xyz".Remove(axis, 1), (lo, hi, origin, d) =>
+        Slab(lo, hi, origin, d) is var (t0, t1) ? (first ? -endless : t0, last ? endless : t1) : default);
 
     /// <summary>t_min or t_max with another of Math.Min and Math.Max for two of the axes.</summary>
     private static IEnumerable<(string, Action<Lab>)> Folds() =>
-    [
-        ("box: t_min = max(x, min(y, z))", Folded((x, y, z) => Math.Max(x, Math.Min(y, z)), Least)),
-        ("box: t_min = min(x, max(y, z))", Folded((x, y, z) => Math.Min(x, Math.Max(y, z)), Least)),
-        ("box: t_min = max(min(x, y), z)", Folded((x, y, z) => Math.Max(Math.Min(x, y), z), Least)),
-        ("box: t_min = min(max(x, y), z)", Folded((x, y, z) => Math.Min(Math.Max(x, y), z), Least)),
-        ("box: t_max = min(x, max(y, z))", Folded(Greatest, (x, y, z) => Math.Min(x, Math.Max(y, z)))),
-        ("box: t_max = max(x, min(y, z))", Folded(Greatest, (x, y, z) => Math.Max(x, Math.Min(y, z)))),
-        ("box: t_max = min(max(x, y), z)", Folded(Greatest, (x, y, z) => Math.Min(Math.Max(x, y), z))),
-        ("box: t_max = max(min(x, y), z)", Folded(Greatest, (x, y, z) => Math.Max(Math.Min(x, y), z))),
-    ];
+        from fold in ((string Is, Func<double, double, double, double> Of)[])
+        [
+            ("max(x, min(y, z))", (x, y, z) => Math.Max(x, Math.Min(y, z))), ("min(x, max(y, z))", (x, y, z) => Math.Min(x, Math.Max(y, z))),
+            ("max(min(x, y), z)", (x, y, z) => Math.Max(Math.Min(x, y), z)), ("min(max(x, y), z)", (x, y, z) => Math.Min(Math.Max(x, y), z)),
+        ]
+        from isIn in (bool[])[true, false]
+        select ($"box: t_{(isIn ? "min" : "max")} = {fold.Is}", isIn ? Folded(fold.Of, Least) : Folded(Greatest, fold.Of));
 
     private static Action<Lab> Folded(Func<double, double, double, double> lastIn, Func<double, double, double, double> firstOut) =>
         lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, lastIn, firstOut));
 
-    /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays; for one axis, or with −1 for all.</summary>
-    private static Action<Lab> Half(int axis, bool first) => lab => lab.Box.Is((box, d) =>
-    {
-        InSlab half = (lo, hi, origin, direction) => Faces(lo, hi, origin, direction) is var (t0, t1) && t0 <= t1 ? (t0, t1)
-            : first ? (t1, t1) : (t0, t0);
-        return Slabs(lab, box, d, (axis is 0 or -1 ? half : Slab, axis is 1 or -1 ? half : Slab, axis is 2 or -1 ? half : Slab), Greatest, Least);
-    });
+    /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays.</summary>
+    private static Action<Lab> Half(string axes, bool first) => For(axes, (lo, hi, origin, d) =>
+        Faces(lo, hi, origin, d) is var (t0, t1) && t0 <= t1 ? (t0, t1) : first ? (t1, t1) : (t0, t0));
 
     /// <summary>The slide's way to ask: x first, then for y and for z whether they overlap with what there is, and what is left of it.</summary>
     /// <param name="left">Of these six steps those that are left out: bits 0 and 1 are the questions, 2 and 3 t_min, 4 and 5 t_max.</param>
@@ -172,19 +154,18 @@ internal static class BoxMistakes
         return string.Join(", ", steps.Where((_, i) => (left >> i & 1) != 0));
     }
 
-    private static string Of(int axis) => axis < 0 ? "" : $", for {"xyz"[axis]}";
+    /// <summary>Another slab of some axes, such as "xz".</summary>
+    internal static Action<Lab> For(string axes, InSlab slab)
+    {
+        var slabs = (Of('x'), Of('y'), Of('z'));
+        return lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slabs, Greatest, Least));
 
-    /// <summary>Another slab of each axis.</summary>
-    private static Action<Lab> Each(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Greatest, Least));
+        InSlab Of(char axis) => axes.Contains(axis) ? slab : Slab;
+    }
 
     /// <summary>Another question about t_min and t_max than t_min ≤ t_max.</summary>
     private static Action<Lab> Asked(Func<double, double, bool> isHit) => lab => lab.Box.Is((box, d) =>
         Slabs(lab, box, d, (Slab, Slab, Slab), Greatest, Least, isHit));
 
     private static Action<Lab> Corners(Func<Aabb, Aabb> other) => lab => lab.Box.Becomes(cross => (box, d) => cross(other(box), d));
-
-    /// <summary>The first way in is the lower face's for these axes, whichever way the ray goes.</summary>
-    private static Action<Lab> Unsorted(string axes) => lab =>
-        lab.Box.Is((box, d) => Slabs(lab, box, d,
-            (axes.Contains('x') ? Faces : Slab, axes.Contains('y') ? Faces : Slab, axes.Contains('z') ? Faces : Slab), Greatest, Least));
 }

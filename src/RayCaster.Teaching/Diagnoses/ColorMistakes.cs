@@ -95,11 +95,7 @@ internal static class ColorMistakes
             .Or("1 − t / (2 zFar)", Fade((t, _, camera) => 1 - t / (2 * camera.ZFar)))
             .Or("1 − t / (zFar − zNear)", Fade((t, _, camera) => 1 - t / (camera.ZFar - camera.ZNear)))
             .Or("1 − t² / zFar²", Fade((t, _, camera) => 1 - t * t / (camera.ZFar * camera.ZFar)))
-            .Or("1 − depth / zFar", lab =>
-            {
-                Fade((t, _, camera) => 1 - t / camera.ZFar)(lab);
-                lab.Distance.Is((t, d) => lab.Depth.Do(t, d));
-            })
+            .Or("1 − depth / zFar", Fade((t, _, camera) => 1 - t / camera.ZFar) + (lab => lab.Distance.Is((t, d) => lab.Depth.Do(t, d))))
             .Or("1 − (t − zNear) / (zFar − zNear)", Fade((t, _, camera) => 1 - (t - camera.ZNear) / (camera.ZFar - camera.ZNear))),
         new Mistake("noclamp", Concerns.Color, Slides.Template, "nothing is clamped to 0 … 1, so that a byte wraps round",
             Wraps(channel => channel, channel => 255 * channel + 0.5),

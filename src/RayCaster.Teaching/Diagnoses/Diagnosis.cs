@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace RayCaster.Teaching;
 
 /// <summary>What a diagnosis comes to.</summary>
@@ -239,6 +241,7 @@ public sealed class Diagnosis
                let trial = mistake.Wordings.Select(wording => best with { Base = rest, Wordings = [.. best.Wordings, wording] })
                    .FirstOrDefault(trial => evidence.AreAlike(trial.Draw(prepared.Scene), without))
                where trial is not null
+               orderby trial.Wordings[^1] != mistake, BitOperations.PopCount((uint)mistake.Concerns) // the commonest, then those of few shapes
                select trial;
     }
 

@@ -125,7 +125,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     /// <summary>The nearest single mistakes, each with those others that explain most of what it leaves.</summary>
     private List<WrongProgram> Pairs(List<WrongProgram> singles, int partners) =>
     [
-        .. from first in singles.Where(trial => trial.Wordings.Count == 1).DistinctBy(trial => (trial.Id, trial.OtherSample)).Take(partners)
+        .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)]).Take(partners + 1)
            let left = evidence.Beside(first.Draw(scene))
            let seconds = from other in known
                          where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
@@ -134,6 +134,12 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
            from pair in Measured(Measured([.. seconds], Glance, left)[..Math.Min(60, seconds.Count())], 0.03, left).Take(Seconds)
            select pair,
     ];
+
+    /// <summary>The nearest wording of each mistake; first the next one of a mistake that explains nearly all: a second may make it right.</summary>
+    private IEnumerable<WrongProgram> Firsts(List<WrongProgram> singles) =>
+        singles.Where(trial => singles[0].Misfit.Unexplained < 0.1 * Wrong && trial.Id == singles[0].Id
+            && trial.OtherSample == singles[0].OtherSample && trial.Misfit != singles[0].Misfit).Take(1)
+        .Concat(singles.DistinctBy(trial => (trial.Id, trial.OtherSample)));
 
     /// <summary>All pairs of mistakes that change everything, so that neither is near by itself, in their commonest and nearest wordings.</summary>
     /// <param name="singles">Every mistake in every wording, the nearest first.</param>

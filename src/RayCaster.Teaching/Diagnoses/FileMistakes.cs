@@ -16,32 +16,13 @@ internal static class FileMistakes
             "Column 0 is at the left, in the slide and in the file. Is it in yours?",
             "Column x = c."),
         new Mistake("transpose", Concerns.File, Slides.Template, "row and column swapped in the picture",
-            lab =>
-            {
-                lab.SwapSides();
-                lab.Shown.Becomes(shown => (x, y) => shown(y, x));
-            },
+            Turned((x, y, _, _) => (y, x)),
             "The picture is mirrored at its diagonal.",
             "Which index comes first where you store a pixel, and which where you write it?",
             "Pixel (x, y) is column x of line y; lines are written one after another.")
-            .Or("the picture turned by 90 degrees", lab =>
-            {
-                lab.SwapSides();
-                var last = lab.Width - 1;
-                lab.Shown.Becomes(shown => (x, y) => shown(y, last - x));
-            })
-            .Or("the picture turned by 90 degrees, the other way", lab =>
-            {
-                lab.SwapSides();
-                var last = lab.Height - 1;
-                lab.Shown.Becomes(shown => (x, y) => shown(last - y, x));
-            })
-            .Or("row and column swapped, both counted from the other end", lab =>
-            {
-                lab.SwapSides();
-                var (right, bottom) = (lab.Width - 1, lab.Height - 1);
-                lab.Shown.Becomes(shown => (x, y) => shown(bottom - y, right - x));
-            })
+            .Or("the picture turned by 90 degrees", Turned((x, y, width, _) => (y, width - 1 - x)))
+            .Or("the picture turned by 90 degrees, the other way", Turned((x, y, _, height) => (height - 1 - y, x)))
+            .Or("row and column swapped, both counted from the other end", Turned((x, y, width, height) => (height - 1 - y, width - 1 - x)))
             .Or("row and column swapped when the ray is cast", lab => lab.Sample.Becomes(sample => (c, r) => sample(r, c)))
             .Or("row and column swapped when the ray is cast, each divided by its own side",
                 lab => lab.Sample.Becomes(sample => (c, r) => sample(r * lab.Wide, c * lab.Tall)))
@@ -66,12 +47,7 @@ internal static class FileMistakes
             .Or("blue twice, no red", Order((_, g, b) => (b, g, b)))
             .Or("blue twice, no green", Order((r, _, b) => (r, b, b))),
         new("whswap", Concerns.File, Slides.Template, "width and height swapped in the file's header",
-            lab =>
-            {
-                lab.SwapSides();
-                var (old, now) = (lab.Height, lab.Width);
-                lab.Shown.Becomes(shown => (x, y) => shown((y * now + x) % old, (y * now + x) / old));
-            },
+            Turned((x, y, width, height) => ((y * width + x) % height, (y * width + x) / height)),
             "The picture is sheared into stripes, and its sides are swapped.",
             "Which of the two numbers comes first in the header?",
             "Width, then height."),
@@ -99,6 +75,8 @@ internal static class FileMistakes
                 lab => lab.Row.Becomes(row => y => row(y) + 1)))
             .Or("line y shows row height − 2 − y, the last line none", Unwritten((x, y, width, height) => y == height - 1,
                 lab => lab.Row.Becomes(row => y => row(y) - 1)))
+            .Or("column x shows column x − 1, column 0 none", Unwritten((x, y, width, height) => x == 0,
+                lab => lab.Column.Becomes(column => x => column(x) - 1)))
             .Or("row 0 and column 0 are not drawn", Unwritten((x, y, width, height) => x == 0 || y == height - 1))
             .Or("the last row and the last column are not drawn", Unwritten((x, y, width, height) => x == width - 1 || y == 0))
             .Or("row 0 is not drawn", Unwritten((x, y, width, height) => y == height - 1))
@@ -106,6 +84,14 @@ internal static class FileMistakes
             .Or("column 0 is not drawn", Unwritten((x, y, width, height) => x == 0))
             .Or("the last column is not drawn", Unwritten((x, y, width, height) => x == width - 1)),
     ];
+
+    /// <summary>Width and height swapped, and (x, y, width, height) of the file → the place in the picture that it shows.</summary>
+    private static Action<Lab> Turned(Func<int, int, int, int, (int X, int Y)> place) => lab =>
+    {
+        lab.SwapSides();
+        var (width, height) = (lab.Width, lab.Height);
+        lab.Shown.Becomes(shown => (x, y) => place(x, y, width, height) is var from ? shown(from.X, from.Y) : default);
+    };
 
     /// <summary>The file has the picture's columns one after another.</summary>
     private static Action<Lab> ByColumns(bool down) => lab => lab.Shown.Becomes(shown =>

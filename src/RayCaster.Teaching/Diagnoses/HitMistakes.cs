@@ -6,11 +6,7 @@ internal static class HitMistakes
     public static Mistake[] All =>
     [
         new Mistake("no-t0", Concerns.Hit, Slides.Bias, "no least t at all: what lies behind the camera shows",
-            lab =>
-            {
-                lab.Ahead.Is(t => t > double.NegativeInfinity);
-                lab.Near.Is((_, _) => true);
-            },
+            Bias(double.NegativeInfinity),
             "Things from behind the camera are in the picture, upside down and glaring.",
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
@@ -140,19 +136,11 @@ internal static class HitMistakes
             .Or("zNear and zFar ignored for spheres", Unclipped(Concerns.Spheres, near: true, far: true))
             .Or("zNear and zFar asked for planes alone", Unclipped(~Concerns.Planes, near: true, far: true)),
         new Mistake("bias-big", Concerns.Hit, Slides.Bias, "a bias of 1 in place of zNear",
-            lab =>
-            {
-                lab.Ahead.Is(t => t > 1);
-                lab.Near.Is((_, _) => true);
-            },
+            Bias(1),
             "What is close to the camera is cut at a wrong place.",
             "What is the bias for, and what is zNear for?",
             "t > bias with the scene's tiny bias, and zNear as a test of its own.")
-            .Or("a bias of 0.1 in place of zNear", lab =>
-            {
-                lab.Ahead.Is(t => t > 0.1);
-                lab.Near.Is((_, _) => true);
-            }),
+            .Or("a bias of 0.1 in place of zNear", Bias(0.1)),
         new("clip-root", Concerns.Hit, Slides.ClipPlanes,
             "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",
             lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),
@@ -162,6 +150,12 @@ internal static class HitMistakes
     ];
 
     private static Action<Lab> Both => lab => lab.OffersBoth = true;
+
+    private static Action<Lab> Bias(double bias) => lab =>
+    {
+        lab.Ahead.Is(t => t > bias);
+        lab.Near.Is((_, _) => true);
+    };
 
     private static Action<Lab> Farthest => lab =>
     {

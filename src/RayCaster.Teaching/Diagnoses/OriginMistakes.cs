@@ -34,8 +34,8 @@ internal static class OriginMistakes
             .Or("sphere: c = C² − R², without P", SphereMistakes.Quadratic((P, C) => P - C, (P, C) => C))
             .Or("sphere: c = P² − R², without C", SphereMistakes.Quadratic((P, C) => P - C, (P, C) => P))
             .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))
-            .Or("box: B0 / d, without P", Box((lo, hi, origin, d) => Sorted(lo / d, (hi - origin) / d)))
-            .Or("box: B1 / d, without P", Box((lo, hi, origin, d) => Sorted((lo - origin) / d, hi / d)))
+            .Or("box: B0 / d, without P", BoxMistakes.For("xyz", (lo, hi, origin, d) => Sorted(lo / d, (hi - origin) / d)))
+            .Or("box: B1 / d, without P", BoxMistakes.For("xyz", (lo, hi, origin, d) => Sorted((lo - origin) / d, hi / d)))
             .Or(from axis in (int[])[0, 1, 2] select ($"box: without P, for {"xyz"[axis]}",
                 BoxMistakes.One(axis, (box, _, d, _) => Slab(box.Min.At(axis), box.Max.At(axis), 0, d.At(axis)))))
             .Or("every shape: the ray starts at the origin of the world", WithoutP(Shapes)),
@@ -71,6 +71,4 @@ internal static class OriginMistakes
         lab.Triangle.Becomes(cross => (triangle, d) => cross(new(triangle.A + P, triangle.B + P, triangle.C + P), d));
         lab.TrianglesReachOut = true;
     };
-
-    private static Action<Lab> Box(InSlab slab) => lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slab, Greatest, Least));
 }

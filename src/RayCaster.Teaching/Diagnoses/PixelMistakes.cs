@@ -6,17 +6,12 @@ internal static class PixelMistakes
     public static Mistake[] All =>
     [
         new Mistake("pix-int", Concerns.Camera, Slides.PixelTranslation, "w · (c / width), divided in integers: always 0",
-            lab =>
-            {
-                lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(c / lab.Camera.Width)));
-                lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(r / lab.Camera.Height)));
-            },
+            WholeColumns + WholeRows,
             "The picture has one colour, or stripes: all rays of it, of a line or of a column are the same.",
             "What is c / width in C#, where both are int?",
             "uc = w · c / width − w / 2, from left to right: w is a double, so no integers are divided.")
-            .Or("only c / width is divided in integers", lab => lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(c / lab.Camera.Width))))
-            .Or("only r / height is divided in integers",
-                lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(r / lab.Camera.Height)))),
+            .Or("only c / width is divided in integers", WholeColumns)
+            .Or("only r / height is divided in integers", WholeRows),
         new Mistake("no-center", Concerns.Camera, Slides.PixelTranslation, "uc and ur without − w / 2 and − h / 2",
             lab => Shift(lab, 0, 0),
             "What should be in the middle is at a corner or at an edge.",
@@ -28,6 +23,11 @@ internal static class PixelMistakes
             .Or("+ w / 2 and + h / 2", lab => Shift(lab, -0.5, -0.5))
             .Or("+ w / 2 for − w / 2", lab => Shift(lab, -0.5, 0.5))
             .Or("+ h / 2 for − h / 2", lab => Shift(lab, 0.5, -0.5))
+            .Or("(w c / width − w) / 2 and (h r / height − h) / 2: wrong brackets", lab =>
+            {
+                lab.Uc.Becomes(uc => c => (uc(c) + uc(0)) / 2);
+                lab.Ur.Becomes(ur => r => (ur(r) + ur(0)) / 2);
+            })
             .Or("− w for − w / 2", lab => Shift(lab, 1, 0.5))
             .Or("− h for − h / 2", lab => Shift(lab, 0.5, 1))
             .Or("− 1/2 where w / 2 and h / 2 are meant", lab =>
@@ -60,6 +60,12 @@ internal static class PixelMistakes
             "uc = w c / width − w / 2, ur = h r / height − h / 2.")
             .Or(SidesMixed().Skip(1)),
     ];
+
+    private static Action<Lab> WholeColumns =>
+        lab => lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(c / lab.Camera.Width)));
+
+    private static Action<Lab> WholeRows =>
+        lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(r / lab.Camera.Height)));
 
     /// <summary>Each place where a letter of the picture's other side may stand in uc and in ur; first both divided by the other side.</summary>
     private static IEnumerable<(string Cause, Action<Lab> Deviate)> SidesMixed()

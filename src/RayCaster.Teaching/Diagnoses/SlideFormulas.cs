@@ -109,7 +109,8 @@ internal static class SlideFormulas
     }
 
     /// <summary>The same as the hand-out has it: w, u and v are shares of the volumes that d spans with the corners seen from P.</summary>
-    public static Crossed TriangleByVolumes(Lab lab, Triangle triangle, Vector3 d, Vector3? from = null, Vector3? signs = null)
+    public static Crossed TriangleByVolumes(Lab lab, Triangle triangle, Vector3 d, Vector3? from = null, Vector3? signs = null,
+        Func<double, double, double, bool>? inside = null)
     {
         var (_, t) = CrossPlane(lab, triangle, d);
         if (!lab.Counts(t, d)) return None;
@@ -117,7 +118,7 @@ internal static class SlideFormulas
         var (a, b, c) = (triangle.A - P, triangle.B - P, triangle.C - P);
         var (w, u, v) = (sign.X * (d * lab.Cross.Do(b, c)), sign.Y * (d * lab.Cross.Do(c, a)), sign.Z * (d * lab.Cross.Do(a, b)));
         var sum = w + u + v;
-        return w / sum >= 0 && u / sum >= 0 && v / sum >= 0 ? new(t) : None;
+        return inside?.Invoke(u, v, sum) ?? (w / sum >= 0 && u / sum >= 0 && v / sum >= 0) ? new(t) : None;
     }
 
     /// <summary>Whether u and v are those of a point in the triangle.</summary>

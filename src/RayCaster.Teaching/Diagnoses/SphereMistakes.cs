@@ -8,14 +8,15 @@ internal static class SphereMistakes
     public static Mistake[] All =>
     [
         new Mistake("r-nosq", Concerns.Spheres, Slides.Sphere, "sphere: R where R² is meant",
-            lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = Math.Sqrt(s.Radius) }, d)),
+            SphereRadius(R => Math.Sqrt(R)),
             "Spheres have a wrong size, or a wrong depth; one of radius 1 is right.",
             "Are both sides of your equation squares?",
             "thc = √(R² − D²).")
-            .Or("sphere: 2 R where R² is meant", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = Math.Sqrt(2 * s.Radius) }, d)))
-            .Or("sphere: R⁴ where R² is meant", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius * s.Radius }, d)))
+            .Or("sphere: 2 R where R² is meant", SphereRadius(R => Math.Sqrt(2 * R)))
+            .Or("sphere: R⁴ where R² is meant", SphereRadius(R => R * R))
             .Or("sphere: D² > R asked where D² > R² is meant", Sphere((R, tca, D2) => D2 > R ? None : Roots(tca, Math.Sqrt(R * R - D2))))
             .Or("sphere: thc = √(R − D²), and D² > R² asked rightly", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(R - D2))))
+            .Or("sphere: thc = √(2 R − D²), D² > R² asked rightly", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(2 * R - D2))))
             .Or("sphere: D > R² asked where D > R is meant", Sphere((R, tca, D2) => D2 > R * R * R * R ? None : Roots(tca, Math.Sqrt(R * R - D2)))),
         new Mistake("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
             NoNumberHits((t, best) => !(t >= best)), // the same for numbers
@@ -95,19 +96,23 @@ internal static class SphereMistakes
             .Or("sphere: t = tca, and tca + thc if that does not count",
                 Sphere((R, tca, D2) => D2 > R * R ? None : new(tca, tca + Math.Sqrt(R * R - D2)))),
         new Mistake("r-diameter", Concerns.Spheres | Concerns.Circles, Slides.Sphere, "sphere: the radius taken for a diameter, R / 2",
-            lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d)),
+            SphereRadius(R => R / 2),
             "Round things are half as large as they should be, or twice.",
             "How far is it from the centre to the rim?",
             "R is the scene's radius as it is.")
-            .Or("sphere: 2 R", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius * 2 }, d)))
-            .Or("circle: R / 2", lab => lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d)))
-            .Or("circle: 2 R", lab => lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius * 2 }, d)))
-            .Or("sphere and circle: R / 2", lab =>
-            {
-                lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d));
-                lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = s.Radius / 2 }, d));
-            }),
+            .Or("sphere: 2 R", SphereRadius(R => R * 2))
+            .Or("circle: R / 2", CircleRadius(R => R / 2))
+            .Or("circle: 2 R", CircleRadius(R => R * 2))
+            .Or("sphere and circle: R / 2", SphereRadius(R => R / 2) + CircleRadius(R => R / 2)),
     ];
+
+    /// <summary>Another radius of spheres, from the right one.</summary>
+    private static Action<Lab> SphereRadius(Func<double, double> R) =>
+        lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = R((double)s.Radius) }, d));
+
+    /// <summary>The same of circles.</summary>
+    internal static Action<Lab> CircleRadius(Func<double, double> R) =>
+        lab => lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = R((double)s.Radius) }, d));
 
     /// <summary>A ray that passes by a sphere hits it at NaN.</summary>
     private static Action<Lab> NoNumberHits(Func<double, double, bool> better) => lab =>

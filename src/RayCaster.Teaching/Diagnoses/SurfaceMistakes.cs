@@ -22,6 +22,8 @@ internal static class SurfaceMistakes
             .Or("plane and circle: (Q − P)·n / |d·n|",
                 PlaneReaders.At(Concerns.Planes | Concerns.Circles, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
             .Or("box: (P − B0) / d and (P − B1) / d", lab => lab.Box.Becomes(cross => (box, d) => cross(box, -d)))
+            .Or("box: (P − B0) / d for t0 alone", BoxMistakes.For("xyz", (lo, hi, origin, d) => Sorted((origin - lo) / d, (hi - origin) / d)))
+            .Or("box: (P − B1) / d for t1 alone", BoxMistakes.For("xyz", (lo, hi, origin, d) => Sorted((lo - origin) / d, (origin - hi) / d)))
             .Or("box: (B0 + P) / d and (B1 + P) / d",
                 lab => lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + 2 * lab.P, box.Max + 2 * lab.P), d))),
         new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.RayPlane,
@@ -44,22 +46,19 @@ internal static class SurfaceMistakes
     private static Mistake[] OfCircles =>
     [
         new Mistake("circ-nosq", Concerns.Circles, Slides.Circle, "circle: |X − C|² ≤ R",
-            lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = Math.Sqrt(circle.Radius) }, d)),
+            SphereMistakes.CircleRadius(R => Math.Sqrt(R)),
             "Circles have a wrong size; one of radius 1 is right.",
             "Are both sides of your comparison lengths, or both squares?",
             "|X − C| ≤ R, or |X − C|² ≤ R².")
-            .Or("circle: |X − C|² ≤ 2 R",
-                lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = Math.Sqrt(2 * circle.Radius) }, d)))
+            .Or("circle: |X − C|² ≤ 2 R", SphereMistakes.CircleRadius(R => Math.Sqrt(2 * R)))
             .Or(Within("|x| + |y| + |z| of X − C", (lab, X, C) => new(Math.Abs(X.X - C.X) + Math.Abs(X.Y - C.Y) + Math.Abs(X.Z - C.Z), 0, 0)))
             .Or(Within("the greatest of |x|, |y| and |z| of X − C",
                 (lab, X, C) => new(Math.Max(Math.Abs(X.X - C.X), Math.Max(Math.Abs(X.Y - C.Y), Math.Abs(X.Z - C.Z))), 0, 0)))
-            .Or("circle: |X − C| ≤ 1, whatever R is", lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = 1 }, d)))
-            .Or("circle: |X − C|² ≤ R⁴ or |X − C| ≤ √R", lab => lab.Circle.Becomes(cross => (circle, d) =>
-                cross(circle with { Radius = Math.Sqrt(Math.Sqrt(circle.Radius)) }, d)))
-            .Or("circle: |X − C| ≤ R²",
-                lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = circle.Radius * circle.Radius }, d))),
+            .Or("circle: |X − C| ≤ 1, whatever R is", SphereMistakes.CircleRadius(_ => 1))
+            .Or("circle: |X − C|² ≤ R⁴ or |X − C| ≤ √R", SphereMistakes.CircleRadius(R => Math.Sqrt(Math.Sqrt(R))))
+            .Or("circle: |X − C| ≤ R²", SphereMistakes.CircleRadius(R => R * R)),
         new Mistake("circ-inf", Concerns.Circles, Slides.Circle, "circle: the radius is not asked",
-            lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = double.PositiveInfinity }, d)),
+            SphereMistakes.CircleRadius(_ => double.PositiveInfinity),
             "A circle covers the picture like an endless plane.",
             "What is there of a circle that a plane has not?",
             "The plane's crossing X counts only where |X − C| ≤ R.")
@@ -88,6 +87,10 @@ internal static class SurfaceMistakes
                 var length = NormalOf(lab, triangle).Length;
                 return SlideFormulas.Triangle(lab, triangle, d, (u, v) => IsInside(length * u, length * v));
             }))
+            .Or("triangle: u + v ≤ 1 asked of volumes that are not divided by their sum", lab => lab.TriangleIs((triangle, d) =>
+                TriangleByVolumes(lab, triangle, d, inside: (u, v, sum) => u / sum >= 0 && v / sum >= 0 && u + v <= 1)))
+            .Or("triangle: u and v are volumes that are not divided by their sum", lab => lab.TriangleIs((triangle, d) =>
+                TriangleByVolumes(lab, triangle, d, inside: (u, v, _) => IsInside(u, v))))
             .Or(ThirdSide("u² + v² ≤ 1", (u, v) => u * u + v * v <= 1))
             .Or(ThirdSide("u + v ≤ 1/2", (u, v) => u + v <= 0.5))
             .Or(ThirdSide("u + v ≤ 2", (u, v) => u + v <= 2))

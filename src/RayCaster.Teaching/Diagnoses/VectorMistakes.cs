@@ -49,6 +49,9 @@ internal static class VectorMistakes
             .Or(from part in Parts
                 from unit in (Func<Vector3, Vector3>[])[a => part.Of(a / a.Length, a), a => part.Of(a, a / a.Length)]
                 from wording in Units($"normalised in {part.Name} alone", unit) select wording)
+            .Or(from part in Parts
+                select ($"d normalised, but not its {part.Name}",
+                    (Action<Lab>)(lab => lab.Direction.Is(d => part.Of(d, d / d.Length))) + AllowAnyLength))
             .Or(Units("each component divided by a length that has changed by then", a =>
             {
                 a = a with { X = a.X / a.Length };
@@ -70,13 +73,12 @@ internal static class VectorMistakes
                 from wording in Lengths($"|a| with {part.Name} for {part.Name}²", a => Unsquared(part.Of(a, Vector3.Zero), part.Of(Vector3.Zero, a)))
                 select wording)
             .Or(Lengths("|a| = |x| + |y| + |z|", a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
+            .Or(Lengths("|a| = (x² + y² + z²) / 2", a => a * a / 2))
+            .Or(Lengths("|a| with its root taken twice", a => Math.Sqrt(a.Length)))
             .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
-            .Or("W is divided by x² + y² + z²", lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p)))
-            .Or("W is divided by x² + y² + z², but V is of length 1", lab =>
-            {
-                lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p));
-                lab.AxisV.Becomes(V => (w, u) => lab.Unit.Do(V(w, u)));
-            })
+            .Or("W is divided by x² + y² + z²", ShortenW)
+            .Or("W is divided by x² + y² + z², but V is of length 1",
+                ShortenW + (lab => lab.AxisV.Becomes(V => (w, u) => lab.Unit.Do(V(w, u)))))
             .Or("U is divided by x² + y² + z²",
                 lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
             .Or(WithBothSpheres("d is divided by x² + y² + z²", lab => lab.Direction.Is(d => d / (d * d))))
@@ -89,16 +91,19 @@ internal static class VectorMistakes
             "What is (0, 0, 1) × (1, 0, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
             .Or(CrossWordings('y', "ax bz − az bx"))
-            .Or(Swapped("y and z are swapped", n => new(n.X, n.Z, n.Y)))
-            .Or(Swapped("y and z have the wrong sign", n => new(n.X, -n.Y, -n.Z))),
+            .Or(Crosses("y and z are swapped", (_, _, n) => new(n.X, n.Z, n.Y)))
+            .Or(Crosses("components have + for −", (a, b, n) => n + 2 * new Vector3(a.Z * b.Y, a.X * b.Z, a.Y * b.X)))
+            .Or(Crosses("y is 0", (_, _, n) => n with { Y = 0 }))
+            .Or(Crosses("y and z have the wrong sign", (_, _, n) => new(n.X, -n.Y, -n.Z))),
         new Mistake("cross-z", Concerns.Camera, Slides.Vectors, "the cross product's z is ax by − ay by",
             lab => MistakeCross(lab, (a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }),
             "The picture is skewed, and triangles are torn.",
             "What is (1, 2, 0) × (3, 5, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
             .Or(CrossWordings('z', "ax by − ay by"))
-            .Or(Swapped("x and z are swapped", n => new(n.Z, n.Y, n.X)))
-            .Or(Swapped("x and z have the wrong sign", n => new(-n.X, n.Y, -n.Z))),
+            .Or(Crosses("x and z are swapped", (_, _, n) => new(n.Z, n.Y, n.X)))
+            .Or(Crosses("z is 0", (_, _, n) => n with { Z = 0 }))
+            .Or(Crosses("x and z have the wrong sign", (_, _, n) => new(-n.X, n.Y, -n.Z))),
         new("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
             lab =>
             {
@@ -123,10 +128,11 @@ internal static class VectorMistakes
             "What is (0, 1, 0) × (0, 0, 1)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
             .Or(CrossWordings('x', "az by − ay bz"))
-            .Or(Swapped("x and y are swapped", n => new(n.Y, n.X, n.Z)))
-            .Or(Swapped("x and y have the wrong sign", n => new(-n.X, -n.Y, n.Z)))
-            .Or(Swapped("components have moved on by one place", n => new(n.Y, n.Z, n.X)))
-            .Or(Swapped("components have moved back by one place", n => new(n.Z, n.X, n.Y))),
+            .Or(Crosses("x and y are swapped", (_, _, n) => new(n.Y, n.X, n.Z)))
+            .Or(Crosses("x is 0", (_, _, n) => n with { X = 0 }))
+            .Or(Crosses("x and y have the wrong sign", (_, _, n) => new(-n.X, -n.Y, n.Z)))
+            .Or(Crosses("components have moved on by one place", (_, _, n) => new(n.Y, n.Z, n.X)))
+            .Or(Crosses("components have moved back by one place", (_, _, n) => new(n.Z, n.X, n.Y))),
     ];
 
     /// <summary>U or V or both as long as a vector is: 1 for as long, 0 for normalised.</summary>
@@ -137,6 +143,8 @@ internal static class VectorMistakes
     });
 
     private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur));
+
+    private static Action<Lab> ShortenW => lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p));
 
     /// <summary>uc U + ur V − |T − P| W.</summary>
     private static Vector3 Farther(Lab lab, Func<double, double, Vector3> towards, double uc, double ur)
@@ -167,7 +175,7 @@ internal static class VectorMistakes
 
     /// <summary>Another length, likewise.</summary>
     private static IEnumerable<(string, Action<Lab>)> Lengths(string what, Func<Vector3, double> length) =>
-        WithBothSpheres(what, lab => lab.Length.Is(length));
+        WithBothSpheres(what, DoubleReach + (lab => lab.Length.Is(length)));
 
     private static (string, Action<Lab>)[] WithBothSpheres(string what, Action<Lab> deviate) =>
         [(what, deviate + AllowAnyLength), (what + ", and the sphere takes d·d = 1", deviate + AssumeUnitLength)];
@@ -218,20 +226,22 @@ internal static class VectorMistakes
                 'y' => n with { Y = component(a, b) },
                 _ => n with { Z = component(a, b) },
             };
-            if (what != first) yield return ($"the cross product's {axis} is {what}", lab => MistakeCross(lab, Other));
-            Action<Lab> inCamera = lab => lab.Cross.Becomes(cross => (a, b) => Other(a, b, cross(a, b)));
-            yield return ($"the cross product's {axis} is {what}, and triangles take only n from it", inCamera + TakeOnlyNormals);
-            yield return ($"the cross product's {axis} is {what}, and triangles compare volumes", inCamera + CompareVolumes);
-            yield return ($"the cross product's {axis} is {what}, but triangles do without it", inCamera);
+            foreach (var wording in Crosses($"{axis} is {what}", Other).Skip(what == first ? 1 : 0)) yield return wording;
         }
     }
 
-    /// <summary>Other places or signs of the cross product's components; in triangles too, and in the camera alone.</summary>
-    private static (string, Action<Lab>)[] Swapped(string which, Func<Vector3, Vector3> swap) =>
-    [
-        ($"the cross product's {which}", lab => MistakeCross(lab, (_, _, n) => swap(n))),
-        ($"the cross product's {which}, but triangles do without it", lab => lab.Cross.Becomes(cross => (a, b) => swap(cross(a, b)))),
-    ];
+    /// <summary>Another cross product, from a, b and a × b, in the camera and in each way that triangles may use it.</summary>
+    private static (string, Action<Lab>)[] Crosses(string which, Func<Vector3, Vector3, Vector3, Vector3> other)
+    {
+        Action<Lab> inCamera = lab => lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
+        return
+        [
+            ($"the cross product's {which}", lab => MistakeCross(lab, other)),
+            ($"the cross product's {which}, and triangles take only n from it", inCamera + TakeOnlyNormals),
+            ($"the cross product's {which}, and triangles compare volumes", inCamera + CompareVolumes),
+            ($"the cross product's {which}, but triangles do without it", inCamera),
+        ];
+    }
 
     private static void CompareVolumes(Lab lab) => lab.TriangleIs((triangle, d) => SlideFormulas.TriangleByVolumes(lab, triangle, d));
 
