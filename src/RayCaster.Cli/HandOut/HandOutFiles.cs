@@ -3,8 +3,8 @@ using System.Text;
 namespace RayCaster.Cli;
 
 /// <summary>
-/// The files of a hand-out that are the same for all courses or are made from the lab's source. They are embedded in this program, so it needs no
-/// clone of the repository; the project file lists them.
+/// The files of a hand-out that are the same for all courses or are made from the lab's source. They are embedded in this program, and the scenes
+/// lie beside it, so it needs no clone of the repository; the project file lists them.
 /// </summary>
 internal static class HandOutFiles
 {
@@ -22,6 +22,10 @@ internal static class HandOutFiles
             stream.ReadExactly(content);
             yield return (name.Replace('\\', '/')[Prefix.Length..], content);
         }
+        var folder = Path.Combine(AppContext.BaseDirectory, Prefix);
+        if (!Directory.Exists(folder)) throw new ProblemException($"raycaster: the folder {Prefix} is not beside this program: publish it as a whole");
+        foreach (var file in Directory.GetFiles(folder, "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
+            yield return (Path.GetRelativePath(folder, file).Replace('\\', '/'), File.ReadAllBytes(file));
     }
 
     /// <summary>All files, with stubs in place of some bodies of the lab.</summary>
