@@ -101,18 +101,14 @@ internal static class SphereMistakes
             "How far is it from the centre to the rim?",
             "R is the scene's radius as it is.")
             .Or("sphere: 2 R", SphereRadius(R => R * 2))
-            .Or("circle: R / 2", CircleRadius(R => R / 2))
-            .Or("circle: 2 R", CircleRadius(R => R * 2))
-            .Or("sphere and circle: R / 2", SphereRadius(R => R / 2) + CircleRadius(R => R / 2)),
+            .Or("circle: R / 2", SurfaceMistakes.CircleRadius(R => R / 2))
+            .Or("circle: 2 R", SurfaceMistakes.CircleRadius(R => R * 2))
+            .Or("sphere and circle: R / 2", SphereRadius(R => R / 2) + SurfaceMistakes.CircleRadius(R => R / 2)),
     ];
 
     /// <summary>Another radius of spheres, from the right one.</summary>
     private static Action<Lab> SphereRadius(Func<double, double> R) =>
         lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Radius = R((double)s.Radius) }, d));
-
-    /// <summary>The same of circles.</summary>
-    internal static Action<Lab> CircleRadius(Func<double, double> R) =>
-        lab => lab.Circle.Becomes(cross => (s, d) => cross(s with { Radius = R((double)s.Radius) }, d));
 
     /// <summary>A ray that passes by a sphere hits it at NaN.</summary>
     private static Action<Lab> NoNumberHits(Func<double, double, bool> better) => lab =>

@@ -46,19 +46,19 @@ internal static class SurfaceMistakes
     private static Mistake[] OfCircles =>
     [
         new Mistake("circ-nosq", Concerns.Circles, Slides.Circle, "circle: |X − C|² ≤ R",
-            SphereMistakes.CircleRadius(R => Math.Sqrt(R)),
+            CircleRadius(R => Math.Sqrt(R)),
             "Circles have a wrong size; one of radius 1 is right.",
             "Are both sides of your comparison lengths, or both squares?",
             "|X − C| ≤ R, or |X − C|² ≤ R².")
-            .Or("circle: |X − C|² ≤ 2 R", SphereMistakes.CircleRadius(R => Math.Sqrt(2 * R)))
+            .Or("circle: |X − C|² ≤ 2 R", CircleRadius(R => Math.Sqrt(2 * R)))
             .Or(Within("|x| + |y| + |z| of X − C", (lab, X, C) => new(Math.Abs(X.X - C.X) + Math.Abs(X.Y - C.Y) + Math.Abs(X.Z - C.Z), 0, 0)))
             .Or(Within("the greatest of |x|, |y| and |z| of X − C",
                 (lab, X, C) => new(Math.Max(Math.Abs(X.X - C.X), Math.Max(Math.Abs(X.Y - C.Y), Math.Abs(X.Z - C.Z))), 0, 0)))
-            .Or("circle: |X − C| ≤ 1, whatever R is", SphereMistakes.CircleRadius(_ => 1))
-            .Or("circle: |X − C|² ≤ R⁴ or |X − C| ≤ √R", SphereMistakes.CircleRadius(R => Math.Sqrt(Math.Sqrt(R))))
-            .Or("circle: |X − C| ≤ R²", SphereMistakes.CircleRadius(R => R * R)),
+            .Or("circle: |X − C| ≤ 1, whatever R is", CircleRadius(_ => 1))
+            .Or("circle: |X − C|² ≤ R⁴ or |X − C| ≤ √R", CircleRadius(R => Math.Sqrt(Math.Sqrt(R))))
+            .Or("circle: |X − C| ≤ R²", CircleRadius(R => R * R)),
         new Mistake("circ-inf", Concerns.Circles, Slides.Circle, "circle: the radius is not asked",
-            SphereMistakes.CircleRadius(_ => double.PositiveInfinity),
+            CircleRadius(_ => double.PositiveInfinity),
             "A circle covers the picture like an endless plane.",
             "What is there of a circle that a plane has not?",
             "The plane's crossing X counts only where |X − C| ≤ R.")
@@ -155,6 +155,10 @@ internal static class SurfaceMistakes
             return distance(lab, lab.P + (double)endless.Near * d, circle.Center).Length <= circle.Radius ? endless : None;
         })),
     ];
+
+    /// <summary>Another radius of circles, from the right one.</summary>
+    internal static Action<Lab> CircleRadius(Func<double, double> R) =>
+        lab => lab.Circle.Becomes(cross => (circle, d) => cross(circle with { Radius = R(circle.Radius) }, d));
 
     /// <summary>Some of u ≥ 0, v ≥ 0, u + v ≤ 1, u ≤ 1 and v ≤ 1 asked, the others not, without the first wordings of tri-uv and tri-neg.</summary>
     private static IEnumerable<(string, Action<Lab>)> Asked(Func<(bool U, bool V, bool Sum), bool> belongs)

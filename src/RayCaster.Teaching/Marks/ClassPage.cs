@@ -44,7 +44,7 @@ internal static class ClassPage
     }
 
     private static string ToDiscuss(string id) =>
-        MistakeCatalog.Named(id) is { } mistake ? $"{mistake.Cause} (slide \"{mistake.Slide}\")" : MarkWords.NotDrawn(id).Split(':')[0];
+        MistakeCatalog.Named(id) is { } mistake ? $"{mistake.Cause} (slide \"{mistake.Slide}\")" : MarkWords.NotSeen(id);
 
     private static void AddLookYourself(Page page, IReadOnlyList<StudentMarks> marks)
     {

@@ -13,16 +13,19 @@ internal static class MarkWords
     public static string Question(string because) => MistakeCatalog.Named(because)?.Hint.Question ?? "";
 
     /// <summary>A missing part in words.</summary>
-    public static string NotDrawn(string part) => part switch
-    {
-        "attenuation" => "Colours do not get darker with the distance: attenuation is not written yet, or a mistake hides it.",
-        "clipping" => "zNear and zFar cut nothing: they are not written yet, or a mistake hides them.",
-        "aabb" => NoneDrawn("boxes"),
-        "mesh" => NoneDrawn("meshes"),
-        _ => NoneDrawn(part + "s"),
-    };
+    public static string NotDrawn(string part) => part == Diagnosis.Attenuation
+        ? $"{NotSeen(part)}: attenuation is not written yet, or a mistake hides it."
+        : $"{NotSeen(part)}: they are not written yet, or a mistake hides them.";
 
-    private static string NoneDrawn(string shapes) => $"No {shapes} are drawn: they are not written yet, or a mistake hides them.";
+    /// <summary>What a picture without a part looks like.</summary>
+    public static string NotSeen(string part) => part switch
+    {
+        Diagnosis.Attenuation => "Colours do not get darker with the distance",
+        Diagnosis.Clipping => "zNear and zFar cut nothing",
+        "aabb" => "No boxes are drawn",
+        "mesh" => "No meshes are drawn",
+        _ => $"No {part}s are drawn",
+    };
 
     /// <summary>A verdict in words for the student.</summary>
     public static string InWords(this SceneVerdict verdict) => verdict switch
