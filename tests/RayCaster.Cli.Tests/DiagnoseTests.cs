@@ -6,7 +6,7 @@ public sealed class DiagnoseTests : IDisposable
     private const string scene = "scene.json"; // the first of the project's, made small
 
     public DiagnoseTests() => raycaster.Write(scene, File.ReadAllText(Path.Combine(RayCasterProcess.Scenes, "first.json"))
-        .Replace("\"target\"", "\"width\": 60, \"height\": 40, \"target\"", StringComparison.Ordinal));
+        .Replace("\"target\"", "\"width\": 30, \"height\": 20, \"target\"", StringComparison.Ordinal));
 
     public void Dispose() => raycaster.Dispose();
 
@@ -39,9 +39,9 @@ public sealed class DiagnoseTests : IDisposable
     [Fact]
     public void APictureOfAnotherSizeIs1ThoughAllElseMatches()
     {
-        raycaster.Run(scene, "-o", "mine.png", "-s", "30x20", "-q").Run("diagnose", scene, "mine.png");
+        raycaster.Run(scene, "-o", "mine.png", "-s", "15x10", "-q").Run("diagnose", scene, "mine.png");
         Assert.Equal(1, raycaster.ExitCode);
-        Assert.StartsWith("mine.png is 30 x 20, not the scene's 60 x 40 pixels", raycaster.Error);
+        Assert.StartsWith("mine.png is 15 x 10, not the scene's 30 x 20 pixels", raycaster.Error);
         Assert.StartsWith("mine.png matches", raycaster.OutputText);
     }
 

@@ -46,7 +46,7 @@ public sealed class MistakeOptionTests : IDisposable
     public void CheckAnswersForTheShapesOfAWeekAndForWhatIsRequired()
     {
         raycaster.Write(
-            "small.json", File.ReadAllText(room).Replace("\"width\": 500", "\"width\": 60").Replace("\"height\": 500", "\"height\": 60"));
+            "small.json", File.ReadAllText(room).Replace("\"width\": 500", "\"width\": 30").Replace("\"height\": 500", "\"height\": 30"));
         raycaster.Run("check", "small.json", "--json", "--for", "plane,sphere", "--require", "rows,aspect-inv");
         Assert.Equal(1, raycaster.ExitCode);
         using var json = JsonDocument.Parse(raycaster.Output);

@@ -196,6 +196,7 @@ public class DiagnosisTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // more of the same
     public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
     {
         var picture = WrongPicture.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);

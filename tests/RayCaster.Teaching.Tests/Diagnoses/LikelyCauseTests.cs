@@ -8,6 +8,7 @@ public class LikelyCauseTests
     private static readonly Scene room = SceneFolder.Small("room", 5), generic = SceneFolder.Small("mistakes/generic", 4);
 
     [Fact]
+    [Trait("kind", "campaign")] // more of the same
     public void AFartherTargetIsNoMistakeOfThePrograms()
     {
         var diagnosis = Of(room, Seen(room, target: new(-30, 0, 0)));
@@ -55,6 +56,7 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // more of the same
     public void ASmoothedPictureIsWrongOnlyOnItsOutlines()
     {
         var (right, smooth) = (ScalarRenderer.Render(generic), ScalarRenderer.Render(generic));
@@ -73,6 +75,7 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // more of the same
     public void AnotherCameraIsToldByItsOutlines()
     {
         var diagnosis = Of(generic, Seen(generic, target: generic.Camera.Target + new Vector3(-1.5, 1.5, 0.8)));
@@ -81,6 +84,7 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // more of the same
     public void TheOthersAreOrderedByWhatTheyLeave()
     {
         foreach (var id in new[] { "tri-uv", "u-unnorm" })
