@@ -10,12 +10,15 @@ internal static class BoxMistakes
     public static Mistake[] All =>
     [
         new Mistake("slab-noswap", Concerns.Boxes, Slides.BoxParameters, "box: t0 and t1 not sorted, which is wrong where d is negative",
-            For("xyz", Faces),
+            Unsorted("xyz"),
             "Boxes show from one side and vanish from another.",
             "Where d is negative, which face of a slab comes first?",
             "If t0 > t1, swap them, for each of x, y and z.")
-            .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", For(axes, Faces)))
-            .Or("box: t0 and t1 always swapped", For("xyz", (lo, hi, origin, d) => Faces(lo, hi, origin, d) is var (t0, t1) ? (t1, t0) : default))
+            .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", Unsorted(axes)))
+            .Or("box: t0 and t1 always swapped", Ordered("xyz", (t0, t1) => (t1, t0)))
+            .Or("box: t0 and t1 swapped where t0 < t1", Ordered("xyz", (t0, t1) => (Math.Max(t0, t1), Math.Min(t0, t1))))
+            .Or(from axis in (string[])["x", "y", "z"]
+                select ($"box: t0 and t1 swapped where t0 < t1, for {axis}", Ordered(axis, (t0, t1) => (Math.Max(t0, t1), Math.Min(t0, t1)))))
             .Or(from axes in (string[])["xyz", "x", "y", "z"]
                 select ($"box: only t0 changed where both should be swapped, for {axes}", Half(axes, first: true)))
             .Or(from axes in (string[])["xyz", "x", "y", "z"]
@@ -27,8 +30,8 @@ internal static class BoxMistakes
             "t_min = max of the ways in, t_max = min of the ways out.")
             .Or("box: t_max is the last way out, not the first", Folded(Greatest, Greatest))
             .Or("box: t_min is the least way in, t_max the last way out", Folded(Least, Greatest))
-            .Or("box: t_min is the least way out, t_max the last way in", lab => lab.Box.Is((box, d) => Slabs(lab, box, d,
-                (lo, hi, origin, direction) => Slab(lo, hi, origin, direction) is var (t0, t1) ? (t1, t0) : default, Least, Greatest)))
+            .Or("box: t_min is the least way out, t_max the last way in",
+                Ordered("xyz", (t0, t1) => (Math.Max(t0, t1), Math.Min(t0, t1))) + Folded(Least, Greatest))
             .Or(Folds())
             .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
@@ -50,8 +53,7 @@ internal static class BoxMistakes
                 lab => lab.Box.Becomes(cross => (box, d) => cross(box, d) is var crossed ? new(0.5 * (crossed.Near + crossed.Far)) : default))
             .Or("box: t_max is tried first, then t_min", lab => lab.Box.Becomes(cross => (box, d) => Turned(cross(box, d)))),
         new("slab-inv-nan", Concerns.Boxes, Slides.BoxParameters, "box: (B − P) · (1 / d) with d = 0 gives 0 · ∞, NaN, which loses the box",
-            lab => lab.Box.Is((box, d) => Slabs(lab, box, d, (lo, hi, origin, direction) =>
-                Sorted((lo - origin) * (1 / direction), (hi - origin) * (1 / direction)), Greatest, Least)),
+            Crossed("xyz", (lo, hi, origin, d) => ((lo - origin) * (1 / d), (hi - origin) * (1 / d))),
             "A box lacks a line one pixel wide, at its edge or right through it.",
             "What is 0 · (1 / 0) in doubles?",
             "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0."),
@@ -84,36 +86,44 @@ internal static class BoxMistakes
             yield return ($"box: {axes[i]} alone in t_min and t_max", Alone(i, first: true, last: true));
             yield return ($"box: {axes[i]} alone in t_min", Alone(i, first: true, last: false));
             yield return ($"box: {axes[i]} alone in t_max", Alone(i, first: false, last: true));
-            yield return ($"box: {axes[i]} forgotten in t_min", One(i, (_, _, _, slab) => slab with { In = double.NegativeInfinity }));
-            yield return ($"box: {axes[i]} forgotten in t_max", One(i, (_, _, _, slab) => slab with { Out = double.PositiveInfinity }));
-            yield return ($"box: t_min with the way out of {axes[i]}", One(i, (_, _, _, slab) => slab with { In = slab.Out }));
-            yield return ($"box: t_max with the way in of {axes[i]}", One(i, (_, _, _, slab) => slab with { Out = slab.In }));
+            yield return ($"box: {axes[i]} forgotten in t_min", Slabs(i, slab => slab with { In = -endless }));
+            yield return ($"box: {axes[i]} forgotten in t_max", Slabs(i, slab => slab with { Out = endless }));
+            yield return ($"box: t_min with the way out of {axes[i]}", Slabs(i, slab => slab with { In = slab.Out }));
+            yield return ($"box: t_max with the way in of {axes[i]}", Slabs(i, slab => slab with { Out = slab.In }));
             foreach (var k in (int[])[(i + 1) % 3, (i + 2) % 3])
             {
-                yield return ($"box: t0 and t1 of {axes[i]} swapped where those of {axes[k]} should be", One(i, (box, P, d, _) =>
-                    Faces(box.Min.At(i), box.Max.At(i), P.At(i), d.At(i)) is var (t0, t1) && d.At(k) < 0 ? (t1, t0) : (t0, t1)));
+                yield return ($"box: t0 and t1 of {axes[i]} swapped where those of {axes[k]} should be", lab => lab.Order.Becomes(order =>
+                    (axis, t0, t1, d) => axis != i ? order(axis, t0, t1, d) : d.At(k) < 0 ? (t1, t0) : (t0, t1)));
                 foreach (var wrong in (string[])["d0 d1", "P0 P1", "d0", "P0", "d1", "P1", "B0", "B1", "B0 B1"])
                 {
                     int Of(string letter) => wrong.Contains(letter) ? k : i;
                     var (B0, P0, d0, B1, P1, d1) = (Of("B0"), Of("P0"), Of("d0"), Of("B1"), Of("P1"), Of("d1"));
-                    yield return ($"box: the slab of {axes[i]} with the {axes[k]} of {wrong} in (B0 − P0) / d0 and (B1 − P1) / d1", One(i,
-                        (box, P, d, _) => Sorted((box.Min.At(B0) - P.At(P0)) / d.At(d0), (box.Max.At(B1) - P.At(P1)) / d.At(d1))));
+                    yield return ($"box: the slab of {axes[i]} with the {axes[k]} of {wrong} in (B0 − P0) / d0 and (B1 − P1) / d1", lab => lab.Faces.Becomes(
+                        faces => (axis, box, d) => axis != i ? faces(axis, box, d)
+                            : ((box.Min.At(B0) - lab.P.At(P0)) / d.At(d0), (box.Max.At(B1) - lab.P.At(P1)) / d.At(d1))));
                 }
             }
         }
     }
 
-    /// <summary>Another slab of one axis, from the box, P, d and the right slab.</summary>
-    internal static Action<Lab> One(int axis, Func<Aabb, Vector3, Vector3, (double In, double Out), (double In, double Out)> slab) => lab =>
-        lab.Box.Is((box, d) =>
-        {
-            InSlab other = (lo, hi, origin, direction) => slab(box, lab.P, d, Slab(lo, hi, origin, direction));
-            return Slabs(lab, box, d, (axis == 0 ? other : Slab, axis == 1 ? other : Slab, axis == 2 ? other : Slab), Greatest, Least);
-        });
-
     /// <summary>t_min or t_max or both are those of one axis, as where each axis overwrites the one before.</summary>
-    private static Action<Lab> Alone(int axis, bool first, bool last) => For("xyz".Remove(axis, 1), (lo, hi, origin, d) =>
-        Slab(lo, hi, origin, d) is var (t0, t1) ? (first ? -endless : t0, last ? endless : t1) : default);
+    private static Action<Lab> Alone(int axis, bool first, bool last) => lab => lab.Slab.Becomes(slab => (i, box, d) =>
+        slab(i, box, d) is var (t0, t1) && i != axis ? (first ? -endless : t0, last ? endless : t1) : (t0, t1));
+
+    /// <summary>What becomes of the slab of one axis.</summary>
+    private static Action<Lab> Slabs(int axis, Func<(double In, double Out), (double, double)> other) => lab =>
+        lab.Slab.Becomes(slab => (i, box, d) => i == axis ? other(slab(i, box, d)) : slab(i, box, d));
+
+    /// <summary>Other ways into the slabs of some axes, such as "xz", and out of them, from t0 and t1.</summary>
+    private static Action<Lab> Ordered(string axes, Func<double, double, (double, double)> other) => lab => lab.Order.Becomes(order =>
+        (axis, t0, t1, d) => axes.Contains("xyz"[axis]) ? other(t0, t1) : order(axis, t0, t1, d));
+
+    private static Action<Lab> Unsorted(string axes) => Ordered(axes, (t0, t1) => (t0, t1));
+
+    /// <summary>Other t0 and t1 of some axes, from B0, B1, P and d.</summary>
+    internal static Action<Lab> Crossed(string axes, Func<double, double, double, double, (double, double)> other) => lab =>
+        lab.Faces.Becomes(faces => (axis, box, d) => axes.Contains("xyz"[axis])
+            ? other(box.Min.At(axis), box.Max.At(axis), lab.P.At(axis), d.At(axis)) : faces(axis, box, d));
 
     /// <summary>t_min or t_max with another of Math.Min and Math.Max for two of the axes.</summary>
     private static IEnumerable<(string, Action<Lab>)> Folds() =>
@@ -126,20 +136,23 @@ internal static class BoxMistakes
         select ($"box: t_{(isIn ? "min" : "max")} = {fold.Is}", isIn ? Folded(fold.Of, Least) : Folded(Greatest, fold.Of));
 
     private static Action<Lab> Folded(Func<double, double, double, double> lastIn, Func<double, double, double, double> firstOut) =>
-        lab => lab.Box.Is((box, d) => Slabs(lab, box, d, Slab, lastIn, firstOut));
+        lab =>
+        {
+            if (lastIn != Greatest) lab.LastIn.Is(lastIn);
+            if (firstOut != Least) lab.FirstOut.Is(firstOut);
+        };
 
     /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays.</summary>
-    private static Action<Lab> Half(string axes, bool first) => For(axes, (lo, hi, origin, d) =>
-        Faces(lo, hi, origin, d) is var (t0, t1) && t0 <= t1 ? (t0, t1) : first ? (t1, t1) : (t0, t0));
+    private static Action<Lab> Half(string axes, bool first) => Ordered(axes, (t0, t1) => t0 <= t1 ? (t0, t1) : first ? (t1, t1) : (t0, t0));
 
     /// <summary>The slide's way to ask: x first, then for y and for z whether they overlap with what there is, and what is left of it.</summary>
     /// <param name="left">Of these six steps those that are left out: bits 0 and 1 are the questions, 2 and 3 t_min, 4 and 5 t_max.</param>
     private static Action<Lab> AxisByAxis(int left) => lab => lab.Box.Is((box, d) =>
     {
-        var (tMin, tMax) = Slab(box.Min.X, box.Max.X, lab.P.X, d.X);
+        var (tMin, tMax) = lab.Slab.Do(0, box, d);
         for (var axis = 1; axis < 3; axis++)
         {
-            var (t0, t1) = Slab(box.Min.At(axis), box.Max.At(axis), lab.P.At(axis), d.At(axis));
+            var (t0, t1) = lab.Slab.Do(axis, box, d);
             var steps = left >> axis - 1;
             if ((steps & 1) == 0 && (tMin > t1 || t0 > tMax)) return None;
             if ((steps & 4) == 0) tMin = Math.Max(tMin, t0);
@@ -154,18 +167,8 @@ internal static class BoxMistakes
         return string.Join(", ", steps.Where((_, i) => (left >> i & 1) != 0));
     }
 
-    /// <summary>Another slab of some axes, such as "xz".</summary>
-    internal static Action<Lab> For(string axes, InSlab slab)
-    {
-        var slabs = (Of('x'), Of('y'), Of('z'));
-        return lab => lab.Box.Is((box, d) => Slabs(lab, box, d, slabs, Greatest, Least));
-
-        InSlab Of(char axis) => axes.Contains(axis) ? slab : Slab;
-    }
-
     /// <summary>Another question about t_min and t_max than t_min ≤ t_max.</summary>
-    private static Action<Lab> Asked(Func<double, double, bool> isHit) => lab => lab.Box.Is((box, d) =>
-        Slabs(lab, box, d, (Slab, Slab, Slab), Greatest, Least, isHit));
+    private static Action<Lab> Asked(Func<double, double, bool> isHit) => lab => lab.Overlap.Is(isHit);
 
     private static Action<Lab> Corners(Func<Aabb, Aabb> other) => lab => lab.Box.Becomes(cross => (box, d) => cross(other(box), d));
 }

@@ -78,8 +78,11 @@ public sealed class Diagnosis
     /// <summary>Of what is left beside shapes that are missing, so much may mistakes leave to be named in their place.</summary>
     private const double Much = 0.25;
 
-    /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all.</summary>
-    private const double Mentioned = 0.8;
+    /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all; of two, less.</summary>
+    private const double Mentioned = 0.8, MentionedPair = 0.4;
+
+    /// <summary>So many mistakes that do not explain a picture are mentioned where none does.</summary>
+    private const int Shown = 3;
 
     /// <summary>So many of the best are looked at for five to be named.</summary>
     private const int Looked = 12;
@@ -153,8 +156,8 @@ public sealed class Diagnosis
     /// <summary>What may have made the picture, the most likely first.</summary>
     public IReadOnlyList<Suspect> Suspects { get; private set; } = [];
 
-    /// <summary>The nearest of what did not make the picture, where none of these did.</summary>
-    public Suspect? Nearest { get; private set; }
+    /// <summary>Where no mistake explains the picture and nothing else does: those that come nearest, the one that explains most first.</summary>
+    public IReadOnlyList<Suspect> Nearest { get; private set; } = [];
 
     /// <summary>How many pixels the picture has.</summary>
     public int PixelCount { get; }
@@ -188,18 +191,21 @@ public sealed class Diagnosis
         var left = best.Misfit.Unexplained / WrongCount;
         var isNamed = left <= Explained
             || (MissingModel is null && left <= MayLeave(best));
-        if (left > Nearly && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
+        var isCertain = false;
+        // two mistakes of the camera may by chance make the very picture of another angle of view
+        var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Concerns == Concerns.Camera);
+        if ((left > Nearly || isOfCamera) && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
         {
             var byModels = SceneDifference.Find(prepared.Scene, new(picture, prepared.Right), prepared.Threads);
-            var most = left * (best.Named.Count > 1 ? NumberForPair : NumberForOne);
-            if (LikelyCause.Certain(prepared, byModels, evidence, most) is { } certain) (isNamed, Likely) = (false, [certain]);
+            var most = best.Named.Count > 1 ? Math.Max(left * NumberForPair, isOfCamera ? Idle : 0) : left * NumberForOne;
+            if (LikelyCause.Certain(prepared, byModels, evidence, most) is { } certain) (isNamed, isCertain, Likely) = (false, true, [certain]);
             else if (!isNamed) Likely = [.. LikelyCause.Hints(prepared.Scene, byModels, picture, prepared.Right)];
         }
         if (!isNamed)
         {
             if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
             else if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } whole) Likely = [whole];
-            else if (left < Mentioned && Likely.Count == 0) Nearest = AsSuspect(best, best.Draw(prepared.Scene));
+            if (!isCertain) Nearest = [.. NearestOf(ranked, best.Draw(prepared.Scene))];
             return;
         }
         NotYet = best.Base.NotYet;
@@ -215,6 +221,12 @@ public sealed class Diagnosis
         var likeliest = first.Length > 0 ? first[0].Draw(prepared.Scene) : null;
         Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => AsSuspect(trial, likeliest!))];
     }
+
+    /// <summary>The mistakes that come nearest, each in its best trial, the one that leaves least first.</summary>
+    private IEnumerable<Suspect> NearestOf(List<WrongProgram> ranked, Lab likeliest) => ranked
+        .Where(trial => trial.Wordings.Count > 0 && trial.Misfit.Unexplained < (trial.Wordings.Count > 1 ? MentionedPair : Mentioned) * WrongCount)
+        .DistinctBy(trial => string.Join(' ', trial.Wordings.Select(wording => wording.Id).Order())).Take(Shown)
+        .OrderBy(trial => trial.Misfit.Unexplained).Select(trial => AsSuspect(trial, likeliest));
 
     private double MayLeave(WrongProgram trial) => trial.Wordings is [{ Id: "tri-area" }] ? Scattered
         : trial.Wordings.Count + trial.Base.Kinds.Count() > 1 ? ForeignPair : Foreign;

@@ -79,8 +79,8 @@ public static class DiagnosisReport
                 "not scaled, cropped or compressed on its way?");
         Wrap(text, "", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
             "colours; \"explain\" shows how a pixel should come about.");
-        if (diagnosis.Nearest is { } nearest)
-            text.AppendLine($"The nearest, though not near: {Names(nearest)} would leave {Rest(diagnosis, nearest)}.");
+        if (diagnosis.Nearest.Count > 0) text.AppendLine("The nearest mistakes, though none explains the picture:");
+        foreach (var nearest in diagnosis.Nearest) text.AppendLine($"  {Names(nearest),-16} would leave {Rest(diagnosis, nearest)}");
         AppendNotTried(text, diagnosis);
     }
 
@@ -140,7 +140,7 @@ public static class DiagnosisReport
             diagnosis.Likely,
             CannotShow = hidden?.Select(mistake => mistake.Id),
             Suspects = diagnosis.Suspects.Select(Json),
-            Nearest = diagnosis.Nearest is { } nearest ? Json(nearest) : null,
+            Nearest = diagnosis.Nearest.Select(Json),
         });
 
     /// <summary>Where nothing could be diagnosed: the same object, with what was in the way.</summary>

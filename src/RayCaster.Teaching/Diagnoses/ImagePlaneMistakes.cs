@@ -59,7 +59,10 @@ internal static class ImagePlaneMistakes
             .Or("1 / (2 tan)", lab => lab.Tan.Is(a => 0.5 / Math.Tan(a)))
             .Or("sin · cos for the tangent", lab => lab.Tan.Is(a => Math.Sin(a) * Math.Cos(a)))
             .Or(OneSide("fovY / 2, in radians", a => a))
-            .Or(OneSide("2 sin(fovY / 2)", Math.Sin)),
+            .Or(OneSide("2 sin(fovY / 2)", Math.Sin))
+            .Or(OneSide("2, whatever fovY is", _ => 1))
+            .Or(OneSide("1, whatever fovY is", _ => 0.5))
+            .Or(OneSide("2 / tan(fovY / 2)", a => 1 / Math.Tan(a))),
         new Mistake("aspect-inv", Concerns.Camera, Slides.Camera, "w = h · height / width",
             lab => lab.PlaneWidth.Is(h => h * lab.Camera.Height / lab.Camera.Width),
             "All is far too long along the picture's longer side, as if stretched.",

@@ -32,10 +32,14 @@ internal sealed partial class Lab
         Direction = new(a => Unit.Do(a));
 
         Plane = new((plane, d) => plane.Intersect(RayOf(d)));
-        Sphere = new((sphere, d) => sphere.Intersect(RayOf(d)));
-        Box = new((box, d) => box.Intersect(RayOf(d)));
+        Sphere = new((sphere, d) => geometric ? Geometric(sphere, d) : sphere.Intersect(RayOf(d)));
+        Box = new((box, d) => slabs ? Slabs(box, d) : box.Intersect(RayOf(d)));
         Circle = new((circle, d) => circle.Intersect(RayOf(d)));
         Triangle = new((triangle, d) => triangle.Intersect(RayOf(d)));
+        Faces = new(FacesOf);
+        Slab = new((axis, box, d) => Faces.Do(axis, box, d) is var (t0, t1) ? Order.Do(axis, t0, t1, d) : default);
+        TriangleT = new((A, n, d) => (A - P) * n / (d * n));
+        TriangleX = new((t, d) => P + t * d);
 
         Ahead = new(t => clip.IsAhead(t));
         Near = new((t, depth) => clip.IsBeyondNear(isDepth ? depth : t));
@@ -55,6 +59,11 @@ internal sealed partial class Lab
 
         foreach (var mistake in mistakes) mistake.Deviate(this);
 
+        geometric = TakesUnitLength || D2.IsChanged || PassesBy.IsChanged || Thc.IsChanged || Roots.IsChanged;
+        slabs = Faces.IsChanged || Order.IsChanged || Slab.IsChanged || LastIn.IsChanged || FirstOut.IsChanged || Overlap.IsChanged;
+        if (TriangleT.IsChanged || TriangleX.IsChanged || Whole.IsChanged || Inside.IsChanged)
+            TriangleIs(TriangleFormula ?? ((triangle, d) => TriangleByShares(triangle, d, Cross.Do)));
+        if (TriangleFormula is { } formula) Triangle.Is(formula);
         W = AxisW.Do(P, T);
         U = AxisU.Do(camera.Up, W);
         V = AxisV.Do(W, U);
@@ -71,6 +80,7 @@ internal sealed partial class Lab
 
     private Model[] models;
     private readonly double h, w, reach;
+    private readonly bool geometric, slabs;
 
     /// <summary>What is drawn.</summary>
     public Scene Scene { get; }
@@ -115,13 +125,6 @@ internal sealed partial class Lab
     /// <summary>Whether both crossings of a sphere or a box are offered one after the other, as Ray.Hit of the hand-out has it, not only
     /// the first that counts.</summary>
     public bool OffersBoth { get; set; }
-
-    /// <summary>Puts a formula in the place of the triangle's that may hit it outside of itself.</summary>
-    public void TriangleIs(Func<Triangle, Vector3, Crossed> formula)
-    {
-        Triangle.Is(formula);
-        TrianglesReachOut = true;
-    }
 
     /// <summary>Leaves out all models of a kind.</summary>
     /// <param name="kind">As a scene file calls it.</param>

@@ -27,17 +27,17 @@ internal static class OriginMistakes
             .Or("circle: neither t nor X with P", WithoutP(Concerns.Circles))
             .Or("triangle: neither t nor X with P", WithoutP(Concerns.Triangles))
             .Or("triangle: the corners' volumes without P",
-                lab => lab.TriangleIs((triangle, d) => TriangleByVolumes(lab, triangle, d, from: Vector3.Zero)))
+                lab => lab.TriangleIs((triangle, d) => lab.TriangleByVolumes(triangle, d, from: Vector3.Zero)))
             .Or("sphere: L = C, without P", WithoutP(Concerns.Spheres))
             .Or("sphere: b = −2 d·C, without P", SphereMistakes.Quadratic((P, C) => -C, (P, C) => P - C))
             .Or("sphere: b = 2 d·P, without C", SphereMistakes.Quadratic((P, C) => P, (P, C) => P - C))
             .Or("sphere: c = C² − R², without P", SphereMistakes.Quadratic((P, C) => P - C, (P, C) => C))
             .Or("sphere: c = P² − R², without C", SphereMistakes.Quadratic((P, C) => P - C, (P, C) => P))
             .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))
-            .Or("box: B0 / d, without P", BoxMistakes.For("xyz", (lo, hi, origin, d) => Sorted(lo / d, (hi - origin) / d)))
-            .Or("box: B1 / d, without P", BoxMistakes.For("xyz", (lo, hi, origin, d) => Sorted((lo - origin) / d, hi / d)))
-            .Or(from axis in (int[])[0, 1, 2] select ($"box: without P, for {"xyz"[axis]}",
-                BoxMistakes.One(axis, (box, _, d, _) => Slab(box.Min.At(axis), box.Max.At(axis), 0, d.At(axis)))))
+            .Or("box: B0 / d, without P", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => (lo / d, (hi - origin) / d)))
+            .Or("box: B1 / d, without P", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => ((lo - origin) / d, hi / d)))
+            .Or(from axis in (string[])["x", "y", "z"]
+                select ($"box: without P, for {axis}", BoxMistakes.Crossed(axis, (lo, hi, _, d) => (lo / d, hi / d))))
             .Or("every shape: the ray starts at the origin of the world", WithoutP(Shapes)),
     ];
 
@@ -56,7 +56,7 @@ internal static class OriginMistakes
             });
         }
         if (shapes.HasFlag(Concerns.Triangles))
-            lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, IsInside, at: t => X(lab.P, t, d)));
+            lab.TriangleX.Is((t, d) => X(lab.P, t, d));
     };
 
     /// <summary>What has its ray start at the origin lies, seen from P, as much farther on as P is from there.</summary>

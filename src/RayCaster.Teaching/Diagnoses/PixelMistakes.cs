@@ -6,12 +6,15 @@ internal static class PixelMistakes
     public static Mistake[] All =>
     [
         new Mistake("pix-int", Concerns.Camera, Slides.PixelTranslation, "w · (c / width), divided in integers: always 0",
-            WholeColumns + WholeRows,
+            WholeColumns(1) + WholeRows(1),
             "The picture has one colour, or stripes: all rays of it, of a line or of a column are the same.",
             "What is c / width in C#, where both are int?",
             "uc = w · c / width − w / 2, from left to right: w is a double, so no integers are divided.")
-            .Or("only c / width is divided in integers", WholeColumns)
-            .Or("only r / height is divided in integers", WholeRows),
+            .Or("only c / width is divided in integers", WholeColumns(1))
+            .Or("only r / height is divided in integers", WholeRows(1))
+            .Or("2 c / width − 1 and 2 r / height − 1, divided in integers", WholeColumns(2) + WholeRows(2))
+            .Or("2 c / width − 1, divided in integers", WholeColumns(2))
+            .Or("2 r / height − 1, divided in integers", WholeRows(2)),
         new Mistake("no-center", Concerns.Camera, Slides.PixelTranslation, "uc and ur without − w / 2 and − h / 2",
             lab => Shift(lab, 0, 0),
             "What should be in the middle is at a corner or at an edge.",
@@ -28,6 +31,9 @@ internal static class PixelMistakes
                 lab.Uc.Becomes(uc => c => (uc(c) + uc(0)) / 2);
                 lab.Ur.Becomes(ur => r => (ur(r) + ur(0)) / 2);
             })
+            .Or("w (c / width − w / 2) and h (r / height − h / 2)", BracketC + BracketR)
+            .Or("w (c / width − w / 2)", BracketC)
+            .Or("h (r / height − h / 2)", BracketR)
             .Or("− w for − w / 2", lab => Shift(lab, 1, 0.5))
             .Or("− h for − h / 2", lab => Shift(lab, 0.5, 1))
             .Or("− 1/2 where w / 2 and h / 2 are meant", lab =>
@@ -61,11 +67,12 @@ internal static class PixelMistakes
             .Or(SidesMixed().Skip(1)),
     ];
 
-    private static Action<Lab> WholeColumns =>
-        lab => lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(c / lab.Camera.Width)));
+    /// <summary>Columns in so many steps, rows likewise.</summary>
+    private static Action<Lab> WholeColumns(int steps) =>
+        lab => lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(steps * c / lab.Camera.Width) / steps));
 
-    private static Action<Lab> WholeRows =>
-        lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(r / lab.Camera.Height)));
+    private static Action<Lab> WholeRows(int steps) =>
+        lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(steps * r / lab.Camera.Height) / steps));
 
     /// <summary>Each place where a letter of the picture's other side may stand in uc and in ur; first both divided by the other side.</summary>
     private static IEnumerable<(string Cause, Action<Lab> Deviate)> SidesMixed()
@@ -100,6 +107,11 @@ internal static class PixelMistakes
         var half = lab.Camera.Sample == Sample.Corner ? 0.5 : -0.5;
         return (c, r) => sample(c + columns * half, r + rows * half);
     });
+
+    /// <summary>w² / 2 is taken off, which is twice the square of uc(0) = − w / 2.</summary>
+    private static Action<Lab> BracketC => lab => lab.Uc.Becomes(uc => c => uc(c) - uc(0) - 2 * uc(0) * uc(0));
+
+    private static Action<Lab> BracketR => lab => lab.Ur.Becomes(ur => r => ur(r) - ur(0) - 2 * ur(0) * ur(0));
 
     /// <summary>uc and ur with other shares of w and h taken off than a half.</summary>
     private static void Shift(Lab lab, double ofW, double ofH)

@@ -16,7 +16,11 @@ internal static class PlainPicture
         if (!picture.IsOneColor && Count(right, IsColored) < Enough * right.Width * right.Height) return null;
         var most = Hardly * picture.Width * picture.Height;
         if (Count(picture, IsColored) > most)
-            return picture.IsOneColor ? $"Every pixel has the same colour, {picture[0, 0]}: do the rays of two pixels differ?" : null;
+        {
+            return picture.IsOneColor ? $"Every pixel has the same colour, {picture[0, 0]}: do the rays of two pixels differ?"
+                : Count(picture, shown => IsColored(shown) && !IsWhite(shown)) <= most && Count(right, shown => !IsGrey(shown)) > most
+                ? "All that is drawn is white: no model's colour shows. Look at the attenuation, and at the way from a colour to its bytes." : null;
+        }
         if (IsBlack(background))
             return "The picture is black, and so is the background: either no hit counts, or all light is lost. " +
                 "Which hits count, and what is the attenuation?";
@@ -28,6 +32,11 @@ internal static class PlainPicture
     }
 
     private static bool IsBlack((byte R, byte G, byte B) shown) => PictureDifference.Levels(shown, default) <= Evidence.Tolerance;
+
+    private static bool IsWhite((byte R, byte G, byte B) shown) => Math.Min(shown.R, Math.Min(shown.G, shown.B)) == byte.MaxValue;
+
+    private static bool IsGrey((byte R, byte G, byte B) shown) =>
+        Math.Max(shown.R, Math.Max(shown.G, shown.B)) - Math.Min(shown.R, Math.Min(shown.G, shown.B)) <= Evidence.Tolerance;
 
     private static int Count(Picture picture, Func<(byte, byte, byte), bool> isSo)
     {

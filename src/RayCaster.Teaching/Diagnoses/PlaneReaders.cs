@@ -33,6 +33,6 @@ internal static class PlaneReaders
             });
         }
         if (shapes.HasFlag(Concerns.Triangles))
-            lab.TriangleIs((triangle, d) => Triangle(lab, triangle, d, IsInside, (Q, n) => t(lab.P, Q, n, d)));
+            lab.TriangleT.Is((A, n, d) => t(lab.P, A, n, d));
     };
 }

@@ -14,10 +14,10 @@ internal static class SphereMistakes
             "thc = √(R² − D²).")
             .Or("sphere: 2 R where R² is meant", SphereRadius(R => Math.Sqrt(2 * R)))
             .Or("sphere: R⁴ where R² is meant", SphereRadius(R => R * R))
-            .Or("sphere: D² > R asked where D² > R² is meant", Sphere((R, tca, D2) => D2 > R ? None : Roots(tca, Math.Sqrt(R * R - D2))))
-            .Or("sphere: thc = √(R − D²), and D² > R² asked rightly", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(R - D2))))
-            .Or("sphere: thc = √(2 R − D²), D² > R² asked rightly", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(2 * R - D2))))
-            .Or("sphere: D > R² asked where D > R is meant", Sphere((R, tca, D2) => D2 > R * R * R * R ? None : Roots(tca, Math.Sqrt(R * R - D2)))),
+            .Or("sphere: D² > R asked where D² > R² is meant", lab => lab.PassesBy.Is((R, D2) => D2 > R))
+            .Or("sphere: thc = √(R − D²), and D² > R² asked rightly", lab => lab.Thc.Is((R, D2) => Math.Sqrt(R - D2)))
+            .Or("sphere: thc = √(2 R − D²), D² > R² asked rightly", lab => lab.Thc.Is((R, D2) => Math.Sqrt(2 * R - D2)))
+            .Or("sphere: D > R² asked where D > R is meant", lab => lab.PassesBy.Is((R, D2) => D2 > R * R * R * R)),
         new Mistake("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
             NoNumberHits((t, best) => !(t >= best)), // the same for numbers
             "Nearly all is black where a sphere is in the scene; only what is listed after it survives.",
@@ -25,7 +25,7 @@ internal static class SphereMistakes
             "Return no hit where R² − D² < 0, before the root.")
             .Or("sphere: NaN passes for the first hit, and no t is less than that",
                 NoNumberHits((t, best) => double.IsPositiveInfinity(best) || t < best))
-            .Or("sphere: thc = √|R² − D²|, and every ray hits", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(Math.Abs(R * R - D2))))),
+            .Or("sphere: thc = √|R² − D²|, and every ray hits", Unasked((R, D2) => Math.Sqrt(Math.Abs(R * R - D2)))),
         new Mistake("far-root", Concerns.Spheres, Slides.Sphere, "sphere: the far root t = tca + thc is taken",
             lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Far)),
             "Spheres look hollow: you see the inside of their far half.",
@@ -44,7 +44,7 @@ internal static class SphereMistakes
             "L = C − P, tca = L·d. (In the quadratic: b = 2 d·(P − C).)")
             .Or("sphere: L = C + P", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = s.Center + 2 * lab.P }, d)))
             .Or("sphere: L = −P, without C", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = Vector3.Zero }, d)))
-            .Or("sphere: thc − tca where tca − thc is meant", Sphere((R, tca, D2) => new(Math.Sqrt(R * R - D2) - tca, Math.Sqrt(R * R - D2) + tca))),
+            .Or("sphere: thc − tca where tca − thc is meant", lab => lab.Roots.Is((tca, thc) => new(thc - tca, thc + tca))),
         new Mistake("disc-2", Concerns.Spheres, Slides.SphereAnalytical, "sphere: discriminant b² − a c, while b = 2 d·(P − C) has its 2",
             Quadratic((a, b, c) => Roots(a, b, b * b - a * c)),
             "Spheres bleed over the picture, or have a wrong size or depth.",
@@ -54,7 +54,7 @@ internal static class SphereMistakes
             .Or("sphere: discriminant 2 b − 4 a c", Quadratic((a, b, c) => Roots(a, b, 2 * b - 4 * a * c)))
             .Or("sphere: b = d·(P − C) without its 2, and √(b² − c) / 2", Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - c)))
             .Or("sphere: discriminant b − 4 a c", Quadratic((a, b, c) => Roots(a, b, b - 4 * a * c)))
-            .Or("sphere: −b − √… / 2a without brackets", Quadratic((a, b, c) => Roots(-b, Math.Sqrt(b * b - 4 * a * c) / (2 * a))))
+            .Or("sphere: −b − √… / 2a without brackets", Quadratic((a, b, c) => Around(-b, Math.Sqrt(b * b - 4 * a * c) / (2 * a))))
             .Or("sphere: c = (P − C)² + R²",
                 lab => lab.Sphere.Is((s, d) => QuadraticOf(lab, s, d, s.Radius * s.Radius, (a, b, c) => Roots(a, b, b * b - 4 * a * c)))),
         new Mistake("tca-positive", Concerns.Spheres, Slides.Sphere, "sphere: no hit where tca < 0, the slide's sentence taken literally",
@@ -63,38 +63,39 @@ internal static class SphereMistakes
             "You are inside a sphere, its centre is behind you. What is the sign of tca, and is there a wall before you?",
             "tca < 0 says only that the centre lies behind; ask t = tca + thc."),
         new Mistake("d-nosq", Concerns.Spheres, Slides.Sphere, "sphere: thc = √(R² − D), with the distance D where D² is meant",
-            Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(R * R - Math.Sqrt(D2)))),
+            lab => lab.Thc.Is((R, D2) => Math.Sqrt(R * R - Math.Sqrt(D2))),
             "Spheres have a wrong size, or are dented: too flat or too deep.",
             "D is a length. What is it taken from?",
             "thc = √(R² − D²), D² = L² − tca².")
-            .Or("sphere: D > R² asked too", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - Math.Sqrt(D2)))))
-            .Or("sphere: thc = √(R² − D⁴)", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - D2 * D2))))
-            .Or("sphere: D² = |L| − tca²", Distances((L2, tca) => Math.Sqrt(L2) - tca * tca))
-            .Or("sphere: D² = L² − tca", Distances((L2, tca) => L2 - tca))
-            .Or("sphere: D = |L| − tca", Distances((L2, tca) => (Math.Sqrt(L2) - tca) * (Math.Sqrt(L2) - tca)))
-            .Or("sphere: D = |L|", Distances((L2, _) => L2))
-            .Or("sphere: D² = |L| − tca", Distances((L2, tca) => Math.Sqrt(L2) - tca))
-            .Or("sphere: D² = L² + tca²", Distances((L2, tca) => L2 + tca * tca))
-            .Or("sphere: thc = √(R² + D²)", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, Math.Sqrt(R * R + D2)))),
+            .Or("sphere: D > R² asked too", lab => lab.D2.Becomes(D2 => (L2, tca) => Math.Sqrt(D2(L2, tca))))
+            .Or("sphere: thc = √(R² − D⁴)", Unasked((R, D2) => Math.Sqrt(R * R - D2 * D2)))
+            .Or("sphere: D² = |L| − tca²", Distance((L2, tca) => Math.Sqrt(L2) - tca * tca))
+            .Or("sphere: D² = L² − tca", Distance((L2, tca) => L2 - tca))
+            .Or("sphere: D = |L| − tca", Distance((L2, tca) => (Math.Sqrt(L2) - tca) * (Math.Sqrt(L2) - tca)))
+            .Or("sphere: D = |L|", Distance((L2, _) => L2))
+            .Or("sphere: D² = |L| − tca", Distance((L2, tca) => Math.Sqrt(L2) - tca))
+            .Or("sphere: D² = L² + tca²", Distance((L2, tca) => L2 + tca * tca))
+            .Or("sphere: D² = tca² − L²", Distance((L2, tca) => tca * tca - L2))
+            .Or("sphere: thc = √(R² + D²)", lab => lab.Thc.Is((R, D2) => Math.Sqrt(R * R + D2))),
         new Mistake("thc-nosqrt", Concerns.Spheres, Slides.Sphere, "sphere: thc = R² − D² without the root",
-            Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R * R - D2)),
+            lab => lab.Thc.Is((R, D2) => R * R - D2),
             "Spheres have the right outline, but bulge or are too flat: their light is wrong, and so is what covers them.",
             "In which unit is R² − D²: metres, or square metres?",
             "thc = √(R² − D²).")
-            .Or("sphere: thc = R", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R)))
-            .Or("sphere: thc halved", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - D2) / 2)))
-            .Or("sphere: thc doubled", Sphere((R, tca, D2) => Roots(tca, Math.Sqrt(R * R - D2) * 2)))
-            .Or("sphere: thc = R − D", Sphere((R, tca, D2) => D2 > R * R ? None : Roots(tca, R - Math.Sqrt(D2))))
+            .Or("sphere: thc = R", lab => lab.Thc.Is((R, _) => R))
+            .Or("sphere: thc halved", lab => lab.Thc.Becomes(thc => (R, D2) => thc(R, D2) / 2))
+            .Or("sphere: thc doubled", lab => lab.Thc.Becomes(thc => (R, D2) => thc(R, D2) * 2))
+            .Or("sphere: thc = R − D", lab => lab.Thc.Is((R, D2) => R - Math.Sqrt(D2)))
             .Or("sphere: (−b ∓ (b² − 4ac)) / 2a",
-                Quadratic((a, b, c) => b * b - 4 * a * c < 0 ? None : Roots(-b / (2 * a), (b * b - 4 * a * c) / (2 * a)))),
+                Quadratic((a, b, c) => b * b - 4 * a * c < 0 ? None : Around(-b / (2 * a), (b * b - 4 * a * c) / (2 * a)))),
         new Mistake("tca-only", Concerns.Spheres, Slides.Sphere, "sphere: t = tca, where the ray is nearest to the centre",
-            Sphere((R, tca, D2) => D2 > R * R ? None : new(tca)),
+            lab => lab.Roots.Is((tca, _) => new(tca)),
             "Spheres look like flat discs, and stand too deep in what they touch.",
             "What is at t = tca: the ray's way in, or its middle?",
             "t = tca − thc, and tca + thc if that does not count.")
-            .Or("sphere: t = thc", Sphere((R, _, D2) => new(Math.Sqrt(R * R - D2))))
+            .Or("sphere: t = thc", lab => lab.Roots.Is((_, thc) => new(thc)))
             .Or("sphere: t = tca, and tca + thc if that does not count",
-                Sphere((R, tca, D2) => D2 > R * R ? None : new(tca, tca + Math.Sqrt(R * R - D2)))),
+                lab => lab.Roots.Is((tca, thc) => new(tca, tca + thc))),
         new Mistake("r-diameter", Concerns.Spheres | Concerns.Circles, Slides.Sphere, "sphere: the radius taken for a diameter, R / 2",
             SphereRadius(R => R / 2),
             "Round things are half as large as they should be, or twice.",
@@ -118,13 +119,15 @@ internal static class SphereMistakes
         lab.Better.Is(better);
     };
 
-    /// <summary>The slide's geometric formula, from R, tca and D² on.</summary>
-    private static Action<Lab> Sphere(Func<double, double, double, Crossings<Scalar>> roots) =>
-        lab => lab.Sphere.Is((s, d) => Geometric(lab, s, d, roots));
+    /// <summary>Another thc, without a question whether the ray passes by.</summary>
+    private static Action<Lab> Unasked(Func<double, double, double> thc) => lab =>
+    {
+        lab.PassesBy.Is((_, _) => false);
+        lab.Thc.Is(thc);
+    };
 
-    /// <summary>The same with another D², from L² and tca.</summary>
-    private static Action<Lab> Distances(Func<double, double, double> D2) =>
-        Sphere((R, tca, right) => Roots(tca, Math.Sqrt(R * R - D2(right + tca * tca, tca))));
+    /// <summary>Another D², from L² and tca.</summary>
+    private static Action<Lab> Distance(Func<double, double, double> D2) => lab => lab.D2.Is(D2);
 
     /// <summary>Other vectors, from P and C, in b = 2 d·(P − C) and in c = |P − C|² − R².</summary>
     internal static Action<Lab> Quadratic(Func<Vector3, Vector3, Vector3> inB, Func<Vector3, Vector3, Vector3> inC) => lab => lab.Sphere.Is((s, d) =>
@@ -141,6 +144,13 @@ internal static class SphereMistakes
         where (inB, inRoot, under) is not ((2, 4, 2) or (2, 1, 2) or (1, 1, 1)) && (inB, inRoot, under) is (2, _, _) or (_, 4, 2) or (1, 4, 1)
         select ($"sphere: b = {inB} d·(P − C), b² − {inRoot} a c, divided by {under} a", Quadratic((a, b, c) =>
             Roots(under * a / 2.0, inB * b / 2.0, inB * inB * b * b / 4 - inRoot * a * c)));
+
+    /// <summary>The roots of a t² + b t + c = 0, from its discriminant.</summary>
+    private static Crossings<Scalar> Roots(double a, double b, double discriminant) =>
+        new((-b - Math.Sqrt(discriminant)) / (2 * a), (-b + Math.Sqrt(discriminant)) / (2 * a));
+
+    /// <summary>−b / 2a and what is taken from it and added to it → both crossings.</summary>
+    private static Crossings<Scalar> Around(double middle, double half) => new(middle - half, middle + half);
 
     /// <summary>Slide "Sphere – Analytical Solution", from a, b = 2 d·(P − C) and c = |P − C|² − R² on.</summary>
     private static Action<Lab> Quadratic(Func<double, double, double, Crossings<Scalar>> roots) =>

@@ -18,12 +18,18 @@ internal static class SurfaceMistakes
             .Or(PlaneReaders.Of("(Q + P)·n", (P, Q, n, d) => (P + Q) * n / (d * n)))
             .Or(PlaneReaders.Of("(Q − P)·n · d·n", (P, Q, n, d) => (Q - P) * n * (d * n)))
             .Or(PlaneReaders.Of("|(Q − P)·n| / d·n", (P, Q, n, d) => Math.Abs((Q - P) * n) / (d * n)))
-            .Or("plane: (Q − P)·n / |d·n|", PlaneReaders.At(Concerns.Planes, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
-            .Or("plane and circle: (Q − P)·n / |d·n|",
-                PlaneReaders.At(Concerns.Planes | Concerns.Circles, (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)))
+            .Or(from t in ((string Is, Func<Vector3, Vector3, Vector3, Vector3, double> Of)[])
+                [
+                    ("(Q − P)·n / |d·n|", (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)), ("(Q − P)·n", (P, Q, n, d) => (Q - P) * n),
+                    ("d·n / (Q − P)·n", (P, Q, n, d) => d * n / ((Q - P) * n)), ("(Q − P)·n / Q·n", (P, Q, n, d) => (Q - P) * n / (Q * n)),
+                    ("(Q − P)·n / P·n", (P, Q, n, d) => (Q - P) * n / (P * n)), ("(Q − P)·d / d·n", (P, Q, n, d) => (Q - P) * d / (d * n)),
+                    ("(Q − P)·n / (d·n)²", (P, Q, n, d) => (Q - P) * n / (d * n * (d * n))), ("|Q − P| / d·n", (P, Q, n, d) => (Q - P).Length / (d * n)),
+                ]
+                from wording in PlaneReaders.Of(t.Is, t.Of).Take(3)
+                select wording)
             .Or("box: (P − B0) / d and (P − B1) / d", lab => lab.Box.Becomes(cross => (box, d) => cross(box, -d)))
-            .Or("box: (P − B0) / d for t0 alone", BoxMistakes.For("xyz", (lo, hi, origin, d) => Sorted((origin - lo) / d, (hi - origin) / d)))
-            .Or("box: (P − B1) / d for t1 alone", BoxMistakes.For("xyz", (lo, hi, origin, d) => Sorted((lo - origin) / d, (origin - hi) / d)))
+            .Or("box: (P − B0) / d for t0 alone", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => ((origin - lo) / d, (hi - origin) / d)))
+            .Or("box: (P − B1) / d for t1 alone", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => ((lo - origin) / d, (origin - hi) / d)))
             .Or("box: (B0 + P) / d and (B1 + P) / d",
                 lab => lab.Box.Becomes(cross => (box, d) => cross(new(box.Min + 2 * lab.P, box.Max + 2 * lab.P), d))),
         new Mistake("plane-cull", Concerns.Planes | Concerns.Circles, Slides.RayPlane,
@@ -82,15 +88,13 @@ internal static class SurfaceMistakes
             "Which condition draws the side from B to C? What are u and v at B and at C?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1; u is 1 at B, v is 1 at C.")
             .Or(Asked(sides => sides.U && sides.V && !sides.Sum))
-            .Or("triangle: n normalised, so that u and v are too large or too small", lab => lab.TriangleIs((triangle, d) =>
-            {
-                var length = NormalOf(lab, triangle).Length;
-                return SlideFormulas.Triangle(lab, triangle, d, (u, v) => IsInside(length * u, length * v));
-            }))
+            .Or("triangle: n normalised, so that u and v are too large or too small", lab => lab.Whole.Is(n => n.Length))
+            .Or("triangle: u and v not divided by n²", lab => lab.Whole.Is(_ => 1))
+            .Or("triangle: u and v divided by 2 n²", lab => lab.Whole.Is(n => 2 * (n * n)))
             .Or("triangle: u + v ≤ 1 asked of volumes that are not divided by their sum", lab => lab.TriangleIs((triangle, d) =>
-                TriangleByVolumes(lab, triangle, d, inside: (u, v, sum) => u / sum >= 0 && v / sum >= 0 && u + v <= 1)))
+                lab.TriangleByVolumes(triangle, d, inside: (u, v, sum) => u / sum >= 0 && v / sum >= 0 && u + v <= 1)))
             .Or("triangle: u and v are volumes that are not divided by their sum", lab => lab.TriangleIs((triangle, d) =>
-                TriangleByVolumes(lab, triangle, d, inside: (u, v, _) => IsInside(u, v))))
+                lab.TriangleByVolumes(triangle, d, inside: (u, v, _) => IsInside(u, v))))
             .Or(ThirdSide("u² + v² ≤ 1", (u, v) => u * u + v * v <= 1))
             .Or(ThirdSide("u + v ≤ 1/2", (u, v) => u + v <= 0.5))
             .Or(ThirdSide("u + v ≤ 2", (u, v) => u + v <= 2))
@@ -120,19 +124,19 @@ internal static class SurfaceMistakes
             .Or("triangle: −u for u and −v for v", TriangleWhere((u, v) => IsInside(-u, -v)))
             .Or(from volume in ((string Name, Vector3 Signs)[])[("w", new(-1, 1, 1)), ("u", new(1, -1, 1)), ("v", new(1, 1, -1))]
                 select ($"triangle: the volume {volume.Name} with the wrong sign", (Action<Lab>)(lab =>
-                    lab.TriangleIs((triangle, d) => TriangleByVolumes(lab, triangle, d, signs: volume.Signs)))))
+                    lab.TriangleIs((triangle, d) => lab.TriangleByVolumes(triangle, d, signs: volume.Signs)))))
             .Or("triangle: u ≥ 0 or v ≥ 0 where both are meant", TriangleWhere((u, v) => (u >= 0 || v >= 0) && u + v <= 1))
             .Or("triangle: u ≥ 0 and v ≥ 0, or u + v ≤ 1", TriangleWhere((u, v) => (u >= 0 && v >= 0) || u + v <= 1))
             .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
             .Or("triangle: |u| ≤ 1, |v| ≤ 1, u + v ≤ 1", TriangleWhere((u, v) => Math.Abs(u) <= 1 && Math.Abs(v) <= 1 && u + v <= 1)),
         new Mistake("tri-area", Concerns.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
-            lab => lab.Triangle.Is((triangle, d) => TriangleByAreas(lab, triangle, d)),
+            lab => lab.TriangleFormula = lab.TriangleByAreas,
             "Triangles are full of holes, like lace.",
             "Is 0.1 + 0.2 equal to 0.3 in doubles?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1: no sums that must be equal to the last bit.")
             .Or("triangle: the sum of the three areas compared with ==, in other numbers or another order, which loses other pixels", lab =>
             {
-                lab.Triangle.Is((_, _) => None);
+                lab.TriangleFormula = (_, _) => None;
                 lab.Scatters = true;
             }),
     ];
@@ -141,20 +145,21 @@ internal static class SurfaceMistakes
     private static Action<Lab> Cull(int planes, int circles, int triangles = 0) => lab =>
     {
         if (triangles != 0)
-            lab.Triangle.Becomes(cross => (triangle, d) => triangles * (d * NormalOf(lab, triangle)) >= 0 ? None : cross(triangle, d));
+            lab.Triangle.Becomes(cross => (triangle, d) => triangles * (d * lab.NormalOf(triangle)) >= 0 ? None : cross(triangle, d));
         if (planes != 0) lab.Plane.Becomes(cross => (plane, d) => planes * (d * plane.Normal) >= 0 ? None : cross(plane, d));
         if (circles != 0) lab.Circle.Becomes(cross => (circle, d) => circles * (d * circle.Normal) >= 0 ? None : cross(circle, d));
     };
 
     /// <summary>Something else than |X − C| compared with R.</summary>
     private static IEnumerable<(string, Action<Lab>)> Within(string what, Func<Lab, Vector3, Vector3, Vector3> distance) =>
-    [
-        ($"circle: {what} compared with R", lab => lab.Circle.Becomes(cross => (circle, d) =>
-        {
-            var endless = cross(circle with { Radius = double.PositiveInfinity }, d);
-            return distance(lab, lab.P + (double)endless.Near * d, circle.Center).Length <= circle.Radius ? endless : None;
-        })),
-    ];
+        [($"circle: {what} compared with R", CircleWhere((lab, circle, X) => distance(lab, X, circle.Center).Length <= circle.Radius))];
+
+    /// <summary>Another question whether the point X of a circle's plane is in the circle.</summary>
+    internal static Action<Lab> CircleWhere(Func<Lab, Circle, Vector3, bool> isIn) => lab => lab.Circle.Becomes(cross => (circle, d) =>
+    {
+        var endless = cross(circle with { Radius = double.PositiveInfinity }, d);
+        return isIn(lab, circle, lab.P + (double)endless.Near * d) ? endless : None;
+    });
 
     /// <summary>Another radius of circles, from the right one.</summary>
     internal static Action<Lab> CircleRadius(Func<double, double> R) =>
@@ -178,8 +183,6 @@ internal static class SurfaceMistakes
     private static IEnumerable<(string, Action<Lab>)> ThirdSide(string what, Func<double, double, bool> holds) =>
         [($"triangle: {what} where u + v ≤ 1 is meant", TriangleWhere((u, v) => u >= 0 && v >= 0 && holds(u, v)))];
 
-    private static Action<Lab> TriangleWhere(Func<double, double, bool> inside) => lab =>
-        lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, inside));
+    private static Action<Lab> TriangleWhere(Func<double, double, bool> inside) => lab => lab.Inside.Is(inside);
 
-    private static Vector3 NormalOf(Lab lab, Triangle triangle) => lab.Cross.Do(triangle.B - triangle.A, triangle.C - triangle.A);
 }

@@ -64,8 +64,8 @@ internal static class VectorMistakes
             "Nearly all is gone or has a wrong size, or the light reaches too far.",
             "How long is (3, 4, 0)? What does your Length say?",
             "|a| = √(x² + y² + z²).")
-            .Or(WithBothSpheres("the length without its square root", SquareLength).Skip(1))
-            .Or(WithBothSpheres("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach))
+            .Or(Readers("the length without its square root", SquareLength).Skip(1))
+            .Or(Readers("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach))
             .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
             .Or(from part in Parts
                 from wording in Lengths($"{part.Name} forgotten in the length", a => part.Of(Vector3.Zero, a).Length) select wording)
@@ -76,6 +76,13 @@ internal static class VectorMistakes
             .Or(Lengths("|a| = (x² + y² + z²) / 2", a => a * a / 2))
             .Or(Lengths("|a| with its root taken twice", a => Math.Sqrt(a.Length)))
             .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
+            .Or(from k in (int[])[0, 1, 2]
+                from letters in (int[])[1, 2, 4, 8] // one of both replaced by the next or by the last letter, or both
+                let l = letters < 3 ? k : (k + letters / 4) % 3
+                let m = (k + (letters < 3 ? letters : letters / 4)) % 3
+                from wording in WithBothSpheres($"|a| with {"xyz"[l]} {"xyz"[m]} for {"xyz"[k]}²",
+                    ReadByCircles + DoubleReach + (lab => lab.Length.Is(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(l) * a.At(m)))))
+                select wording)
             .Or("W is divided by x² + y² + z²", ShortenW)
             .Or("W is divided by x² + y² + z², but V is of length 1",
                 ShortenW + (lab => lab.AxisV.Becomes(V => (w, u) => lab.Unit.Do(V(w, u)))))
@@ -175,7 +182,13 @@ internal static class VectorMistakes
 
     /// <summary>Another length, likewise.</summary>
     private static IEnumerable<(string, Action<Lab>)> Lengths(string what, Func<Vector3, double> length) =>
-        WithBothSpheres(what, DoubleReach + (lab => lab.Length.Is(length)));
+        Readers(what, DoubleReach + (lab => lab.Length.Is(length)));
+
+    /// <summary>Another length, where circles ask |X − C|² ≤ R² without it, and where they ask |X − C| ≤ R.</summary>
+    private static IEnumerable<(string, Action<Lab>)> Readers(string what, Action<Lab> deviate) =>
+        WithBothSpheres(what, deviate).Concat(WithBothSpheres(what + ", in circles too", deviate + ReadByCircles));
+
+    private static Action<Lab> ReadByCircles => SurfaceMistakes.CircleWhere((lab, circle, X) => lab.Length.Do(X - circle.Center) <= circle.Radius);
 
     private static (string, Action<Lab>)[] WithBothSpheres(string what, Action<Lab> deviate) =>
         [(what, deviate + AllowAnyLength), (what + ", and the sphere takes d·d = 1", deviate + AssumeUnitLength)];
@@ -194,7 +207,7 @@ internal static class VectorMistakes
     });
 
     /// <summary>The slide's geometric formula for d·d = 1, with any d: the same as the analytic one with a = 1.</summary>
-    private static void AssumeUnitLength(Lab lab) => lab.Sphere.Is((s, d) => SlideFormulas.Geometric(lab, s, d));
+    private static void AssumeUnitLength(Lab lab) => lab.TakesUnitLength = true;
 
     /// <summary>A component with another sign, with + for −, or with one letter wrong; in the camera alone and in triangles, too.</summary>
     /// <param name="axis">Which component.</param>
@@ -237,22 +250,19 @@ internal static class VectorMistakes
         return
         [
             ($"the cross product's {which}", lab => MistakeCross(lab, other)),
-            ($"the cross product's {which}, and triangles take only n from it", inCamera + TakeOnlyNormals),
-            ($"the cross product's {which}, and triangles compare volumes", inCamera + CompareVolumes),
+            ($"the cross product's {which}, and triangles take only n from it",
+                inCamera + (lab => lab.TriangleIs((triangle, d) => lab.TriangleByShares(triangle, d, (a, b) => a % b)))),
+            ($"the cross product's {which}, and triangles compare volumes",
+                inCamera + (lab => lab.TriangleIs((triangle, d) => lab.TriangleByVolumes(triangle, d)))),
+            ($"the cross product's {which}, and triangles compare determinants", inCamera + (lab => lab.TriangleIs(lab.TriangleByDeterminants))),
             ($"the cross product's {which}, but triangles do without it", inCamera),
         ];
     }
-
-    private static void CompareVolumes(Lab lab) => lab.TriangleIs((triangle, d) => SlideFormulas.TriangleByVolumes(lab, triangle, d));
-
-    /// <summary>The triangle's n is the lab's cross product; u and v do without it.</summary>
-    private static void TakeOnlyNormals(Lab lab) =>
-        lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside, sides: (a, b) => a % b));
 
     /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
     private static void MistakeCross(Lab lab, Func<Vector3, Vector3, Vector3, Vector3> other)
     {
         lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
-        lab.TriangleIs((triangle, d) => SlideFormulas.Triangle(lab, triangle, d, SlideFormulas.IsInside));
+        lab.TriangleIs((triangle, d) => lab.TriangleByShares(triangle, d, lab.Cross.Do));
     }
 }

@@ -61,7 +61,33 @@ public class CatalogTests
     }
 
     private static readonly (Scene Scene, Picture Right)[] rights =
-        [.. scenes.Values.Append(SceneFolder.Small("room", 4)).Select(scene => (scene, ScalarRenderer.Render(scene)))];
+        [.. scenes.Values.Append(SceneFolder.Small("room", 4)).Append(Everywhere).Select(scene => (scene, ScalarRenderer.Render(scene)))];
+
+    /// <summary>A small scene with each kind of shape before zNear, beyond zFar and behind the camera.</summary>
+    private static Scene Everywhere
+    {
+        get
+        {
+            Model[] models =
+            [
+                Model.Of(new Plane(new(0, 0, -1.2), new(0, 0, 1))),
+                .. ((Vector3[])[new(0, -8, 0.8), new(0, 6, 4), new(0, -14, 0)]).SelectMany(place => Row(place, Math.Abs(place.Y + 10) / 8)),
+            ];
+            return new(new(new(new(0, -10, 0), Vector3.Zero) { FovY = 60, Width = 36, Height = 24, ZNear = 4, ZFar = 12 }), models);
+
+            static Model[] Row(Vector3 at, double size)
+            {
+                var (right, half) = (size * new Vector3(1, 0, 0), size / 2 * new Vector3(1, 1, 1));
+                return
+                [
+                    Model.Of(new Sphere(at - 3 * right, size / 2)),
+                    Model.Of(new Aabb(at - right - half, at - right + half)),
+                    Model.Of(new Circle(at + right, new(0, 1, 0.2), size / 2)),
+                    Model.Of(new Triangle(at + 3 * right, at + 4 * right, at + 3 * right + size * new Vector3(0, 0.2, 1))),
+                ];
+            }
+        }
+    }
 
     private static bool AreAlike(Picture a, Picture b) =>
         (a.Width, a.Height) == (b.Width, b.Height) && a.Rgb.AsSpan().SequenceEqual(b.Rgb);

@@ -82,15 +82,7 @@ public class StepHintTests
     [Fact]
     public void ANormalisedNormalIsAWordingOfTheTriangles()
     {
-        var (hint, _) = Hint("mistakes/generic", 10, lab =>
-        {
-            lab.Triangle.Is((triangle, d) =>
-            {
-                var area = ((triangle.B - triangle.A) % (triangle.C - triangle.A)).Length;
-                return SlideFormulas.Triangle(lab, triangle, d, (u, v) => SlideFormulas.IsInside(area * u, area * v));
-            });
-            lab.TrianglesReachOut = true;
-        });
+        var (hint, _) = Hint("mistakes/generic", 10, lab => lab.Whole.Is(n => n.Length));
         Assert.Contains(MistakeCatalog.Named("tri-uv")!.Hint.Question, hint);
     }
 

@@ -1,0 +1,140 @@
+using Crossed = RayCaster.Crossings<RayCaster.Scalar>;
+
+namespace RayCaster.Teaching;
+
+/// <summary>
+/// The slides' own algebra of a sphere, a box and a triangle, in steps. A shape is drawn by it as soon as a mistake changes one of its
+/// steps, so that two mistakes in one formula add up; right as it stands here, but for rounding.
+/// </summary>
+internal sealed partial class Lab
+{
+    // ---- Slide "Sphere – Geometric Solution", for d·d = 1 ----
+
+    /// <summary>(L², tca) → D².</summary>
+    public Step<Func<double, double, double>> D2 { get; } = new((L2, tca) => L2 - tca * tca);
+
+    /// <summary>(R, D²) → whether the ray passes the sphere by.</summary>
+    public Step<Func<double, double, bool>> PassesBy { get; } = new((R, D2) => D2 > R * R);
+
+    /// <summary>(R, D²) → thc.</summary>
+    public Step<Func<double, double, double>> Thc { get; } = new((R, D2) => Math.Sqrt(R * R - D2));
+
+    /// <summary>(tca, thc) → the crossings.</summary>
+    public Step<Func<double, double, Crossed>> Roots { get; } = new((tca, thc) => new(tca - thc, tca + thc));
+
+    /// <summary>Whether spheres are drawn by these steps with any d, of length 1 or not.</summary>
+    public bool TakesUnitLength { get; set; }
+
+    // ---- Slides "AABB …" ----
+
+    /// <summary>(axis, box, d) → t0 and t1, where the ray crosses the two faces across an axis: 0 is x, 1 is y, 2 is z.</summary>
+    public Step<Func<int, Aabb, Vector3, (double T0, double T1)>> Faces { get; }
+
+    /// <summary>(axis, t0, t1, d) → the way into that slab and the way out.</summary>
+    public Step<Func<int, double, double, Vector3, (double In, double Out)>> Order { get; } =
+        new((_, t0, t1, _) => SlideFormulas.Sorted(t0, t1));
+
+    /// <summary>(axis, box, d) → the same.</summary>
+    public Step<Func<int, Aabb, Vector3, (double In, double Out)>> Slab { get; }
+
+    /// <summary>The ways into x, y and z → the one that counts.</summary>
+    public Step<Func<double, double, double, double>> LastIn { get; } = new(SlideFormulas.Greatest);
+
+    /// <summary>The ways out of x, y and z → the one that counts.</summary>
+    public Step<Func<double, double, double, double>> FirstOut { get; } = new(SlideFormulas.Least);
+
+    /// <summary>(t_min, t_max) → whether the ray hits the box.</summary>
+    public Step<Func<double, double, bool>> Overlap { get; } = new((tMin, tMax) => tMin <= tMax);
+
+    // ---- Slide "Triangle" ----
+
+    /// <summary>(A, n, d) → the t where the ray crosses the triangle's plane.</summary>
+    public Step<Func<Vector3, Vector3, Vector3, double>> TriangleT { get; }
+
+    /// <summary>(t, d) → X, whose u and v are asked.</summary>
+    public Step<Func<double, Vector3, Vector3>> TriangleX { get; }
+
+    /// <summary>n → what u and v are divided by.</summary>
+    public Step<Func<Vector3, double>> Whole { get; } = new(n => n * n);
+
+    /// <summary>(u, v) → whether X is in the triangle.</summary>
+    public Step<Func<double, double, bool>> Inside { get; } = new(SlideFormulas.IsInside);
+
+    /// <summary>The way a triangle is hit; the definition's if null.</summary>
+    public Func<Triangle, Vector3, Crossed>? TriangleFormula { get; set; }
+
+    /// <summary>Puts a formula in the place of the triangle's that may hit it outside of itself.</summary>
+    public void TriangleIs(Func<Triangle, Vector3, Crossed> formula) => (TriangleFormula, TrianglesReachOut) = (formula, true);
+
+    /// <summary>L, tca, D², thc.</summary>
+    private Crossed Geometric(Sphere s, Vector3 d)
+    {
+        var L = s.Center - P;
+        var tca = L * d;
+        var distance = D2.Do(L * L, tca);
+        return PassesBy.Do(s.Radius, distance) ? SlideFormulas.None : Roots.Do(tca, Thc.Do(s.Radius, distance));
+    }
+
+    /// <summary>t_min = the last way in, t_max = the first way out.</summary>
+    private Crossed Slabs(Aabb box, Vector3 d)
+    {
+        var (x, y, z) = (Slab.Do(0, box, d), Slab.Do(1, box, d), Slab.Do(2, box, d));
+        var (tMin, tMax) = (LastIn.Do(x.In, y.In, z.In), FirstOut.Do(x.Out, y.Out, z.Out));
+        return Overlap.Do(tMin, tMax) ? new(tMin, tMax) : SlideFormulas.None;
+    }
+
+    /// <summary>Where a ray crosses the faces of a slab; one that runs along it is in it for ever or never, on its face too.</summary>
+    private (double, double) FacesOf(int axis, Aabb box, Vector3 d)
+    {
+        var (lo, hi, origin, direction) = (box.Min.At(axis), box.Max.At(axis), P.At(axis), d.At(axis));
+        return direction != 0 ? ((lo - origin) / direction, (hi - origin) / direction)
+            : lo <= origin && origin <= hi ? (double.NegativeInfinity, double.PositiveInfinity)
+            : (double.NaN, double.NaN);
+    }
+
+    /// <summary>n = (B − A) × (C − A), u and v are shares of its length.</summary>
+    public Crossed TriangleByShares(Triangle triangle, Vector3 d, Func<Vector3, Vector3, Vector3> sides)
+    {
+        var (A, B, C) = (triangle.A, triangle.B, triangle.C);
+        var t = TriangleT.Do(A, NormalOf(triangle), d);
+        if (!Counts(t, d)) return SlideFormulas.None; // only to be done sooner
+        var (X, n) = (TriangleX.Do(t, d), sides(B - A, C - A));
+        var whole = Whole.Do(n);
+        return Inside.Do(sides(A - C, X - C) * n / whole, sides(B - A, X - A) * n / whole) ? new(t) : SlideFormulas.None;
+    }
+
+    /// <summary>The same by Cramer's rule, as Möller and Trumbore have it: all from d × (C − A) and (P − A) × (B − A).</summary>
+    public Crossed TriangleByDeterminants(Triangle triangle, Vector3 d)
+    {
+        var (b, c, p) = (triangle.B - triangle.A, triangle.C - triangle.A, P - triangle.A);
+        var (dc, pb) = (Cross.Do(d, c), Cross.Do(p, b));
+        var determinant = b * dc;
+        return Inside.Do(p * dc / determinant, d * pb / determinant) ? new(c * pb / determinant) : SlideFormulas.None;
+    }
+
+    /// <summary>The same as the hand-out has it: w, u and v are shares of the volumes that d spans with the corners seen from P.</summary>
+    public Crossed TriangleByVolumes(Triangle triangle, Vector3 d, Vector3? from = null, Vector3? signs = null,
+        Func<double, double, double, bool>? inside = null)
+    {
+        var t = TriangleT.Do(triangle.A, NormalOf(triangle), d);
+        if (!Counts(t, d)) return SlideFormulas.None;
+        var (origin, sign) = (from ?? P, signs ?? new(1, 1, 1));
+        var (a, b, c) = (triangle.A - origin, triangle.B - origin, triangle.C - origin);
+        var (w, u, v) = (sign.X * (d * Cross.Do(b, c)), sign.Y * (d * Cross.Do(c, a)), sign.Z * (d * Cross.Do(a, b)));
+        var sum = w + u + v;
+        return inside?.Invoke(u, v, sum) ?? (w / sum >= 0 && u / sum >= 0 && v / sum >= 0) ? new(t) : SlideFormulas.None;
+    }
+
+    /// <summary>The areas of the triangles that X makes with the sides add up to the triangle's, where X is in it.</summary>
+    public Crossed TriangleByAreas(Triangle triangle, Vector3 d)
+    {
+        var ((A, B, C), n) = ((triangle.A, triangle.B, triangle.C), NormalOf(triangle));
+        var t = TriangleT.Do(A, n, d);
+        var X = TriangleX.Do(t, d);
+        double Area(Vector3 a, Vector3 b) => Length.Do(Cross.Do(a, b));
+        return Area(C - B, X - B) + Area(A - C, X - C) + Area(B - A, X - A) == Length.Do(n) ? new(t) : SlideFormulas.None;
+    }
+
+    /// <summary>(B − A) × (C − A).</summary>
+    public Vector3 NormalOf(Triangle triangle) => Cross.Do(triangle.B - triangle.A, triangle.C - triangle.A);
+}
