@@ -246,12 +246,12 @@ public sealed class Diagnosis
     /// <summary>The mistakes by which a program loses a shape that it draws, beside those that it has.</summary>
     private IEnumerable<WrongProgram> Losing(WrongProgram best)
     {
-        var without = best.Draw(prepared.Scene);
+        var without = evidence.Draw(best.Draw(prepared.Scene));
         var rest = new Unfinished([.. best.Base.NotYet.Except(best.Base.Kinds)]);
         return from mistake in prepared.Known
                where best.Base.Kinds.All(kind => (mistake.Concerns & Mistake.KindOf(kind)) != 0)
                let trial = mistake.Wordings.Select(wording => best with { Base = rest, Wordings = [.. best.Wordings, wording] })
-                   .FirstOrDefault(trial => evidence.AreAlike(trial.Draw(prepared.Scene), without))
+                   .FirstOrDefault(trial => evidence.AreAlike(without, trial.Draw(prepared.Scene)))
                where trial is not null
                orderby trial.Wordings[^1] != mistake, BitOperations.PopCount((uint)mistake.Concerns) // the commonest, then those of few shapes
                select trial;
@@ -295,13 +295,15 @@ public sealed class Diagnosis
     {
         Mistake[] twins = [];
         var own = trial.Draw(prepared.Scene);
+        var drawn = evidence.Draw(own);
         if (trial.Named is [var named] && !own.Scatters)
         {
             var way = trial.Wordings.Count > 0 ? trial.Base : Unfinished.Nothing;
-            twins = [.. prepared.Known.Where(other => other != named &&
-                other.Wordings.Any(wording => evidence.AreAlike(own, new WrongProgram(way, [wording], trial.OtherSample).Draw(prepared.Scene))))];
+            twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
+                .Where(other => other != named && other.Wordings.Any(
+                    wording => evidence.AreAlike(drawn, new WrongProgram(way, [wording], trial.OtherSample).Draw(prepared.Scene))))];
         }
-        var isSame = !own.Scatters && !likeliest.Scatters && evidence.AreAlike(own, likeliest);
+        var isSame = !own.Scatters && !likeliest.Scatters && evidence.AreAlike(drawn, likeliest);
         var isTypical = trial.Misfit.Unexplained <= Explained * WrongCount && trial.Unusual == 0;
         return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet, isSame, isTypical);
     }

@@ -56,8 +56,14 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     public List<WrongProgram> Run(IEnumerable<Unfinished> unfinished, Func<IEnumerable<Unfinished>> likely)
     {
         var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
-        var everySingle = Measured(Singles(Unfinished.Nothing, MayBeOtherSample ? [false, true] : [false]), Glance);
+        var quick = Singles(Unfinished.Nothing, MayBeOtherSample ? [false, true] : [false]).ToLookup(trial => trial.Draw(scene).TrianglesTried == 0);
+        var everySingle = Measured([.. quick[true]], Glance);
         var singles = Best(everySingle[..(everySingle.Count / 3)]);
+        if (quick[false].Any() && !IsDone(singles, Certain))
+        {
+            everySingle = Sorted([.. everySingle, .. Measured([.. quick[false]], Glance)]);
+            singles = Best(everySingle[..(everySingle.Count / 3)]);
+        }
         if (!MayBeOtherSample)
         {
             var other = singles.Where(single => single.Id != center.Id).Select(single => single with { OtherSample = true });

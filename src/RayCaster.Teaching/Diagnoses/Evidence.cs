@@ -9,8 +9,8 @@ internal sealed class Evidence
     /// <summary>What a channel may be off by without being wrong: a level for truncating, and one for the last bits of a float.</summary>
     public const int Tolerance = 2;
 
-    /// <summary>As many triangles as are tried in all where a ray must try every triangle of a mesh.</summary>
-    public const int MostTests = 10_000_000;
+    /// <summary>About as many triangles as are tried in a first look and in the last, where a ray must try every triangle of a mesh.</summary>
+    private const int LeastTests = 50_000, MostTests = 1_000_000;
 
     /// <summary>What part of a pixel is left unexplained that a mistake explains only because its pixels may lie anywhere.</summary>
     private const double Chance = 0.3;
@@ -57,7 +57,7 @@ internal sealed class Evidence
     private Evidence(Evidence whole, Lab first)
     {
         (picture, right, most) = (whole.picture, whole.right, whole.most);
-        ILookup<bool, int> isExplained = whole.wrongPixels.Concat(whole.otherPixels)
+        ILookup<bool, int> isExplained = whole.wrongPixels.Take(Affordable(most, first)).Concat(whole.otherPixels.Take(Affordable(most, first)))
             .ToLookup(pixel => At(pixel) is var (x, y) && IsNear(first[x, y], picture[x, y]));
         (wrongPixels, otherPixels) = ([.. isExplained[false]], [.. isExplained[true]]);
         WrongCount = (int)whole.Misfit(first).Unexplained;
@@ -81,21 +81,34 @@ internal sealed class Evidence
     /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
     public bool IsOnlyOutlines { get; }
 
-    /// <summary>Whether two labs draw the same picture, but for one pixel in two thousand.</summary>
-    public bool AreAlike(Lab a, Lab b)
+    /// <summary>Draws the pixels of the evidence, to be compared with what several labs draw.</summary>
+    public Drawn Draw(Lab lab)
     {
-        if ((a.Width, a.Height) != (b.Width, b.Height)) return false;
-        var left = (wrongPixels.Length + otherPixels.Length) / 2000;
+        List<(int, (byte, byte, byte))> colors = [];
         foreach (var pixels in (ReadOnlySpan<int[]>)[wrongPixels, otherPixels])
         {
-            foreach (var pixel in pixels)
-            {
-                var (x, y) = At(pixel);
-                if (!IsNear(a[x, y], b[x, y]) && --left < 0) return false;
-            }
+            foreach (var pixel in pixels.AsSpan(0, Affordable(pixels.Length, lab)))
+                if (At(pixel) is var (x, y) && x < lab.Width && y < lab.Height) colors.Add((pixel, lab[x, y]));
         }
+        return new(lab.Width, lab.Height, colors);
+    }
+
+    /// <summary>Whether a lab draws the same picture as another, but for one pixel in two thousand.</summary>
+    public bool AreAlike(Drawn one, Lab lab)
+    {
+        if ((one.Width, one.Height) != (lab.Width, lab.Height)) return false;
+        var step = Math.Max(1, one.Colors.Count / Math.Max(1, Affordable(one.Colors.Count, lab)));
+        var left = one.Colors.Count / step / 2000;
+        for (var k = 0; k < one.Colors.Count; k += step)
+            if (At(one.Colors[k].Pixel) is var (x, y) && !IsNear(one.Colors[k].Color, lab[x, y]) && --left < 0) return false;
         return true;
     }
+
+    /// <summary>Pixels that a lab has drawn.</summary>
+    /// <param name="Width">Of the lab's picture.</param>
+    /// <param name="Height">Of the lab's picture.</param>
+    /// <param name="Colors">The pixels' places in the student's picture, and their colours.</param>
+    public sealed record Drawn(int Width, int Height, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
 
     /// <summary>What speaks for a second mistake beside a first one.</summary>
     public Evidence Beside(Lab first) => new(this, first);
@@ -105,15 +118,14 @@ internal sealed class Evidence
     /// <param name="share">What share of as many pixels as are chosen at most is looked at; few are enough to see that a mistake is far off.</param>
     public Misfit Misfit(Lab lab, double share = 1)
     {
-        if ((lab.Width, lab.Height) != (picture.Width, picture.Height)) return RayCaster.Teaching.Misfit.Complete(PixelCount);
+        if ((lab.Width, lab.Height) != (picture.Width, picture.Height) || lab.TakesTooLong) return RayCaster.Teaching.Misfit.Complete(PixelCount);
         if (lab.Scatters && (right.Width, right.Height) != (picture.Width, picture.Height)) return RayCaster.Teaching.Misfit.Complete(PixelCount);
         return Misfit(lab, wrongPixels, WrongCount, share) + Misfit(lab, otherPixels, PixelCount - WrongCount, share);
     }
 
     private Misfit Misfit(Lab lab, int[] pixels, int stoodFor, double share)
     {
-        var count = Math.Min(pixels.Length, (int)Math.Ceiling(most * share));
-        if (lab.TrianglesTried > 0) count = (int)Math.Min(count, MostTests / lab.TrianglesTried);
+        var count = Affordable(Math.Min(pixels.Length, (int)Math.Ceiling(most * share)), lab, share);
         if (count == 0) return default;
         var (unexplained, error) = (0.0, 0.0);
         for (var k = 0; k < count; k++)
@@ -131,6 +143,10 @@ internal sealed class Evidence
         }
         return new Misfit(unexplained, error) * ((double)stoodFor / count);
     }
+
+    /// <summary>How many of some pixels are drawn: fewer where each ray must try every triangle of a mesh.</summary>
+    private static int Affordable(int pixels, Lab lab, double share = 1) =>
+        lab.TrianglesTried == 0 ? pixels : (int)Math.Min(pixels, (LeastTests + share * MostTests) / lab.TrianglesTried);
 
     /// <summary>The definition, its rays moved by a thousandth of a pixel towards each corner.</summary>
     private static Lab[] Nudged(Scene scene)

@@ -57,7 +57,11 @@ internal sealed partial class Lab
         Row = new(y => camera.Height - 1 - y);
         Shown = new((x, y) => Cast(Column.Do(x), Row.Do(y)));
 
-        foreach (var mistake in mistakes) mistake.Deviate(this);
+        foreach (var mistake in mistakes)
+        {
+            mistake.Deviate(this);
+            if (mistake.Id != "center") made++;
+        }
 
         geometric = TakesUnitLength || D2.IsChanged || PassesBy.IsChanged || Thc.IsChanged || Roots.IsChanged;
         slabs = Faces.IsChanged || Order.IsChanged || Slab.IsChanged || LastIn.IsChanged || FirstOut.IsChanged || Overlap.IsChanged;
@@ -78,8 +82,12 @@ internal sealed partial class Lab
     /// <summary>As many triangles as a ray may try one by one; with more a mistake is not tried at all.</summary>
     public const int MostTriangles = 20_000;
 
+    /// <summary>The same beside another mistake: there are thousands of pairs.</summary>
+    private const int MostTrianglesBeside = 1000;
+
     private Model[] models;
     private readonly double h, w, reach;
+    private readonly int made; // mistakes; that rays pass through the other place of each pixel is a manner, too
     private readonly bool geometric, slabs;
 
     /// <summary>What is drawn.</summary>
@@ -155,6 +163,9 @@ internal sealed partial class Lab
 
     /// <summary>How many triangles of meshes each ray must try, one by one.</summary>
     public long TrianglesTried => TrianglesReachOut ? models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount) : 0;
+
+    /// <summary>Whether that takes too long for a search.</summary>
+    public bool TakesTooLong => TrianglesTried > (made > 1 ? MostTrianglesBeside : MostTriangles);
 
     /// <summary>The ray from the camera in a direction.</summary>
     public Ray<Scalar> RayOf(Vector3 d) => new(P, d);

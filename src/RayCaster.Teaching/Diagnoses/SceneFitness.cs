@@ -23,6 +23,9 @@ public sealed class SceneFitness
     /// <summary>How many pixels the second look takes: at a mistake, and at each of its other wordings.</summary>
     private const int SecondLook = 60_000, ThirdLook = 15_000;
 
+    /// <summary>As many triangles as are tried in all where a ray must try every triangle of a mesh.</summary>
+    private const int MostTests = 10_000_000;
+
     private SceneFitness(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
     {
         Scenes = [.. scenes.Select(Judged)];
@@ -148,7 +151,7 @@ public sealed class SceneFitness
         public void Look(Mistake mistake)
         {
             var lab = new Lab(scene, mistake);
-            var most = lab.TrianglesTried == 0 ? Samples : Math.Min(Samples, Evidence.MostTests / lab.TrianglesTried);
+            var most = lab.TrianglesTried == 0 ? Samples : Math.Min(Samples, MostTests / lab.TrianglesTried);
             var pixels = new byte[3 * Math.Min(most, count)];
             for (var k = 0; k < pixels.Length / 3; k++) Put(lab, places[k], pixels, 3 * k);
             samples[mistake] = pixels;
