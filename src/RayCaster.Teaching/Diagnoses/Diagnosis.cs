@@ -189,8 +189,9 @@ public sealed class Diagnosis
             best = ranked.Find(trial => !trial.Base.Kinds.Any() && trial.Misfit.Unexplained <= Much * best.Misfit.Unexplained) ?? best;
         best = WithoutIdle(best);
         var left = best.Misfit.Unexplained / WrongCount;
-        var isNamed = left <= Explained
-            || (MissingModel is null && left <= MayLeave(best));
+        // where one missing model is enough, two mistakes are not assumed
+        var isNamed = MissingModel is null ? left <= Math.Max(Explained, MayLeave(best))
+            : left <= Explained && best.Wordings.Count < 2;
         var isCertain = false;
         // two mistakes of the camera may by chance make the very picture of another angle of view
         var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Concerns == Concerns.Camera);
@@ -204,7 +205,8 @@ public sealed class Diagnosis
         if (!isNamed)
         {
             if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
-            else if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } whole) Likely = [whole];
+            if (evidence.IsOnlyOutlines || MissingModel is not null) return;
+            if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } whole) Likely = [whole];
             if (!isCertain) Nearest = [.. NearestOf(ranked, best.Draw(prepared.Scene))];
             return;
         }
