@@ -17,7 +17,7 @@ public enum Finding
     /// <summary>The picture is wrong, and no mistake of the catalogue explains it.</summary>
     NoneOfThese,
 
-    /// <summary>The picture shows nothing but background, or all models are black: very many mistakes make such a picture, so none is named.</summary>
+    /// <summary>Nothing but background, or models that are all black or all white: many mistakes make such a picture, so none is named.</summary>
     TellsNothing,
 }
 
@@ -29,7 +29,7 @@ public enum Finding
 /// <param name="NotYet">What is not drawn yet besides, as in <see cref="Diagnosis.NotYet"/>.</param>
 /// <param name="SamePicture">Whether it draws the same picture of this scene as the first suspect; true of that one, too.</param>
 /// <param name="HasSymptoms">
-/// Whether the symptoms of the mistakes are surely to be seen: each is in the wording that its symptom was written for, and they explain the picture.
+/// Whether the symptoms of the mistakes are surely to be seen: each is in the wording that its symptom is of, and they explain the picture.
 /// </param>
 public sealed record Suspect(
     IReadOnlyList<Mistake> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet,

@@ -139,7 +139,8 @@ public static class DiagnosisReport
             diagnosis.NotYet,
             diagnosis.Likely,
             CannotShow = hidden?.Select(mistake => mistake.Id),
-            Suspects = diagnosis.Suspects.Select((suspect, i) => Json(suspect, i == 0 ? "likely" : suspect.SamePicture ? "as likely" : "less likely"))
+            Suspects = diagnosis.Suspects
+                .Select((suspect, i) => Json(suspect, i == 0 ? "likely" : suspect.SamePicture ? "as likely" : "less likely"))
                 .Concat(diagnosis.Nearest.Select(nearest => Json(nearest, "nearest, explains too little"))),
         });
 

@@ -198,8 +198,8 @@ public class DiagnosisTests
     [Fact]
     public void WhereNoneExplainsThePictureTheNearestIsToldAsSuch()
     {
-        var depth = new Mistake("new", Concerns.Hit, "", "what is higher shows", lab => lab.AxisV.Becomes(V => (w, u) => V(w, u) + 0.2 * u), "", "", "");
-        var diagnosis = Diagnosis.Of(scene, new Lab(scene, depth, MistakeCatalog.Named("bgr")!).Render());
+        var skew = new Mistake("new", Concerns.Camera, "", "V is skew", lab => lab.AxisV.Becomes(V => (w, u) => V(w, u) + 0.2 * u), "", "", "");
+        var diagnosis = Diagnosis.Of(scene, new Lab(scene, skew, MistakeCatalog.Named("bgr")!).Render());
         Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
         Assert.Contains(diagnosis.Nearest, nearest => Named(nearest).Contains("bgr"));
         Assert.Contains("none explains the picture", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
