@@ -98,8 +98,8 @@ internal static class BoxMistakes
                 {
                     int Of(string letter) => wrong.Contains(letter) ? k : i;
                     var (B0, P0, d0, B1, P1, d1) = (Of("B0"), Of("P0"), Of("d0"), Of("B1"), Of("P1"), Of("d1"));
-                    yield return ($"box: the slab of {axes[i]} with the {axes[k]} of {wrong} in (B0 − P0) / d0 and (B1 − P1) / d1", lab => lab.Faces.Becomes(
-                        faces => (axis, box, d) => axis != i ? faces(axis, box, d)
+                    yield return ($"box: the slab of {axes[i]} with the {axes[k]} of {wrong} in (B0 − P0) / d0 and (B1 − P1) / d1",
+                        lab => lab.Faces.Becomes(faces => (axis, box, d) => axis != i ? faces(axis, box, d)
                             : ((box.Min.At(B0) - lab.P.At(P0)) / d.At(d0), (box.Max.At(B1) - lab.P.At(P1)) / d.At(d1))));
                 }
             }

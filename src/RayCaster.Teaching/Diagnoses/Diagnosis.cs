@@ -17,7 +17,7 @@ public enum Finding
     /// <summary>The picture is wrong, and no mistake of the catalogue explains it.</summary>
     NoneOfThese,
 
-    /// <summary>The picture shows nothing but background, or all models are black: very many mistakes make such a picture, so none is named.</summary>
+    /// <summary>Nothing but background, or models that are all black or all white: many mistakes make such a picture, so none is named.</summary>
     TellsNothing,
 }
 
@@ -29,7 +29,7 @@ public enum Finding
 /// <param name="NotYet">What is not drawn yet besides, as in <see cref="Diagnosis.NotYet"/>.</param>
 /// <param name="SamePicture">Whether it draws the same picture of this scene as the first suspect; true of that one, too.</param>
 /// <param name="HasSymptoms">
-/// Whether the symptoms of the mistakes are surely to be seen: each is in the wording that its symptom was written for, and they explain the picture.
+/// Whether the symptoms of the mistakes are surely to be seen: each is in the wording that its symptom is of, and they explain the picture.
 /// </param>
 public sealed record Suspect(
     IReadOnlyList<Mistake> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet,
@@ -189,8 +189,9 @@ public sealed class Diagnosis
             best = ranked.Find(trial => !trial.Base.Kinds.Any() && trial.Misfit.Unexplained <= Much * best.Misfit.Unexplained) ?? best;
         best = WithoutIdle(best);
         var left = best.Misfit.Unexplained / WrongCount;
-        var isNamed = left <= Explained
-            || (MissingModel is null && left <= MayLeave(best));
+        // where one missing model is enough, two mistakes are not assumed
+        var isNamed = MissingModel is null ? left <= Math.Max(Explained, MayLeave(best))
+            : left <= Explained && best.Wordings.Count < 2;
         var isCertain = false;
         // two mistakes of the camera may by chance make the very picture of another angle of view
         var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Concerns == Concerns.Camera);
@@ -204,7 +205,8 @@ public sealed class Diagnosis
         if (!isNamed)
         {
             if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
-            else if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } whole) Likely = [whole];
+            if (evidence.IsOnlyOutlines || MissingModel is not null) return;
+            if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } whole) Likely = [whole];
             if (!isCertain) Nearest = [.. NearestOf(ranked, best.Draw(prepared.Scene))];
             return;
         }

@@ -139,8 +139,9 @@ public static class DiagnosisReport
             diagnosis.NotYet,
             diagnosis.Likely,
             CannotShow = hidden?.Select(mistake => mistake.Id),
-            Suspects = diagnosis.Suspects.Select(Json),
-            Nearest = diagnosis.Nearest.Select(Json),
+            Suspects = diagnosis.Suspects
+                .Select((suspect, i) => Json(suspect, i == 0 ? "likely" : suspect.SamePicture ? "as likely" : "less likely"))
+                .Concat(diagnosis.Nearest.Select(nearest => Json(nearest, "nearest, explains too little"))),
         });
 
     /// <summary>Where nothing could be diagnosed: the same object, with what was in the way.</summary>
@@ -148,8 +149,9 @@ public static class DiagnosisReport
 
     private static object? Size((int Width, int Height)? size) => size is var (width, height) ? new { Width = width, Height = height } : null;
 
-    private static object Json(Suspect suspect) => new
+    private static object Json(Suspect suspect, string rank) => new
     {
+        Rank = rank,
         Mistakes = suspect.Mistakes.Select(mistake => new
         {
             mistake.Id,

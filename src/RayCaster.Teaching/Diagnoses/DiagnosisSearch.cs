@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace RayCaster.Teaching;
 
 /// <summary>
@@ -11,6 +13,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     /// <summary>The same where no second mistake could be worth its <see cref="WrongProgram.Cost"/>.</summary>
     private const double Certain = 0.0067;
+
+    /// <summary>The share that a mistake may leave for its other wordings to be looked at once more.</summary>
+    private const double Rewordable = 0.1;
 
     /// <summary>The same where shapes are missing, whose pixels a second mistake may explain.</summary>
     private const double Nearly = 0.001;
@@ -36,6 +41,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     /// <summary>How many wordings of a mistake are tried where all pairs are.</summary>
     private const int MostWordings = 12;
+
+    /// <summary>How many of the nearest mistakes are tried with rays through the other place of each pixel, too.</summary>
+    private const int OtherSamples = 6;
 
     /// <summary>How many of the nearest mistakes are tried beside each way to be unfinished.</summary>
     private const int Besides = 3;
@@ -66,9 +74,10 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         }
         if (!MayBeOtherSample)
         {
-            var other = singles.Where(single => single.Id != center.Id).Select(single => single with { OtherSample = true });
+            var other = singles.Where(single => single.Id != center.Id).Take(OtherSamples).Select(single => single with { OtherSample = true });
             singles = Sorted([.. singles, .. Best([.. other])]);
         }
+        if (!IsDone(singles, Certain) && IsDone(singles, Rewordable)) singles = Sorted([.. singles, .. Best(Reworded(singles, Besides))]);
         singles = WithoutIdle(singles);
         // Beside a mistake that changes everything a missing shape counts for little, so it is looked for even where the mistake explains most.
         var beside = Best(
@@ -89,8 +98,10 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         if (IsDone(all)) return Sorted(all);
 
         var pairs = Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]);
-        all.AddRange([.. pairs, .. IsDone(pairs, Certain) ? [] : Best(Reworded(pairs))]);
-        if (!IsDone(all, Certain)) all.AddRange(Best(Reworded(Best(AllPairs(everySingle)))));
+        all.AddRange([.. pairs, .. IsDone(pairs, Certain) ? [] : Best(Reworded(pairs, Besides))]);
+        if (!IsDone(all, Certain) && singles[0].Wordings[0].Concerns is var shape && BitOperations.IsPow2((int)shape) && (shape & Everything) == 0)
+            all.AddRange(Best(AllPairs(everySingle, shape, MostWordings)));
+        if (!IsDone(all, Certain)) all.AddRange(Best(Reworded(Best(AllPairs(everySingle, Everything, 1)), UnfinishedPartners)));
         return Sorted(all);
     }
 
@@ -147,38 +158,42 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
             && trial.OtherSample == singles[0].OtherSample && trial.Misfit != singles[0].Misfit).Take(1)
         .Concat(singles.DistinctBy(trial => (trial.Id, trial.OtherSample)));
 
-    /// <summary>All pairs of mistakes that change everything, so that neither is near by itself, in their commonest and nearest wordings.</summary>
+    /// <summary>All pairs of mistakes that change the same, so that neither is near by itself, in their commonest and nearest wordings.</summary>
     /// <param name="singles">Every mistake in every wording, the nearest first.</param>
-    private List<WrongProgram> AllPairs(List<WrongProgram> singles)
+    /// <param name="concerns">What they change.</param>
+    /// <param name="firsts">How many wordings of the first of both are tried.</param>
+    private List<WrongProgram> AllPairs(List<WrongProgram> singles, Concerns concerns, int firsts)
     {
         Mistake[][] nearest =
         [
             .. from single in singles
-               where !single.OtherSample && (single.Wordings[0].Concerns & Everything) != 0
-               group single.Wordings[0] by single.Id into wordings
-               select wordings.Take(MostWordings).Prepend(MistakeCatalog.Named(wordings.Key)!).Distinct().ToArray(),
+               where !single.OtherSample && (single.Wordings[0].Concerns & concerns) != 0
+               group single by single.Id into wordings
+               let alike = wordings.DistinctBy(single => single.Misfit).Take(MostWordings).Select(single => single.Wordings[0])
+               select alike.Prepend(MistakeCatalog.Named(wordings.Key)!).Distinct().ToArray(),
         ];
         List<WrongProgram> pairs =
         [
             .. from one in nearest
                from other in nearest
                where one != other
+               from first in one.Take(firsts)
                from wording in other
-               select new WrongProgram(Unfinished.Nothing, [one[0], wording], false),
+               select new WrongProgram(Unfinished.Nothing, [first, wording], false),
         ];
         foreach (var (share, most) in ((double, int)[])[(Glance / 4, pairs.Count / 4), (Glance, Closer)])
             pairs = [.. Measured(pairs, share).Take(most)];
         return pairs;
     }
 
-    /// <summary>The best pairs with one of both in another wording, and with rays through the other place of each pixel.</summary>
-    private static List<WrongProgram> Reworded(List<WrongProgram> pairs) =>
+    /// <summary>The best trials with one of their mistakes in another wording; pairs also with rays through the other place of each pixel.</summary>
+    private static List<WrongProgram> Reworded(List<WrongProgram> trials, int most) =>
     [
-        .. from pair in pairs.DistinctBy(pair => pair.Id).Take(Partners)
-           from place in (int[])[0, 1]
-           from wording in pair.Wordings[place].Wordings
-           from otherSample in (bool[])[false, true]
-           select pair with { Wordings = place == 0 ? [wording, pair.Wordings[1]] : [pair.Wordings[0], wording], OtherSample = otherSample },
+        .. from trial in trials.DistinctBy(trial => trial.Id).Take(most)
+           from place in Enumerable.Range(0, trial.Wordings.Count)
+           from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.Wordings
+           from otherSample in trial.Wordings.Count > 1 ? (bool[])[false, true] : [trial.OtherSample]
+           select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)], OtherSample = otherSample },
     ];
 
     /// <summary>Looks at all, looks closer at the best, and sorts these.</summary>

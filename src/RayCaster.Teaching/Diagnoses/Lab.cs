@@ -117,6 +117,9 @@ internal sealed partial class Lab
     /// <summary>height / width of the picture.</summary>
     public double Tall => (double)Camera.Height / Camera.Width;
 
+    /// <summary>h / w.</summary>
+    public double PlaneTall => h / w;
+
     /// <summary>Pixels in a line of the file.</summary>
     public int Width { get; private set; }
 

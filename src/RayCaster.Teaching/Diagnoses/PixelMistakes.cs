@@ -26,11 +26,9 @@ internal static class PixelMistakes
             .Or("+ w / 2 and + h / 2", lab => Shift(lab, -0.5, -0.5))
             .Or("+ w / 2 for − w / 2", lab => Shift(lab, -0.5, 0.5))
             .Or("+ h / 2 for − h / 2", lab => Shift(lab, 0.5, -0.5))
-            .Or("(w c / width − w) / 2 and (h r / height − h) / 2: wrong brackets", lab =>
-            {
-                lab.Uc.Becomes(uc => c => (uc(c) + uc(0)) / 2);
-                lab.Ur.Becomes(ur => r => (ur(r) + ur(0)) / 2);
-            })
+            .Or("(w c / width − w) / 2 and (h r / height − h) / 2: wrong brackets", HalveC + HalveR)
+            .Or("(w c / width − w) / 2", HalveC)
+            .Or("(h r / height − h) / 2", HalveR)
             .Or("w (c / width − w / 2) and h (r / height − h / 2)", BracketC + BracketR)
             .Or("w (c / width − w / 2)", BracketC)
             .Or("h (r / height − h / 2)", BracketR)
@@ -93,13 +91,15 @@ internal static class PixelMistakes
         }
     }
 
-    /// <summary>uc = w c / width − w / 2 with powers of width / height as factors of both parts.</summary>
+    /// <summary>uc = w c / width − w / 2 with factors of both parts: 1 for width / height of the picture, −1 for h / w.</summary>
     private static Action<Lab> MixUc(int step, int start) => lab => lab.Uc.Becomes(uc => c =>
-        Math.Pow(lab.Wide, step) * (uc(c) - uc(0)) + Math.Pow(lab.Wide, start) * uc(0));
+        Factor(step, lab.Wide, lab.PlaneTall) * (uc(c) - uc(0)) + Factor(start, lab.Wide, lab.PlaneTall) * uc(0));
 
-    /// <summary>ur = h r / height − h / 2 with powers of height / width as factors of both parts.</summary>
+    /// <summary>ur = h r / height − h / 2 with factors of both parts: 1 for height / width of the picture, −1 for w / h.</summary>
     private static Action<Lab> MixUr(int step, int start) => lab => lab.Ur.Becomes(ur => r =>
-        Math.Pow(lab.Tall, step) * (ur(r) - ur(0)) + Math.Pow(lab.Tall, start) * ur(0));
+        Factor(step, lab.Tall, 1 / lab.PlaneTall) * (ur(r) - ur(0)) + Factor(start, lab.Tall, 1 / lab.PlaneTall) * ur(0));
+
+    private static double Factor(int which, double ofPicture, double ofPlane) => which > 0 ? ofPicture : which < 0 ? ofPlane : 1;
 
     /// <summary>Half a pixel farther or nearer than the scene says; 1 is from the corner to the centre, or from the centre to the corner.</summary>
     private static Action<Lab> Sampled(int columns, int rows) => lab => lab.Sample.Becomes(sample =>
@@ -107,6 +107,10 @@ internal static class PixelMistakes
         var half = lab.Camera.Sample == Sample.Corner ? 0.5 : -0.5;
         return (c, r) => sample(c + columns * half, r + rows * half);
     });
+
+    private static Action<Lab> HalveC => lab => lab.Uc.Becomes(uc => c => (uc(c) + uc(0)) / 2);
+
+    private static Action<Lab> HalveR => lab => lab.Ur.Becomes(ur => r => (ur(r) + ur(0)) / 2);
 
     /// <summary>w² / 2 is taken off, which is twice the square of uc(0) = − w / 2.</summary>
     private static Action<Lab> BracketC => lab => lab.Uc.Becomes(uc => c => uc(c) - uc(0) - 2 * uc(0) * uc(0));

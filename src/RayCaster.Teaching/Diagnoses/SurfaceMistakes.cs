@@ -23,7 +23,8 @@ internal static class SurfaceMistakes
                     ("(Q − P)·n / |d·n|", (P, Q, n, d) => (Q - P) * n / Math.Abs(d * n)), ("(Q − P)·n", (P, Q, n, d) => (Q - P) * n),
                     ("d·n / (Q − P)·n", (P, Q, n, d) => d * n / ((Q - P) * n)), ("(Q − P)·n / Q·n", (P, Q, n, d) => (Q - P) * n / (Q * n)),
                     ("(Q − P)·n / P·n", (P, Q, n, d) => (Q - P) * n / (P * n)), ("(Q − P)·d / d·n", (P, Q, n, d) => (Q - P) * d / (d * n)),
-                    ("(Q − P)·n / (d·n)²", (P, Q, n, d) => (Q - P) * n / (d * n * (d * n))), ("|Q − P| / d·n", (P, Q, n, d) => (Q - P).Length / (d * n)),
+                    ("(Q − P)·n / (d·n)²", (P, Q, n, d) => (Q - P) * n / (d * n * (d * n))),
+                    ("|Q − P| / d·n", (P, Q, n, d) => (Q - P).Length / (d * n)),
                 ]
                 from wording in PlaneReaders.Of(t.Is, t.Of).Take(3)
                 select wording)

@@ -76,6 +76,7 @@ internal static class VectorMistakes
             .Or(Lengths("|a| = (x² + y² + z²) / 2", a => a * a / 2))
             .Or(Lengths("|a| with its root taken twice", a => Math.Sqrt(a.Length)))
             .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
+            .Or(Lengths("|a| = √(x² + y²) + z²", a => Math.Sqrt(a.X * a.X + a.Y * a.Y) + a.Z * a.Z))
             .Or(from k in (int[])[0, 1, 2]
                 from letters in (int[])[1, 2, 4, 8] // one of both replaced by the next or by the last letter, or both
                 let l = letters < 3 ? k : (k + letters / 4) % 3

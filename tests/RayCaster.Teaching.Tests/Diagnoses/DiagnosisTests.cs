@@ -98,8 +98,6 @@ public class DiagnosisTests
     [InlineData("whswap")]
     [InlineData("clip-after")]
     [InlineData("tri-area")]
-    [InlineData("att-no2")]
-    [InlineData("center")]
     public void NamesThePlantedMistakeFirst(string id)
     {
         var diagnosis = Diagnosis.Of(scene, Planted(id));
@@ -118,6 +116,8 @@ public class DiagnosisTests
     [InlineData("circ-nosq")]
     [InlineData("tri-cull")]
     [InlineData("noclamp")]
+    [InlineData("att-no2")]
+    [InlineData("center")]
     public void NamesOtherPlantedMistakesFirst(string id) => NamesThePlantedMistakeFirst(id);
 
     [Fact]
@@ -171,6 +171,38 @@ public class DiagnosisTests
         Assert.Equal((Finding.TellsNothing, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
         Assert.StartsWith(says, Assert.Single(diagnosis.Likely));
         Assert.Contains("so none is named", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+    }
+
+    [Fact]
+    public void AFlatWhitePictureTellsNothing()
+    {
+        var white = Planted("att-none");
+        var background = scene.Background.ToBytes();
+        for (var y = 0; y < white.Height; y++)
+            for (var x = 0; x < white.Width; x++)
+                if (white[x, y] != background) white[x, y] = (255, 255, 255);
+        var diagnosis = Diagnosis.Of(scene, white);
+        Assert.Equal((Finding.TellsNothing, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith("All that is drawn is white", Assert.Single(diagnosis.Likely));
+    }
+
+    [Theory]
+    [InlineData("slab-2axes", "slab-minmin")]
+    [InlineData("cross-y", "tri-uv")]
+    public void TwoMistakesOfOneShapeAreBothNamed(string one, string other)
+    {
+        var suspect = Diagnosis.Of(scene, WrongPicture.Draw(scene, [MistakeCatalog.Named(one)!, MistakeCatalog.Named(other)!])).Suspects[0];
+        Assert.Equal([one, other], suspect.Mistakes.Select(mistake => mistake.Id).Order());
+    }
+
+    [Fact]
+    public void WhereNoneExplainsThePictureTheNearestIsToldAsSuch()
+    {
+        var skew = new Mistake("new", Concerns.Camera, "", "V is skew", lab => lab.AxisV.Becomes(V => (w, u) => V(w, u) + 0.2 * u), "", "", "");
+        var diagnosis = Diagnosis.Of(scene, new Lab(scene, skew, MistakeCatalog.Named("bgr")!).Render());
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.Contains(diagnosis.Nearest, nearest => Named(nearest).Contains("bgr"));
+        Assert.Contains("none explains the picture", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
     }
 
     [Fact]

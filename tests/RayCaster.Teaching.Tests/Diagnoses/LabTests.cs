@@ -58,6 +58,8 @@ public class LabTests
     [InlineData("oc-sign", "dir-unnorm-a1")]
     [InlineData("tri-neg", "circ-inf")]
     [InlineData("slab-tmax", "slab-minmin")]
+    [InlineData("slab-minmin", "slab-noswap")]
+    [InlineData("tri-uv", "cross-y")]
     [InlineData("u-unnorm", "u-cross")]
     [InlineData("att-inv", "att-depth")]
     [InlineData("transpose", "bgr")]

@@ -45,6 +45,16 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    public void AnotherAngleThatTwoMistakesMakeByChanceIsToldAsASize()
+    {
+        var c = generic.Camera; // "nohalf" and "fov-horiz" make h = 2 tan(fovY) · height / width
+        var chance = 360 / Math.PI * Math.Atan(Math.Tan(c.FovY * Math.PI / 180) * c.Height / c.Width);
+        var diagnosis = Of(generic, Seen(generic, fovY: chance));
+        Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
+        Assert.StartsWith("The same picture, about", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
     public void BlackLinesAtABorderAreNoOtherLight()
     {
         var picture = ScalarRenderer.Render(generic);
