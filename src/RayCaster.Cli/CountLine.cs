@@ -4,8 +4,6 @@ using System.Globalization;
 namespace RayCaster.Cli;
 
 /// <summary>A line on the terminal that counts finished work; wiped at the end.</summary>
-/// <param name="isShown">Whether the line is shown.</param>
-/// <param name="what">What is counted.</param>
 internal sealed class CountLine(bool isShown, string what) : IDisposable
 {
     private readonly Lock drawing = new();

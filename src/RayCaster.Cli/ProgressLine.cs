@@ -6,8 +6,6 @@ namespace RayCaster.Cli;
 /// A progress line on the terminal: drawn only if the work takes long, at most ten times a second, and wiped at the end.
 /// </summary>
 /// <param name="output">Where to draw: the terminal behind standard error.</param>
-/// <param name="width">Pixels in a line of the picture.</param>
-/// <param name="height">Lines of the picture.</param>
 /// <param name="columns">The terminal's width; less than 20 means unknown.</param>
 /// <param name="what">What is counted for each pixel: rays, or something else if no rays are cast.</param>
 internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock, string what = "rays") : IDisposable

@@ -10,7 +10,6 @@ internal static class SceneInput
     /// <param name="path">The file, or "-".</param>
     /// <param name="size">The picture's size; null for the scene's.</param>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
-    /// <param name="quiet">Whether to print no warnings.</param>
     /// <returns>The scene; null if it has errors.</returns>
     public static Scene? Read(string path, (int Width, int Height)? size, int? threads, bool quiet, CancellationToken cancellation)
     {

@@ -23,7 +23,6 @@ public sealed class LiveScene : IDisposable
     private (DateTime, long)[] stamps = []; // of the meshes that are shown
 
     /// <summary>Reads the file for the first time.</summary>
-    /// <param name="path">The file as the user named it.</param>
     public LiveScene(string path)
     {
         (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));

@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>Collects the vertices and faces of a block; splits polygons into fans.</summary>
-/// <param name="source">The file, for messages.</param>
 /// <param name="isInOrder">Whether one builder collects all blocks of the file in order, so that it can count the vertices above.</param>
 internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
 {

@@ -10,7 +10,6 @@ internal abstract class PlyRows
 
     /// <summary>The length of the rows that are whole.</summary>
     /// <param name="bytes">Some of the file, from the beginning of a row on.</param>
-    /// <param name="element">What the rows are.</param>
     /// <param name="count">In: how many rows are wanted. Out: how many there are.</param>
     public abstract int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count);
 

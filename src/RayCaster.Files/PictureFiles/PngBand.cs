@@ -56,8 +56,6 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
 
     /// <summary>Empties the band.</summary>
     /// <param name="lineAbove">The line above the band; empty at the top of the picture.</param>
-    /// <param name="isFirst">Whether the band is the picture's first.</param>
-    /// <param name="isLast">Whether it is the last.</param>
     public void Begin(ReadOnlySpan<byte> lineAbove, bool isFirst, bool isLast)
     {
         lineAbove.CopyTo(above);

@@ -15,7 +15,6 @@ internal sealed class PngLines
     public uint CheckSum { get; private set; }
 
     /// <param name="data">The decompressed data, at the first line of the pass.</param>
-    /// <param name="checkSum">The checksum of the passes before.</param>
     public PngLines(Stream data, PngHeader header, PngPass pass, uint checkSum)
     {
         CheckSum = checkSum;
@@ -29,7 +28,6 @@ internal sealed class PngLines
     }
 
     /// <summary>The samples of the next line, scaled to 8 bits if they are not places in the palette. The next call overwrites them.</summary>
-    /// <param name="y">Which line it is, for a message.</param>
     /// <exception cref="PictureFileException">The line is missing, or its filter is unknown.</exception>
     public ReadOnlySpan<byte> Next(int y)
     {

@@ -11,7 +11,6 @@ public sealed class ReplacedFile : Stream
     private bool closed;
 
     /// <summary>Creates the temporary file; the old file stays as it is.</summary>
-    /// <param name="path">The file to write.</param>
     /// <param name="found">Where to look for what killed writers of this file have left; null: in its folder.</param>
     /// <exception cref="PictureFileException">
     /// The path is a folder or a device, its folder is /dev, does not exist or may not be written to, or the old file is read-only.

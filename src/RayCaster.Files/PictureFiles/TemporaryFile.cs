@@ -70,8 +70,6 @@ internal static class TemporaryFile
     }
 
     /// <summary>Deletes the temporary files of writers of the same target that were killed. Never fails.</summary>
-    /// <param name="target">The full path of the target.</param>
-    /// <param name="own">This writer's temporary file.</param>
     /// <param name="found">Files of the target's folder; null: all that it has now.</param>
     public static void DeleteOrphans(string target, string own, TemporaryFileList? found)
     {

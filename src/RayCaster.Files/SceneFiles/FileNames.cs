@@ -17,7 +17,6 @@ internal sealed class FileNames
     public int NamesRead { get; private set; }
 
     /// <summary>The end of a message about a missing file: its full path, unless that was given, and a file with a similar name.</summary>
-    /// <param name="path">The missing file.</param>
     /// <param name="extension">An extension that may have been left out.</param>
     public static string Hint(string path, string extension = "") => new FileNames().HintFor(path, extension);
 

@@ -103,6 +103,5 @@ internal sealed class JsonTree
         (node.Kind, node.Start, node.End, node.Next) = (kind, start, end, count);
     }
 
-    /// <summary>Ends an array or object.</summary>
     private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next, lastClosed) = (end, count, opening);
 }

@@ -5,8 +5,6 @@ using System.Text.Json;
 namespace RayCaster.Files;
 
 /// <summary>A value or a key in a JSON text.</summary>
-/// <param name="tree">The text.</param>
-/// <param name="node">The value's token.</param>
 internal readonly struct JsonValue(JsonTree tree, int node)
 {
     private const int FewKeys = 16; // up to here each key is compared with each other
@@ -50,7 +48,6 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     public JsonValue? Find(string name) => FindKey(name) is { } key ? new(tree, key.node + 1) : null;
 
     /// <summary>The same in an object without repeated keys.</summary>
-    /// <param name="name">The key.</param>
     /// <param name="likely">Where the search begins, 0 for nowhere; then the place of the next key. Most files have their keys in the order in
     /// which they are read.</param>
     public JsonValue? Find(string name, ref int likely)

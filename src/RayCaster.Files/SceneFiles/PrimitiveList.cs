@@ -2,7 +2,6 @@ namespace RayCaster.Files;
 
 /// <summary>A type of model as a scene file names it.</summary>
 /// <param name="Name">The value of the key <c>type</c>.</param>
-/// <param name="Meaning">What an editor shows for it.</param>
 /// <param name="Read">Reads the type's own keys; name and colour are the same for all types.</param>
 internal sealed record PrimitiveType(string Name, string Meaning, Func<SceneObject, Model> Read);
 

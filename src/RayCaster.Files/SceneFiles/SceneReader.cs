@@ -59,11 +59,8 @@ public static class SceneReader
 
     /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>
     /// <param name="utf8">The text, with or without a byte order mark.</param>
-    /// <param name="displayName">Its name in messages.</param>
     /// <param name="folder">The folder where paths of mesh files start.</param>
     /// <param name="name">The name of the outermost object in messages.</param>
-    /// <param name="read">Reads the outermost object.</param>
-    /// <param name="problems">All errors and warnings.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     internal static T? Parse<T>(
         ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,

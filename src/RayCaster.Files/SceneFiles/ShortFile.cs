@@ -5,8 +5,6 @@ internal static class ShortFile
 {
     /// <summary>Reads all bytes of a file, which may be a pipe that never ends.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
-    /// <param name="mostBytes">The longest file.</param>
-    /// <param name="utf8">The bytes.</param>
     /// <param name="report">The error, as text for people; empty if the file could be read.</param>
     public static bool TryRead(string path, int mostBytes, out ReadOnlyMemory<byte> utf8, out string report)
     {

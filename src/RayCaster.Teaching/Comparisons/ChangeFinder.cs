@@ -17,10 +17,6 @@ internal sealed class ChangeFinder
     private readonly IOutlines outlines;
     private readonly List<(int X, int Y)> edges = [], anywhere = [];
 
-    /// <param name="mine">The picture in question.</param>
-    /// <param name="reference">The one that it should be.</param>
-    /// <param name="before">Their difference; null if the sizes differ.</param>
-    /// <param name="outlines">Recognises pixels on outlines.</param>
     private ChangeFinder(Picture mine, Picture reference, PictureDifference? before, IOutlines outlines)
     {
         (this.mine, this.reference, this.before, this.outlines) = (mine, reference, before, outlines);

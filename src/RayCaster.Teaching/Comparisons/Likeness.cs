@@ -27,7 +27,6 @@ public static class Likenesses
     public static bool IsSame(this Likeness verdict) => verdict <= Likeness.OutlinesOnly;
 
     /// <summary>The verdict on a difference.</summary>
-    /// <param name="outlines">Recognises pixels on outlines.</param>
     internal static Likeness Of(PictureDifference difference, IOutlines outlines)
     {
         if (difference.Largest == 0) return Likeness.Identical;

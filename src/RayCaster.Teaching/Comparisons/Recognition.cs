@@ -1,8 +1,6 @@
 namespace RayCaster.Teaching;
 
 /// <summary>A change that makes a wrong picture agree with the right one, or nearly so.</summary>
-/// <param name="Change">What must be done to the picture.</param>
-/// <param name="Difference">The remaining difference.</param>
 /// <param name="Likeness">The verdict on the remaining difference; <see cref="Likeness.Wrong"/> if the pictures only nearly agree.</param>
 public sealed record Recognition(Change Change, PictureDifference Difference, Likeness Likeness)
 {

@@ -46,7 +46,6 @@ public sealed class SceneDifference
 
     /// <summary>Compares model by model.</summary>
     /// <param name="scene">The scene, in any size.</param>
-    /// <param name="difference">The pictures.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     public static SceneDifference Find(Scene scene, PictureDifference difference, int? threads = null)
     {

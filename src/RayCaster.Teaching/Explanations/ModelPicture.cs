@@ -19,7 +19,6 @@ public static class ModelPicture
     private const int Stripe = 4; // pixels
 
     /// <summary>Draws the scene with one model lit and the others dark; or with the model visible through those in front of it.</summary>
-    /// <param name="look">How the model is shown.</param>
     /// <param name="model">Its index; −1 for none: all models are dark.</param>
     /// <param name="cancellation">Ends the work between its steps.</param>
     public static Picture Draw(Scene scene, Look look, int model, CancellationToken cancellation)

@@ -28,7 +28,6 @@ public static class LabSteps
     };
 
     /// <summary>Whether a mistake is one of the code of a step: of its slide or of the shape that is written in it.</summary>
-    /// <param name="mistake">The mistake.</param>
     /// <param name="step">The step, from 1.</param>
     public static bool IsOf(Mistake mistake, int step) => StepOf(mistake.Slide) == step || (mistake.Concerns & ShapeOf(step)) != 0;
 
@@ -50,7 +49,6 @@ public static class LabSteps
     }
 
     /// <summary>The picture after a step.</summary>
-    /// <param name="scene">The whole scene.</param>
     /// <param name="step">The step, from 1.</param>
     public static Picture Draw(Scene scene, int step)
     {

@@ -7,7 +7,6 @@ public static class MapMaker
     public const int MostPixels = 100_000_000;
 
     /// <summary>Casts all rays of a scene and makes a map of their hits.</summary>
-    /// <param name="kind">Which numbers.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     /// <exception cref="PictureFileException">The map has more pixels than <see cref="MostPixels"/>, or does not fit into this machine's
     /// memory.</exception>
@@ -30,8 +29,6 @@ public static class MapMaker
     }
 
     /// <summary>Makes a map of hits that were found before.</summary>
-    /// <param name="kind">Which numbers.</param>
-    /// <param name="hits">The hits of the scene's pixels.</param>
     public static NumberMap Make(Scene scene, MapKind kind, HitMap hits)
     {
         var camera = scene.Camera;

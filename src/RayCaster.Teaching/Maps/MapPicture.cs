@@ -10,7 +10,6 @@ public static class MapPicture
     private static readonly uint[] Ramp = [0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725];
 
     /// <summary>Makes the picture of a map.</summary>
-    /// <param name="kind">What its numbers mean.</param>
     public static Picture Draw(NumberMap map, MapKind kind)
     {
         var picture = new Picture(map.Width, map.Height);

@@ -8,7 +8,6 @@ namespace RayCaster.Teaching;
 /// is an error, not a skipped test: whoever reads only the sums must see it.</summary>
 internal static class JUnitReport
 {
-    /// <summary>The text of the file.</summary>
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         using var text = new MemoryStream();

@@ -23,7 +23,6 @@ internal enum ProgramEnd
 }
 
 /// <summary>The result of a run of a student's program.</summary>
-/// <param name="End">How it ended.</param>
 /// <param name="ExitCode">Its exit code, if it exited by itself.</param>
 /// <param name="Printed">The end of its output, standard output and standard error together.</param>
 internal sealed record ProgramRun(ProgramEnd End, int ExitCode, string Printed)

@@ -15,7 +15,6 @@ public static class RubricReader
     private static readonly string[] places = ["{dir}", "{scene}", "{out}", "{name}"];
 
     /// <summary>Reads a file and the scenes that it names.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="report">All that is wrong with it and its scenes, as text for people; empty if nothing is.</param>
     /// <returns>The rubric, or null if there is an error.</returns>
     public static Rubric? Read(string path, out string report) => ShortFile.TryRead(path, MostBytes, out var utf8, out report)
@@ -23,8 +22,6 @@ public static class RubricReader
         : null;
 
     /// <summary>Reads a text.</summary>
-    /// <param name="utf8">The text.</param>
-    /// <param name="displayName">The file; messages name it so.</param>
     /// <param name="folder">Where the paths of scenes start.</param>
     /// <param name="report">All that is wrong with it and its scenes.</param>
     public static Rubric? Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, out string report)

@@ -14,7 +14,6 @@ internal sealed record Submission(string Folder)
     private static readonly EnumerationOptions files =
         new() { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.ReparsePoint, MaxRecursionDepth = 32 };
 
-    /// <summary>The student's name, which is the folder's.</summary>
     public string Student => Path.GetFileName(Folder);
 
     /// <summary>The submissions in a folder: each folder in it is one. Sorted by name.</summary>

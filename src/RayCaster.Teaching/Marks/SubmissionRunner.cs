@@ -3,8 +3,6 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Teaching;
 
 /// <summary>Gets the pictures of a submission: finds them in its folder, or runs its program.</summary>
-/// <param name="rubric">The scenes and the commands.</param>
-/// <param name="runner">Runs programs.</param>
 internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runner)
 {
     /// <summary>How many characters, and how many errors, of what a program printed are told.</summary>
