@@ -40,7 +40,7 @@ internal sealed class ExplainCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var operands = line.Exactly("<scene>", "<column>", "<line>");
-        if (SceneInput.Read(operands[0], line.PictureSize(), threads: null, line.Has(Option.Quiet), cancellation) is not { } scene)
+        if (SceneInput.Read(operands[0], line, cancellation) is not { } scene)
             return ExitCode.CouldNot;
 
         var camera = scene.Camera;

@@ -16,6 +16,10 @@ internal static class PictureOutput
     /// <summary>Its name in messages.</summary>
     public static string NameOf(string output) => output == SceneInput.Standard ? "standard output" : output;
 
+    /// <summary>The format that is asked for, or that of the file's extension.</summary>
+    public static PictureFormat FormatOf(CommandLine line, string output) =>
+        line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+
     /// <summary>Opens the output, writes it and closes it.</summary>
     /// <param name="cancellation">If cancelled, the old file stays.</param>
     /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
