@@ -7,6 +7,10 @@ internal static class Extensions
     {
         /// <summary>How many shapes there are; each triangle of a mesh counts.</summary>
         public long ShapeCount => scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1L);
+
+        /// <summary>The bytes of a pixel, by its place in reading order.</summary>
+        public (byte R, byte G, byte B) BytesAt(HitMap hits, int pixel) =>
+            scene.Shade(hits.T[pixel], hits.Model[pixel] < 0 ? null : scene.Models[hits.Model[pixel]]).ToBytes();
     }
 
     extension(Picture picture)

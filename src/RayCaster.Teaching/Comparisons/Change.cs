@@ -64,35 +64,44 @@ public sealed record Change(
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public Picture Undo(Picture mine, Picture reference)
     {
-        var (width, height) = (reference.Width, reference.Height);
-        var mended = new Picture(width, height);
+        var mended = new Picture(reference.Width, reference.Height);
         if (SidesSwapped || Bytes != 0)
         {
             reference.Rgb.CopyTo(mended.Rgb, 0);
             mine.Rgb.AsSpan(Math.Max(0, -Bytes), mine.Rgb.Length - Math.Abs(Bytes)).CopyTo(mended.Rgb.AsSpan(Math.Max(0, Bytes)));
             return mended;
         }
-
-        var places = TurnedPlaces.Of(Turn, mine.Width, mine.Height);
-        var tones = Colors?.Tones ?? ToneTable.Same;
-        var (r, g, b) = Colors is null ? (0, 1, 2) : (Colors.PlaceOf(0), Colors.PlaceOf(1), Colors.PlaceOf(2));
-        for (var y = 0; y < height; y++)
-            for (var x = 0; x < width; x++)
-            {
-                var (fromX, fromY) = (x - Right, y - Down);
-                var to = (y * width + x) * 3;
-                if ((uint)fromX >= (uint)width || (uint)fromY >= (uint)height)
-                {
-                    reference.Rgb.AsSpan(to, 3).CopyTo(mended.Rgb.AsSpan(to));
-                    continue;
-                }
-                var from = (places.Start + fromX * places.Right + fromY * places.Down) * 3;
-                mended.Rgb[to] = tones.Undo(mine.Rgb[from + r], reference.Rgb[to]);
-                mended.Rgb[to + 1] = tones.Undo(mine.Rgb[from + g], reference.Rgb[to + 1]);
-                mended.Rgb[to + 2] = tones.Undo(mine.Rgb[from + b], reference.Rgb[to + 2]);
-            }
+        var pixels = new MendedPixels(this, mine, reference);
+        for (var y = 0; y < mended.Height; y++)
+            for (var x = 0; x < mended.Width; x++) mended[x, y] = pixels[x, y] ?? reference[x, y];
         return mended;
     }
 
     private static string Count(int number, string what) => $"{Math.Abs(number)} {what}{(Math.Abs(number) == 1 ? "" : "s")}";
+}
+
+/// <summary>The pixels of a picture in which a change is undone that moves no bytes.</summary>
+internal readonly struct MendedPixels(Change change, Picture mine, Picture reference)
+{
+    private readonly TurnedPlaces places = TurnedPlaces.Of(change.Turn, mine.Width, mine.Height);
+    private readonly ToneTable tones = change.Colors?.Tones ?? ToneTable.Same;
+    private readonly (int R, int G, int B) order = change.Colors is { Order: var letters }
+        ? (letters.IndexOf('R'), letters.IndexOf('G'), letters.IndexOf('B'))
+        : (0, 1, 2);
+    private readonly Picture mine = mine, reference = reference;
+    private readonly int right = change.Right, down = change.Down;
+
+    /// <summary>A pixel; null where nothing moves to.</summary>
+    public (byte R, byte G, byte B)? this[int x, int y]
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get
+        {
+            var (fromX, fromY) = (x - right, y - down);
+            if ((uint)fromX >= (uint)reference.Width || (uint)fromY >= (uint)reference.Height) return null;
+            var from = mine.Rgb.AsSpan((places.Start + fromX * places.Right + fromY * places.Down) * 3, 3);
+            var (r, g, b) = reference[x, y];
+            return (tones.Undo(from[order.R], r), tones.Undo(from[order.G], g), tones.Undo(from[order.B], b));
+        }
+    }
 }

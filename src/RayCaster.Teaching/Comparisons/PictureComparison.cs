@@ -16,11 +16,11 @@ public sealed class PictureComparison
             Difference = new(mine, reference);
             if (scene is not null) ByModels = SceneDifference.Find(scene, Difference, threads);
         }
-        IOutlines outlines = ByModels is { IsReferenceOwn: true }
-            ? new SceneOutlines(SceneDifference.InSizeOf(scene!, reference))
-            : PictureOutlines.Instance;
-        Likeness = Difference is null ? Likeness.Wrong : Likenesses.Of(Difference, outlines);
-        if (Likeness == Likeness.Wrong) Recognition = ChangeFinder.Find(mine, reference, Difference, outlines);
+        Func<PictureDifference, bool> holdAllWrong = ByModels is { IsReferenceOwn: true }
+            ? new SceneOutlines(SceneDifference.InSizeOf(scene!, reference)).HoldAllWrong
+            : PictureOutlines.HoldAllWrong;
+        Likeness = Difference is null ? Likeness.Wrong : Likenesses.Of(Difference, holdAllWrong);
+        if (Likeness == Likeness.Wrong) Recognition = ChangeFinder.Find(mine, reference, Difference, holdAllWrong);
     }
 
     /// <summary>The picture in question.</summary>
