@@ -73,7 +73,7 @@ public sealed record Change(
         }
         var pixels = new MendedPixels(this, mine, reference);
         for (var y = 0; y < mended.Height; y++)
-            for (var x = 0; x < mended.Width; x++) mended[x, y] = pixels[x, y] ?? reference[x, y];
+            for (var x = 0; x < mended.Width; x++) mended[x, y] = pixels.TryGet(x, y, out var r, out var g, out var b) ? (r, g, b) : reference[x, y];
         return mended;
     }
 
@@ -85,23 +85,20 @@ internal readonly struct MendedPixels(Change change, Picture mine, Picture refer
 {
     private readonly TurnedPlaces places = TurnedPlaces.Of(change.Turn, mine.Width, mine.Height);
     private readonly ToneTable tones = change.Colors?.Tones ?? ToneTable.Same;
-    private readonly (int R, int G, int B) order = change.Colors is { Order: var letters }
-        ? (letters.IndexOf('R'), letters.IndexOf('G'), letters.IndexOf('B'))
-        : (0, 1, 2);
+    private readonly (int R, int G, int B) order = change.Colors?.Places ?? (0, 1, 2);
     private readonly Picture mine = mine, reference = reference;
     private readonly int right = change.Right, down = change.Down;
 
-    /// <summary>A pixel; null where nothing moves to.</summary>
-    public (byte R, byte G, byte B)? this[int x, int y]
+    /// <summary>Gets a pixel as it becomes; false where nothing moves to.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool TryGet(int x, int y, out byte r, out byte g, out byte b)
     {
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get
-        {
-            var (fromX, fromY) = (x - right, y - down);
-            if ((uint)fromX >= (uint)reference.Width || (uint)fromY >= (uint)reference.Height) return null;
-            var from = mine.Rgb.AsSpan((places.Start + fromX * places.Right + fromY * places.Down) * 3, 3);
-            var (r, g, b) = reference[x, y];
-            return (tones.Undo(from[order.R], r), tones.Undo(from[order.G], g), tones.Undo(from[order.B], b));
-        }
+        r = g = b = 0;
+        var (fromX, fromY) = (x - right, y - down);
+        if ((uint)fromX >= (uint)reference.Width || (uint)fromY >= (uint)reference.Height) return false;
+        var from = mine.Rgb.AsSpan((places.Start + fromX * places.Right + fromY * places.Down) * 3, 3);
+        var to = reference.Rgb.AsSpan((y * reference.Width + x) * 3, 3);
+        (r, g, b) = (tones.Undo(from[order.R], to[0]), tones.Undo(from[order.G], to[1]), tones.Undo(from[order.B], to[2]));
+        return true;
     }
 }

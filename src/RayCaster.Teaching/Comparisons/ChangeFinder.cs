@@ -103,16 +103,16 @@ internal sealed class ChangeFinder
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private int? Misses(MendedPixels pixels, List<(int X, int Y)> samples, int limit)
+    private int? Misses(in MendedPixels pixels, List<(int X, int Y)> samples, int limit)
     {
         var (misses, beside) = (0, 0);
         foreach (var (x, y) in samples)
         {
-            if (pixels[x, y] is not { } pixel)
+            if (!pixels.TryGet(x, y, out var r, out var g, out var b))
             {
                 if (++beside * 2 > samples.Count) return null;
             }
-            else if (PictureDifference.Levels(pixel, reference[x, y]) > 1 && ++misses > limit) return null;
+            else if (PictureDifference.Levels((r, g, b), reference[x, y]) > 1 && ++misses > limit) return null;
         }
         return misses;
     }
@@ -126,7 +126,7 @@ internal sealed class ChangeFinder
         double logs = 0, logSquares = 0, n = 0, sumA = 0, sumB = 0, sumAA = 0, sumAB = 0;
         foreach (var (x, y) in anywhere)
         {
-            if (pixels[x, y] is not var (red, green, blue)) continue;
+            if (!pixels.TryGet(x, y, out var red, out var green, out var blue)) continue;
             var (r, g, b) = reference[x, y];
             Add(r, red);
             Add(g, green);

@@ -5,13 +5,17 @@ namespace RayCaster.Teaching;
 /// <summary>A change of a picture's colours, the same in every pixel.</summary>
 public abstract record ColorChange
 {
-    private protected ColorChange(string description, string order, ToneTable tones) => (Description, Order, Tones) = (description, order, tones);
+    private protected ColorChange(string description, string order, ToneTable tones) =>
+        (Description, Order, Tones, Places) = (description, order, tones, (order.IndexOf('R'), order.IndexOf('G'), order.IndexOf('B')));
 
     /// <summary>What undoes it, in words that follow "when"; c is a channel of the right picture, 0 to 1.</summary>
     public string Description { get; }
 
     /// <summary>The letters of RGB in the order in which the changed colour has them.</summary>
     public string Order { get; }
+
+    /// <summary>The places, from 0, at which the changed colour has the original's channels.</summary>
+    internal (int R, int G, int B) Places { get; }
 
     /// <summary>The bytes from which a changed byte may come.</summary>
     internal ToneTable Tones { get; }

@@ -82,11 +82,11 @@ public sealed class SceneDifference
                 });
         models.Sort((a, b) => (-a.Share, -a.Wrong, a.Model).CompareTo((-b.Share, -b.Wrong, b.Model)));
 
-        var shown = Shown(models);
+        var shown = Tally(Shown(models));
         var leftOut = 0;
         for (var i = 0; i < models.Count && models[i].Wrong > 0; i++)
         {
-            var model = models[i] with { Shows = Tally(models[i].Model, shown) };
+            var model = models[i] with { Shows = [.. shown[models[i].Model]] };
             if (model is { Model: >= 0, Share: >= Nearly / 2 } && leftOut++ < MostLeftOut)
                 model = model with { IsMissing = IsMissing(model) };
             if (!model.IsMissing && model.Share >= Nearly / 2) model = model with { OtherColor = OtherColor(model) };
@@ -120,11 +120,10 @@ public sealed class SceneDifference
         }
     }
 
-    private IReadOnlyList<(int Model, int Pixels)> Tally(int model, int[] shown) =>
-    [
-        .. Enumerable.Range(0, shown.Length).Where(i => hits.Model[i] == model && IsWrong(i) && shown[i] > 0).CountBy(i => shown[i] - 2)
-            .Select(count => (count.Key, count.Value)).OrderBy(count => (-count.Value, count.Key)),
-    ];
+    /// <summary>What the wrong pixels of each model show, and in how many of them.</summary>
+    private ILookup<int, (int Model, int Pixels)> Tally(int[] shown) => Enumerable.Range(0, shown.Length).Where(i => shown[i] > 0)
+        .CountBy(i => (Of: hits.Model[i], Other: shown[i] - 2)).OrderBy(count => (-count.Value, count.Key.Other))
+        .ToLookup(count => count.Key.Of, count => (count.Key.Other, count.Value));
 
     private bool IsMissing(ModelDifference model)
     {
