@@ -24,7 +24,7 @@ internal sealed class SceneObject
     private int? index;        // in the array at that path
     private int errorsBefore;
     private int? keyCount;     // null where a key may be there twice
-    private int found, likely; // the number of keys read that exist; where the next may be
+    private int found;         // the number of keys read that exist
 
     /// <param name="path">The object's path, empty for the scene itself; for the elements of an array, the array's path.</param>
     private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
@@ -211,7 +211,7 @@ internal sealed class SceneObject
             RefuseAsObject(value, place, name);
             return false;
         }
-        (json, index, errorsBefore, keyCount, found, likely) = (value, place, document!.ErrorCount, value.CountKeys(), 0, 0);
+        (json, index, errorsBefore, keyCount, found) = (value, place, document!.ErrorCount, value.CountKeys(), 0);
         keysRead.Clear();
         if (keyCount is null) new WrongKeys(this, document, json.Keys).RefuseRepeated();
         return true;
@@ -228,7 +228,7 @@ internal sealed class SceneObject
     {
         if (document is null) return null;
         keysRead.Add(key);
-        var value = keyCount is null ? json.Find(key) : json.Find(key, ref likely);
+        var value = json.Find(key);
         if (value is not null) found++;
         else if (isRequired) Report(true, null, key, " is missing: " + (words is null ? meaning : WrongValue.OneOf(words)));
         return value;
