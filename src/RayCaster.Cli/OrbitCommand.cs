@@ -64,7 +64,7 @@ internal sealed class OrbitCommand : Command
         var name = DrawCommand.NameOf(path);
         var digits = $"D{Math.Max(4, (frames - 1).ToString(CultureInfo.InvariantCulture).Length)}";
         var (start, drawn) = (Stopwatch.GetTimestamp(), 0);
-        var leftByKilledRuns = new TemporaryFileList(folder == "" ? "." : folder);
+        var leftByKilledRuns = ReplacedFile.LeftIn(folder == "" ? "." : folder);
         for (var frame = only.First; frame <= only.Last; frame++)
         {
             cancellation.ThrowIfCancellationRequested();

@@ -15,6 +15,15 @@ internal static class Extensions
 
     extension(Picture picture)
     {
+        /// <summary>A picture of pixels that a function gives for each column and line.</summary>
+        public static Picture Of(int width, int height, Func<int, int, (byte R, byte G, byte B)> pixel)
+        {
+            var made = new Picture(width, height);
+            for (var y = 0; y < height; y++)
+                for (var x = 0; x < width; x++) made[x, y] = pixel(x, y);
+            return made;
+        }
+
         /// <summary>Whether all pixels are equal, so that the picture proves nothing.</summary>
         public bool IsOneColor => picture.Rgb.AsSpan(3).SequenceEqual(picture.Rgb.AsSpan(0, picture.Rgb.Length - 3));
 

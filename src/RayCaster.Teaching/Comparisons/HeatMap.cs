@@ -26,12 +26,10 @@ public static class HeatMap
     /// model by model.</summary>
     public static Picture ByModel(PictureComparison comparison)
     {
-        var picture = new Picture(comparison.Reference.Width, comparison.Reference.Height);
-        if (comparison.ByModels is not { } byModels) return picture;
+        var (width, height) = (comparison.Reference.Width, comparison.Reference.Height);
+        if (comparison.ByModels is not { } byModels) return new(width, height);
         var colors = byModels.Models.ToDictionary(model => model.Model, model => Of((int)Math.Ceiling(255 * model.Share)));
-        for (var i = 0; i < picture.Width * picture.Height; i++)
-            picture[i % picture.Width, i / picture.Width] = colors.GetValueOrDefault(byModels.ModelAt(i));
-        return picture;
+        return Picture.Of(width, height, (x, y) => colors.GetValueOrDefault(byModels.ModelAt(y * width + x)));
     }
 
     private static byte Between(byte a, byte b, double share) => (byte)(a + (b - a) * share + 0.5);

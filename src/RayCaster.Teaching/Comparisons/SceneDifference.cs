@@ -51,8 +51,7 @@ public sealed class SceneDifference
     {
         scene = InSizeOf(scene, difference.Reference);
         var hits = new Renderer(scene, threads).CastHits();
-        var own = new Picture(hits.Width, hits.Height);
-        for (var i = 0; i < difference.Pixels; i++) own[i % own.Width, i / own.Width] = scene.BytesAt(hits, i);
+        var own = Picture.Of(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
         return new(scene, difference, hits, own, threads);
     }
 

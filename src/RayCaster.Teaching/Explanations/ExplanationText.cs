@@ -2,12 +2,16 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
-/// <summary>An explanation for people.</summary>
-internal sealed class ExplanationText
+/// <summary>An explanation for people: lines of at most 100 characters, mostly; numbers have six significant digits.</summary>
+public sealed class ExplanationText
 {
     private const int Width = 100;
 
     private readonly StringBuilder text = new();
+
+    private ExplanationText()
+    {
+    }
 
     /// <summary>The text, in lines, with the same pixel in another picture if there is one.</summary>
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null)

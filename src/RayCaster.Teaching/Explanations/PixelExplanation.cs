@@ -84,14 +84,6 @@ public sealed class PixelExplanation
     /// <summary>What is special about this pixel, in words.</summary>
     public IReadOnlyList<string> Notes { get; }
 
-    /// <summary>The explanation as lines for people, most of them at most 100 characters long; numbers have six significant digits.</summary>
-    /// <param name="reference">The same pixel in another picture; null for none.</param>
-    public string ToText(ReferenceExplanation? reference = null) => ExplanationText.Of(this, reference);
-
-    /// <summary>The explanation as JSON; its numbers read back as the same doubles. docs/explain.md lists the fields.</summary>
-    /// <param name="reference">The same pixel in another picture; null for none.</param>
-    public string ToJson(ReferenceExplanation? reference = null) => ExplanationJson.Of(this, reference);
-
     /// <summary>The crossings of all models, in plain doubles.</summary>
     internal IReadOnlyList<Trial> Trials { get; }
 

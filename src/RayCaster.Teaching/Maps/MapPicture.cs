@@ -12,12 +12,8 @@ public static class MapPicture
     /// <summary>Makes the picture of a map.</summary>
     public static Picture Draw(NumberMap map, MapKind kind)
     {
-        var picture = new Picture(map.Width, map.Height);
         var (least, greatest) = kind.Channels() == 1 && map.Range is { } range ? range : default;
-        for (var y = 0; y < map.Height; y++)
-            for (var x = 0; x < map.Width; x++)
-                picture[x, y] = Pixel(map[x, y], kind, least, greatest);
-        return picture;
+        return Picture.Of(map.Width, map.Height, (x, y) => Pixel(map[x, y], kind, least, greatest));
     }
 
     private static (byte, byte, byte) Pixel(ReadOnlySpan<float> numbers, MapKind kind, double least, double greatest)

@@ -1,3 +1,5 @@
+using static System.FormattableString;
+
 namespace RayCaster.Teaching;
 
 /// <summary>
@@ -63,6 +65,4 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits)
 
         bool Works(Containment one) => new ProgramRunner(one).Run(["true"], "/", "/", limits, limits.Time, default).IsDone;
     }
-
-    private static string Invariant(FormattableString text) => FormattableString.Invariant(text);
 }

@@ -37,7 +37,7 @@ public class DocsTests
     public void TheExplanationOfTheDocumentIsTheOneThatIsPrinted()
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/first.json")).Scene!;
-        Assert.Contains($"-- explain scenes/first.json 250 250\n{PixelExplanation.Of(scene, 250, 250).ToText()}```", Read("docs/explain.md"));
+        Assert.Contains($"-- explain scenes/first.json 250 250\n{ExplanationText.Of(PixelExplanation.Of(scene, 250, 250))}```", Read("docs/explain.md"));
     }
 
     [Theory]
