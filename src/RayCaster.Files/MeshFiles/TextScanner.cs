@@ -35,9 +35,8 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
             const int most = 40;
             var word = buffer.AsSpan(WordAt, wordEnd - WordAt);
             if (word.IsEmpty) return Position == length ? "the end of the file" : "the end of the line";
-            var quoted = new StringBuilder("'");
-            foreach (var c in Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)])) quoted.Append(char.IsControl(c) ? '?' : c);
-            return quoted.Append(word.Length > most ? "…'" : "'").ToString();
+            var text = Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)]).Select(c => char.IsControl(c) ? '?' : c);
+            return $"'{string.Concat(text)}{(word.Length > most ? "…" : "")}'";
         }
     }
 

@@ -1,8 +1,8 @@
 using System.Buffers.Binary;
 using System.IO.Compression;
+using System.Numerics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster.Files;
 
@@ -125,11 +125,10 @@ internal sealed class PngBand(int lineBytes, int mostLines) : IDisposable
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often written before the runtime would optimise by itself
     private static void Subtract(ReadOnlySpan<byte> a, ReadOnlySpan<byte> b, Span<byte> difference)
     {
-        ref byte firstA = ref MemoryMarshal.GetReference(a), firstB = ref MemoryMarshal.GetReference(b);
-        ref var first = ref MemoryMarshal.GetReference(difference);
-        var i = 0;
-        for (; i + Vector256<byte>.Count <= a.Length; i += Vector256<byte>.Count)
-            (Vector256.LoadUnsafe(ref firstA, (nuint)i) - Vector256.LoadUnsafe(ref firstB, (nuint)i)).StoreUnsafe(ref first, (nuint)i);
-        for (; i < a.Length; i++) difference[i] = (byte)(a[i] - b[i]);
+        var wideA = MemoryMarshal.Cast<byte, Vector<byte>>(a);
+        var wideB = MemoryMarshal.Cast<byte, Vector<byte>>(b);
+        var wide = MemoryMarshal.Cast<byte, Vector<byte>>(difference);
+        for (var i = 0; i < wideA.Length; i++) wide[i] = wideA[i] - wideB[i];
+        for (var i = wideA.Length * Vector<byte>.Count; i < a.Length; i++) difference[i] = (byte)(a[i] - b[i]);
     }
 }

@@ -52,6 +52,7 @@ internal sealed class JsonTree
     public byte[] With(IEnumerable<(JsonValue Number, string Text)> edits)
     {
         var (text, done) = (new MemoryStream(), 0);
+        text.Write(Text.Mark);
         foreach (var (number, by) in edits.OrderBy(edit => edit.Number.Start))
         {
             text.Write(Text.Utf8[done..number.Start]);

@@ -39,7 +39,7 @@ internal static class PrimitiveList
     {
         var o = SceneObject.Describing(out var keys);
         foreach (var type in All) SceneReader.ReadModel(o, type);
-        foreach (var key in keys) yield return key.Name;
+        return keys.Select(key => key.Name);
     }
 
     private static Model Box(SceneObject o)

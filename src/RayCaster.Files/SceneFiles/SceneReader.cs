@@ -66,8 +66,7 @@ public static class SceneReader
         ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,
         int? threads = null) where T : class
     {
-        var hasMark = utf8.Span.StartsWith(Encodings.Utf8Mark);
-        var document = new SceneDocument(new SourceText(displayName, utf8[(hasMark ? 3 : 0)..]), folder, threads);
+        var document = new SceneDocument(new SourceText(displayName, utf8), folder, threads);
         var root = ReadRoot(document, name);
         var result = root is null ? null : read(root);
         problems = document.Problems();

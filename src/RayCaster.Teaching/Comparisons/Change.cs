@@ -9,7 +9,7 @@ namespace RayCaster.Teaching;
 /// <param name="Colors">The change of its colours that must be undone; null for none.</param>
 /// <param name="Bytes">By how many bytes all its bytes must be moved towards the end of the file.</param>
 /// <param name="SidesSwapped">Whether its bytes are in the right order, but width and height are swapped.</param>
-public sealed record Change(
+internal sealed record Change(
     Turn Turn = Turn.None, int Right = 0, int Down = 0, ColorChange? Colors = null, int Bytes = 0, bool SidesSwapped = false)
 {
     /// <summary>How complex the change is. Of changes with the same effect, the simplest is reported.</summary>

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Teaching;
 
 /// <summary>A change of a picture's colours, the same in every pixel.</summary>
-public abstract record ColorChange
+internal abstract record ColorChange
 {
     private protected ColorChange(string description, string order, ToneTable tones) =>
         (Description, Order, Tones, Places) = (description, order, tones, (order.IndexOf('R'), order.IndexOf('G'), order.IndexOf('B')));
@@ -22,7 +22,7 @@ public abstract record ColorChange
 }
 
 /// <summary>The channels stand in another order.</summary>
-public sealed record ChannelOrder : ColorChange
+internal sealed record ChannelOrder : ColorChange
 {
     /// <param name="order">The letters of RGB in the order in which the changed colour has them.</param>
     public ChannelOrder(string order) : base(DescriptionOf(order), order, ToneTable.Same)
@@ -42,7 +42,7 @@ public sealed record ChannelOrder : ColorChange
 }
 
 /// <summary>Every channel goes through the same formula.</summary>
-public sealed record Tone : ColorChange
+internal sealed record Tone : ColorChange
 {
     private Tone(string description, Func<double, double> formula) : base(description, "RGB", new(formula))
     {

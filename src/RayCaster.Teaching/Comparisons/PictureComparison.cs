@@ -30,7 +30,7 @@ public sealed class PictureComparison
     public Picture Reference { get; }
 
     /// <summary>The reference's scene; null if it was not given.</summary>
-    public Scene? Scene { get; }
+    internal Scene? Scene { get; }
 
     /// <summary>The verdict; pictures of different sizes are <see cref="Likeness.Wrong"/>.</summary>
     public Likeness Likeness { get; }
@@ -39,8 +39,8 @@ public sealed class PictureComparison
     public PictureDifference? Difference { get; }
 
     /// <summary>A change of the whole picture that explains the difference; null if there is none.</summary>
-    public Recognition? Recognition { get; }
+    internal Recognition? Recognition { get; }
 
     /// <summary>The difference model by model; null without a scene, or if the sizes differ.</summary>
-    public SceneDifference? ByModels { get; }
+    internal SceneDifference? ByModels { get; }
 }

@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching;
 
 /// <summary>A wrong picture of a scene, model by model.</summary>
-public sealed class SceneDifference
+internal sealed class SceneDifference
 {
     /// <summary>The most models that are drawn alone, to find which one a wrong pixel shows.</summary>
     private const int MostTried = 32;

@@ -25,20 +25,13 @@ internal static class LedgerVerdict
 
     private static void OfNoHits(HitLedger ledger, List<string> sentences)
     {
-        var groups = new SortedDictionary<Outcome, List<LedgerEntry>>();
-        foreach (var entry in ledger.Models)
-        {
-            var reason = entry.Reason == Outcome.PassesBy ? Outcome.Outside : entry.Reason; // they look the same
-            if (!groups.TryGetValue(reason, out var group)) groups[reason] = group = [];
-            group.Add(entry);
-        }
-        var parts = new List<string>();
-        foreach (var (reason, group) in groups)
-            parts.Add(group.Count == 1 ? $"{group[0].Label} {Phrase(reason, true)}" : Invariant($"{group.Count:N0} models {Phrase(reason, false)}"));
+        var groups = ledger.Models.GroupBy(entry => entry.Reason == Outcome.PassesBy ? Outcome.Outside : entry.Reason) // they look the same
+            .OrderBy(group => group.Key).Select(group => (Reason: group.Key, Entries: group.ToList())).ToList();
+        var parts = groups.Select(group => group.Entries is [var only]
+            ? $"{only.Label} {Phrase(group.Reason, true)}"
+            : Invariant($"{group.Entries.Count:N0} models {Phrase(group.Reason, false)}"));
         sentences.Add(Invariant($"0 of {ledger.Rays:N0} rays hit anything: {string.Join(", ", parts)}."));
-        foreach (var (reason, group) in groups)
-            if (Remedy(ledger, reason, group) is { } remedy)
-                sentences.Add(remedy);
+        sentences.AddRange(groups.Select(group => Remedy(ledger, group.Reason, group.Entries)).OfType<string>());
     }
 
     /// <summary>What to change if some models do not show for this reason.</summary>

@@ -90,13 +90,7 @@ public sealed class PixelExplanation
     /// <summary>A model's name, or its path in the scene file.</summary>
     internal string NameOf(int? index) => index is { } i ? ModelName.Plain(Scene, i) : ModelName.Background;
 
-    private int IndexOf(Model model)
-    {
-        for (var i = 0; i < Scene.Models.Count; i++)
-            if (ReferenceEquals(Scene.Models[i], model))
-                return i;
-        throw new InvalidOperationException("the ray hit a model that is not in the scene");
-    }
+    private int IndexOf(Model hit) => Scene.Models.Index().First(model => ReferenceEquals(model.Item, hit)).Index;
 
     private List<Neighbour> FindNeighbours()
     {

@@ -19,12 +19,11 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
         var v = camera.V;
         var across = d - d * v * v;
         var u = across.Length > 1e-9 ? across.Normalized : -1 * camera.W; // along V itself any direction will do
-        var crossings = new List<SectionCrossing>();
-        foreach (var model in pixel.Models)
-            foreach (var crossing in model.Crossings)
-                if (double.IsFinite(crossing.T))
-                    crossings.Add(new(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)],
-                        crossing.Outcome.Verdict(), crossing.Reason));
+        var crossings = (from model in pixel.Models
+                         from crossing in model.Crossings
+                         where double.IsFinite(crossing.T)
+                         select new SectionCrossing(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)],
+                             crossing.Outcome.Verdict(), crossing.Reason)).ToList();
 
         var shown = double.IsFinite(pixel.Ray.HitParameter) ? pixel.Ray.HitParameter : camera.Reach / 2;
         var length = crossings.Where(crossing => crossing.T > 0 && crossing.T <= 2 * shown).Select(crossing => crossing.T).Append(shown).Max();
