@@ -13,15 +13,7 @@ public static class CameraPathReader
     /// <param name="report">All mistakes in the file, as text for people; empty if there are none.</param>
     /// <returns>The path, or null if there is an error.</returns>
     public static CameraPath? Read(string path, Camera camera, out string report) =>
-        ShortFile.TryRead(path, MostBytes, out var utf8, out report) ? Parse(utf8, path, camera, out report) : null;
-
-    /// <summary>Reads a text.</summary>
-    public static CameraPath? Parse(ReadOnlyMemory<byte> utf8, string displayName, Camera camera, out string report)
-    {
-        var path = SceneReader.Parse(utf8, displayName, "", "the camera's path", o => ReadPath(o, camera), out var problems);
-        report = new SceneReading(null, problems).Report();
-        return path;
-    }
+        ShortFile.Read(path, MostBytes, "the camera's path", o => ReadPath(o, camera), out report);
 
     private static CameraPath? ReadPath(SceneObject o, Camera camera)
     {
