@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Separates pixels on outlines from wrong pixels by the scene. A pixel may show what a ray a thousandth of a pixel beside it would show, and any of several models at the same
-/// distance. If that is too much work, <see cref="PictureOutlines"/> decides.
+/// Separates pixels on outlines from wrong pixels by the scene. A pixel may show what a ray a thousandth of a pixel beside it would show, and any
+/// of several models at the same distance. If that is too much work, <see cref="PictureOutlines"/> decides.
 /// </summary>
 /// <param name="scene">The scene in the pictures' size.</param>
 internal sealed class SceneOutlines(Scene scene)

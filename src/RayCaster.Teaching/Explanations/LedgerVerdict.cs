@@ -67,8 +67,8 @@ internal static class LedgerVerdict
     {
         var (position, target) = (scene.Camera.Position, scene.Camera.Target);
         if (HitsOf(scene, target, position, scene.Camera.FovY) is > 0 and var swapped)
-            return Invariant($"Are position and target swapped? From {target} towards {position} {swapped * 100.0 / (Side * Side):0} % of the rays ") +
-                "hit something.";
+            return Invariant($"Are position and target swapped? From {target} towards {position} {swapped * 100.0 / (Side * Side):0} % ") +
+                "of the rays hit something.";
         var other = 2 * position - target;
         return HitsOf(scene, position, other, scene.Camera.FovY) is > 0 and var turned
             ? Invariant($"The camera looks away from them: towards target = {other} {turned * 100.0 / (Side * Side):0} % of the rays hit something.")
@@ -89,7 +89,7 @@ internal static class LedgerVerdict
         var (camera, color) = (ledger.Scene.Camera, ledger.OnlyColor);
         if (ledger.Unlit > ledger.Hits / 2)
         {
-            var share = ledger.Unlit == ledger.Hits ? Invariant($"All {ledger.Hits:N0} hits") : Invariant($"{ledger.Unlit:N0} of {ledger.Hits:N0} hits");
+            var share = Invariant($"{(ledger.Unlit == ledger.Hits ? "All" : Invariant($"{ledger.Unlit:N0} of"))} {ledger.Hits:N0} hits");
             sentences.Add(Invariant($"{share} are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, ") +
                 Invariant($"and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}."));
             sentences.Add("target sets the light, which ends at twice its distance: move it away along the line of sight.");
@@ -124,8 +124,8 @@ internal static class LedgerVerdict
     {
         foreach (var entry in ledger.Models)
             if (entry[Outcome.NoNumber] > ledger.Rays / 2)
-                sentences.Add(Invariant($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of {ledger.Rays:N0} ") +
-                    "rays: are its numbers far out of range, or is infinity taken from infinity?");
+                sentences.Add(Invariant($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of ") +
+                    Invariant($"{ledger.Rays:N0} rays: are its numbers far out of range, or is infinity taken from infinity?"));
     }
 
     private static string Phrase(Outcome reason, bool one) => reason switch

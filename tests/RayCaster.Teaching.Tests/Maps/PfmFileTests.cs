@@ -18,7 +18,8 @@ public class PfmFileTests
     public void InfinityAndAllDigitsAreWritten()
     {
         float[] numbers = [float.PositiveInfinity, -1, float.Epsilon, 12.3456789f];
-        Assert.Equal(numbers, Enumerable.Range(0, 4).Select(i => BitConverter.ToSingle(Written(new(4, 1, 1), numbers), "Pf\n4 1\n-1.0\n".Length + 4 * i)));
+        var file = Written(new(4, 1, 1), numbers);
+        Assert.Equal(numbers, Enumerable.Range(0, 4).Select(i => BitConverter.ToSingle(file, "Pf\n4 1\n-1.0\n".Length + 4 * i)));
     }
 
     private static byte[] Written(NumberMap map, float[] numbers)
