@@ -50,8 +50,8 @@ internal sealed record Change(
         get
         {
             List<string> parts = [];
-            if (Right != 0) parts.Add($"{Count(Right, "pixel")} to the {(Right > 0 ? "right" : "left")}");
-            if (Down != 0) parts.Add($"{Count(Down, "line")} {(Down > 0 ? "down" : "up")}");
+            if (Right != 0) parts.Add($"{ComparisonText.Count(Math.Abs(Right), "pixel")} to the {(Right > 0 ? "right" : "left")}");
+            if (Down != 0) parts.Add($"{ComparisonText.Count(Math.Abs(Down), "line")} {(Down > 0 ? "down" : "up")}");
             return string.Join(" and ", parts);
         }
     }
@@ -76,8 +76,6 @@ internal sealed record Change(
             for (var x = 0; x < mended.Width; x++) mended[x, y] = pixels.TryGet(x, y, out var r, out var g, out var b) ? (r, g, b) : reference[x, y];
         return mended;
     }
-
-    private static string Count(int number, string what) => $"{Math.Abs(number)} {what}{(Math.Abs(number) == 1 ? "" : "s")}";
 }
 
 /// <summary>The pixels of a picture in which a change is undone that moves no bytes.</summary>
