@@ -24,7 +24,7 @@ internal sealed class DrawCommand : Command
         if (line.Has(Option.Map)) return MapOutput.Run(line, path, cancellation);
         if (line.Has(Option.Mistake)) return MistakeOutput.Run(line, path, cancellation);
         var (threads, quiet, rows) = (line.ThreadCount(), line.Has(Option.Quiet), line[Option.Rows]);
-        if (rows is not null) Rows.Check(rows);
+        if (rows is not null) Rows.Of(rows, int.MaxValue); // refuses another form before the scene is read
         var isPart = rows is not null || line.Has(Option.Resume);
         var output = line[Option.Output] ?? (rows is null ? NameOf(path) + ".png" : null); // the name of a part needs the picture's height
         var format = Format(line, output, isPart);
