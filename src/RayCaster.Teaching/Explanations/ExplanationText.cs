@@ -87,23 +87,19 @@ public sealed class ExplanationText
     private void Slabs(IReadOnlyList<SlabExplanation> slabs)
     {
         if (slabs.Count == 0) return;
-        var rows = new List<string[]> { new[] { "slab", "lo", "hi", "t0 = (lo − P) / d", "t1 = (hi − P) / d", "enters", "leaves", "" } };
-        foreach (var slab in slabs)
-            rows.Add(
-            [
-                slab.Axis.ToString(), Digits.Of(slab.Lo), Digits.Of(slab.Hi), Digits.Of(slab.T0), Digits.Of(slab.T1), Digits.Of(slab.Enters),
-                Digits.Of(slab.Leaves), (slab.DecidesEntry, slab.DecidesExit) switch
-                {
-                    (true, true) => "t_min, t_max",
-                    (true, false) => "t_min",
-                    (false, true) => "t_max",
-                    _ => "",
-                },
-            ]);
+        List<string[]> rows =
+        [
+            ["slab", "lo", "hi", "t0 = (lo − P) / d", "t1 = (hi − P) / d", "enters", "leaves", ""],
+            .. slabs.Select(slab => (string[])[slab.Axis.ToString(),
+                .. new[] { slab.Lo, slab.Hi, slab.T0, slab.T1, slab.Enters, slab.Leaves }.Select(number => Digits.Of(number)), Decides(slab)]),
+        ];
         var widths = Enumerable.Range(0, 8).Select(column => rows.Max(row => row[column].Length)).ToArray();
         foreach (var row in rows)
             Line(6, string.Join("  ", row.Select((cell, i) => i is 0 or 7 ? cell.PadRight(widths[i]) : cell.PadLeft(widths[i]))).TrimEnd());
     }
+
+    private static string Decides(SlabExplanation slab) =>
+        string.Join(", ", new[] { slab.DecidesEntry ? "t_min" : "", slab.DecidesExit ? "t_max" : "" }.Where(name => name != ""));
 
     private void Color(PixelExplanation pixel)
     {
