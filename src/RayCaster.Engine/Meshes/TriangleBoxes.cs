@@ -27,7 +27,10 @@ internal sealed class TriangleBoxes
     {
         (this.vertices, this.indices) = (vertices, indices);
         Count = (indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length;
-        var bounds = SampleBounds(vertices);
+        var bounds = Bounds.Empty;
+        for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1)
+            if (double.IsFinite(vertices[i].X + vertices[i].Y + vertices[i].Z))
+                bounds = bounds.With(vertices[i]);
         Middle = 0.5 * (bounds.Min + bounds.Max);
         var size = bounds.Max - bounds.Min;
         Unit = Math.Max(size.X, Math.Max(size.Y, size.Z));
@@ -52,16 +55,6 @@ internal sealed class TriangleBoxes
     public static TriangleBoxes Of(Mesh mesh, bool isKept, int threads) => isKept
         ? kept.GetValue(mesh, mesh => new(mesh.Vertices, mesh.Indices, threads))
         : new(mesh.Vertices, mesh.Indices, threads);
-
-    /// <summary>A box around evenly spread vertices, about as large as the one around all.</summary>
-    public static Bounds SampleBounds(Vector3[] vertices)
-    {
-        var bounds = Bounds.Empty;
-        for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1)
-            if (double.IsFinite(vertices[i].X + vertices[i].Y + vertices[i].Z))
-                bounds = bounds.With(vertices[i]);
-        return bounds;
-    }
 
     public (int First, int End) TrianglesOf(int cluster)
     {
