@@ -1,4 +1,4 @@
-namespace RayCaster.Files.Tests;
+namespace RayCaster.Files.Tests.MeshFiles;
 
 public class SpatialOrderTests
 {
@@ -74,6 +74,19 @@ public class SpatialOrderTests
             var (column, row) = (i % camera.Width, i / camera.Width);
             Assert.Equal(ScalarRenderer.Cast(before, column, row).HitParameter, ScalarRenderer.Cast(after, column, row).HitParameter);
         }
+    }
+
+    [Fact]
+    public void ALiveSceneDrawsTheNewOrderAndExplainsTheFiles()
+    {
+        using var folder = new TemporaryFolder();
+        File.WriteAllBytes(folder["scan.ply"], MeshWriter.PlyBinary(new(shuffled.Vertices, shuffled.Indices), bigEndian: false));
+        File.WriteAllText(folder["scan.json"], """
+            { "camera": { "position": [0, 0, 3], "target": [0, 0, 0], "up": [0, 1, 0] }, "models": [{ "type": "mesh", "file": "scan.ply" }] }
+            """);
+        using var live = new LiveScene(folder["scan.json"]);
+        Assert.Equal(Sorted(shuffled).Indices, ((Mesh)live.State.Scene!.Models[0]).Indices);
+        Assert.Equal(shuffled.Indices, ((Mesh)live.InFileOrder(live.State).Models[0]).Indices);
     }
 
     private static Mesh Sorted(Mesh mesh, int? threads = null) => (Mesh)SpatialOrder.Of(new(camera, [mesh]), threads).Models[0];
