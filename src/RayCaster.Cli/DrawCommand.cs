@@ -50,6 +50,7 @@ internal sealed class DrawCommand : Command
 
         var odd = new OddPicture(scene.Background);
         var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
+        scene = SpatialOrder.Of(scene, threads);
         var renderer = new CheckedRenderer(scene, threads, line.Has(Option.Plain));
         PictureOutput.Draw(output, format, renderer, lines, part, line.ShowsProgress, cancellation, quiet && preview is null ? null : Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);

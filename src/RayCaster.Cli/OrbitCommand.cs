@@ -51,6 +51,7 @@ internal sealed class OrbitCommand : Command
         var only = line[Option.Only] is { } some ? Rows.Of(some, frames, "frames", "a film") : LineRange.Whole(frames);
 
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
+        scene = SpatialOrder.Of(scene, threads);
         CameraPath? way = null;
         if (line[Option.Keys] is { } keys)
         {
