@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Cli;
 
 /// <summary>Joins frames into an animated PNG.</summary>
@@ -33,9 +31,7 @@ internal sealed class AnimateCommand : Command
             : throw ProblemException.Usage($"'{text}' is not a number of frames per second: it is a whole number from 1 to 1000");
         var frames = FramesOf(line, output);
         PictureOutput.Write(output, cancellation, stream => AnimationFile.Write(stream, frames, fps, cancellation));
-        if (!line.Has(Option.Quiet))
-            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
-                $"{output}: {frames.Count} frames, {(double)frames.Count / fps:0.##} s{Environment.NewLine}"));
+        line.Tell($"{output}: {frames.Count} frames, {(double)frames.Count / fps:0.##} s");
         return ExitCode.Done;
     }
 

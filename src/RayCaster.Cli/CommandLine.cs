@@ -24,6 +24,15 @@ internal sealed class CommandLine
 
     public bool Has(Option option) => values.ContainsKey(option);
 
+    /// <summary>Whether the work may draw a progress line.</summary>
+    public bool ShowsProgress => !Has(Option.Quiet) && !Has(Option.NoProgress) && ProgressLine.IsWanted;
+
+    /// <summary>Prints a line about what was done, unless only errors are wanted.</summary>
+    public void Tell(FormattableString text)
+    {
+        if (!Has(Option.Quiet)) StandardFile.WriteError(FormattableString.Invariant(text) + Environment.NewLine);
+    }
+
     public static CommandLine Parse(string[] arguments)
     {
         foreach (var word in arguments) FileWord.Check(word);
@@ -37,8 +46,8 @@ internal sealed class CommandLine
                 break;
             }
             if (word != "-" && word.StartsWith('-') && !IsNumber(word)) line.ReadOption(word, arguments, ref next);
-            else if (line.operands.Count == 0 && line.CommandName == "" && Command.Named(word) is { } command)
-                (line.Command, line.CommandName) = (command, word);
+            else if (line.operands.Count == 0 && line.CommandName == "" && Command.All.TryGetValue(word, out var command))
+                (line.Command, line.CommandName) = (command(), word);
             else
                 line.operands.Add(word);
         }

@@ -54,7 +54,7 @@ internal sealed class CompareCommand : Command
         Scene? scene = null;
         if (line[Option.Scene] is { } path)
         {
-            scene = SceneInput.Read(path, null, threads, quiet: true, cancellation);
+            scene = SceneInput.Read(path, line, cancellation, warns: false);
             if (scene is null) return ExitCode.CouldNot;
             SceneInput.WarnOfEditedJudge(path, scene);
         }

@@ -57,7 +57,7 @@ internal sealed class DiagnoseCommand : Command
         var level = Level(line[Option.Hint]);
         string[] done = line[Option.Done] is { } named ? NameList.Of(named, ',', Diagnosis.Parts, "a part of a program") : [];
         var (threads, json) = (line.ThreadCount(), line.Has(Option.Json));
-        if (SceneInput.Read(scenePath, null, threads, quiet: true, cancellation) is not { } scene)
+        if (SceneInput.Read(scenePath, line, cancellation, warns: false) is not { } scene)
         {
             if (json) StandardFile.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
             return ExitCode.CouldNot;

@@ -23,11 +23,11 @@ internal sealed class DrawCommand : Command
             throw ProblemException.Usage("a wrong picture is drawn whole: leave --map, --rows and --resume out");
         if (line.Has(Option.Map)) return MapOutput.Run(line, path, cancellation);
         if (line.Has(Option.Mistake)) return MistakeOutput.Run(line, path, cancellation);
-        var (size, threads, quiet, rows) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet), line[Option.Rows]);
-        if (rows is not null) Rows.Check(rows);
+        var (threads, quiet, rows) = (line.ThreadCount(), line.Has(Option.Quiet), line[Option.Rows]);
+        if (rows is not null) Rows.Of(rows, int.MaxValue); // refuses another form before the scene is read
         var isPart = rows is not null || line.Has(Option.Resume);
         var output = line[Option.Output] ?? (rows is null ? NameOf(path) + ".png" : null); // the name of a part needs the picture's height
-        var format = Format(line.PictureFormat(), output, isPart);
+        var format = Format(line, output, isPart);
         if (output == SceneInput.Standard && line.Has(Option.Resume))
             throw ProblemException.Usage("--resume needs a file: it cannot check what was written to standard output");
         PictureOutput.KeepOffTerminal(output);
@@ -36,7 +36,7 @@ internal sealed class DrawCommand : Command
         if (line.Has(Option.Preview) && output == SceneInput.Standard)
             throw ProblemException.Usage("--preview and -o - both write to standard output: write the picture to a file");
 
-        if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
 
         var lines = rows is null ? LineRange.Whole(scene.Camera.Height) : Rows.Of(rows, scene.Camera.Height);
         output ??= PartName(NameOf(path), lines, scene.Camera.Height);
@@ -44,15 +44,15 @@ internal sealed class DrawCommand : Command
         var part = isPart ? PictureOutput.Facts(scene, lines) : null;
         if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part!, quiet))
         {
-            if (!quiet) StandardFile.WriteError($"{output}: exists already{Environment.NewLine}");
+            line.Tell($"{output}: exists already");
             return ExitCode.Done;
         }
 
         var odd = new OddPicture(scene.Background);
         var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
-        var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
+        scene = SpatialOrder.Of(scene, threads);
         var renderer = new CheckedRenderer(scene, threads, line.Has(Option.Plain));
-        PictureOutput.Draw(output, format, renderer, lines, part, showProgress, cancellation, quiet && preview is null ? null : Watch);
+        PictureOutput.Draw(output, format, renderer, lines, part, line.ShowsProgress, cancellation, quiet && preview is null ? null : Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
@@ -76,7 +76,7 @@ internal sealed class DrawCommand : Command
     private static ProblemException NotOneScene(IReadOnlyList<string> operands) => operands switch
     {
         [] or [_] => ProblemException.Usage("no scene is given: name a scene file, for example scenes/room.json"),
-        [var word, ..] when Spelling.Nearest(word, Command.Names) is { } name =>
+        [var word, ..] when Spelling.Nearest(word, Command.All.Keys) is { } name =>
             ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
         [var word, ..] when !File.Exists(word) && word.All(char.IsAsciiLetter) =>
             ProblemException.Usage($"there is no command '{word}'; a scene is drawn without one"),
@@ -90,11 +90,10 @@ internal sealed class DrawCommand : Command
             : "";
 
     /// <summary>The picture format. Parts, and pictures drawn with --resume, must be PNG files, which contain what they show.</summary>
-    private static PictureFormat Format(PictureFormat? wanted, string? output, bool isPart)
+    private static PictureFormat Format(CommandLine line, string? output, bool isPart)
     {
-        var format = wanted ?? (output is null ? PictureFormat.Png
-            : output != SceneInput.Standard ? PictureFormats.ByExtension(output)
-            : isPart ? PictureFormat.Png : PictureFormat.Ppm);
+        var format = isPart && output is null or SceneInput.Standard ? line.PictureFormat() ?? PictureFormat.Png
+            : PictureOutput.FormatOf(line, output!);
         return !isPart || format == PictureFormat.Png ? format
             : throw ProblemException.Usage("--rows and --resume write a PNG, which records what it shows; choose another name or format");
     }

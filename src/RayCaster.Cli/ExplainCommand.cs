@@ -40,14 +40,14 @@ internal sealed class ExplainCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var operands = line.Exactly("<scene>", "<column>", "<line>");
-        if (SceneInput.Read(operands[0], line.PictureSize(), threads: null, line.Has(Option.Quiet), cancellation) is not { } scene)
+        if (SceneInput.Read(operands[0], line, cancellation) is not { } scene)
             return ExitCode.CouldNot;
 
         var camera = scene.Camera;
         var explanation = PixelExplanation.Of(scene,
             Coordinate("column", operands[1], camera.Width, "left to right"), Coordinate("line", operands[2], camera.Height, "top to bottom"));
         var reference = line[Option.Reference] is { } path ? ReferenceExplanation.Of(explanation, ReadReference(path, camera)) : null;
-        StandardFile.WriteOutput(line.Has(Option.Json) ? explanation.ToJson(reference) : explanation.ToText(reference));
+        StandardFile.WriteOutput(line.Has(Option.Json) ? ExplanationJson.Of(explanation, reference) : ExplanationText.Of(explanation, reference));
         return reference is { Agrees: false } ? ExitCode.No : ExitCode.Done;
     }
 

@@ -34,11 +34,8 @@ internal sealed class HandOutCommand : Command
         var folder = line.Exactly("<folder>")[0];
         var (first, last) = OpenSteps(line);
         HandOutFolder.Write(folder, step => first <= step && step <= last, cancellation);
-        if (!line.Has(Option.Quiet))
-        {
-            var steps = last == 0 ? "all steps are done" : first == last ? $"step {first} is open" : $"steps {first} to {last} are open";
-            StandardFile.WriteError($"{folder}: {steps}; README.md says how to begin{Environment.NewLine}");
-        }
+        var steps = last == 0 ? "all steps are done" : first == last ? $"step {first} is open" : $"steps {first} to {last} are open";
+        line.Tell($"{folder}: {steps}; README.md says how to begin");
         return ExitCode.Done;
     }
 

@@ -43,7 +43,6 @@ internal static class InputFiles
     }
 
     /// <summary>The files that operands name, each once.</summary>
-    /// <param name="operands">Files, folders and patterns.</param>
     /// <param name="chosen">The files that were named themselves, not only by their folder.</param>
     /// <exception cref="ProblemException">An operand names nothing.</exception>
     public static List<string> Of(IReadOnlyList<string> operands, out HashSet<string> chosen)

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Cli;
 
 /// <summary>Drawing with --map: numbers for each pixel, and a picture of them.</summary>
@@ -12,7 +10,6 @@ internal static class MapOutput
             throw ProblemException.Usage($"'{line[Option.Map]}' is not a map: " +
                 $"choose {string.Join(", ", MapKinds.Names[..^1])} or {MapKinds.Names[^1]}");
         if (line.Has(Option.Format)) throw ProblemException.Usage("a map is a PFM and a PNG; --format is for the picture");
-        var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
         var numbers = line[Option.Output] ?? DrawCommand.NameOf(path) + $".{kind.Name()}.pfm";
         if (!numbers.EndsWith(".pfm", StringComparison.OrdinalIgnoreCase))
             throw ProblemException.Usage($"a map's numbers go to a file that ends in .pfm, but '{numbers}' is given; its picture is called alike");
@@ -21,8 +18,8 @@ internal static class MapOutput
         var ending = $".{kind.Name()}";
         var picture = numbers[..^4] + (numbers[..^4].EndsWith(ending, StringComparison.Ordinal) ? "" : ending) + ".png";
 
-        if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
-        var map = MapMaker.Make(scene, kind, threads);
+        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
+        var map = MapMaker.Make(scene, kind, line.ThreadCount());
 
         PictureOutput.Write(numbers, cancellation, file => PfmFile.Write(file, map));
         var drawn = MapPicture.Draw(map, kind);
@@ -33,17 +30,12 @@ internal static class MapOutput
             preview.Take(drawn.Rgb);
             TerminalScreen.Show(preview, colors);
         }
-        if (quiet) return ExitCode.Done;
-        StandardFile.WriteError(Summary(map, kind, numbers, picture) + Environment.NewLine);
-        if (line.Has(Option.Ledger)) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
+        line.Tell($"{numbers}, {picture}: {map.Width} x {map.Height} pixels{Range(map, kind)}");
+        if (line.Has(Option.Ledger) && !line.Has(Option.Quiet)) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         return ExitCode.Done;
     }
 
-    private static string Summary(NumberMap map, MapKind kind, string numbers, string picture)
-    {
-        var range = kind is MapKind.T or MapKind.Depth && map.Range is var (least, greatest)
-            ? string.Create(CultureInfo.InvariantCulture, $", {kind.Name()} from {least:G7} to {greatest:G7}")
-            : "";
-        return $"{numbers}, {picture}: {map.Width} x {map.Height} pixels{range}";
-    }
+    private static string Range(NumberMap map, MapKind kind) => kind is MapKind.T or MapKind.Depth && map.Range is var (least, greatest)
+        ? FormattableString.Invariant($", {kind.Name()} from {least:G7} to {greatest:G7}")
+        : "";
 }

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Globalization;
 
 namespace RayCaster.Cli;
 
@@ -52,7 +51,6 @@ internal sealed class MarkCommand : Command
         var rubric = RubricReader.Read(line.Operands[0], out var report);
         StandardFile.WriteError(report);
         if (rubric is null) return ExitCode.No;
-        var quiet = line.Has(Option.Quiet);
         if (line.Operands.Count == 1)
         {
             StandardFile.WriteOutput(RubricReport.Text(rubric));
@@ -60,18 +58,16 @@ internal sealed class MarkCommand : Command
         }
 
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
-        if (!quiet && rubric.Source.Run.Count > 0)
-            StandardFile.WriteError($"Students' programs run with your rights, within {RubricReport.HeldBy}.\n");
-        using var progress = new CountLine(!quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted, "submissions");
+        if (rubric.Source.Run.Count > 0) line.Tell($"Students' programs run with your rights, within {RubricReport.HeldBy}.");
+        using var progress = line.ShowsProgress ? ProgressLine.OnTerminal(0, 0, "submissions") : null;
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(
-            line.ThreadCount() ?? Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit], progress.Show);
+            line.ThreadCount() ?? Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit],
+            progress is null ? null : progress.Show);
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
-        progress.Wipe();
-        if (!quiet)
-            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
-                $"{output}: {marks.Count} submissions marked, {marks.Count(student => student.LookYourself.Count > 0)} to look at yourself, " +
-                $"{Stopwatch.GetElapsedTime(start).TotalSeconds:0.0} s{Environment.NewLine}"));
+        progress?.Dispose();
+        var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);
+        line.Tell($"{output}: {marks.Count} submissions marked, {flagged} to look at yourself, {seconds:0.0} s");
         return ExitCode.Done;
     }
 }

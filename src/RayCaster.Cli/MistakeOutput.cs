@@ -8,18 +8,14 @@ internal static class MistakeOutput
     {
         var mistakes = NameList.Of(line[Option.Mistake]!, '+', [.. MistakeCatalog.All.Select(mistake => mistake.Id)], "a mistake")
             .Select(id => MistakeCatalog.Named(id)!).ToArray();
-        var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
         var output = line[Option.Output] ?? $"{DrawCommand.NameOf(path)}.{string.Join('+', mistakes.Select(mistake => mistake.Id))}.png";
-        var format = line.PictureFormat()
-            ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+        var format = PictureOutput.FormatOf(line, output);
         PictureOutput.KeepOffTerminal(output);
-        if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
 
-        var picture = WrongPicture.Draw(scene, mistakes, threads);
+        var picture = WrongPicture.Draw(scene, mistakes, line.ThreadCount());
         PictureOutput.Write(output, picture, format, cancellation);
-        if (!quiet)
-            StandardFile.WriteError($"{PictureOutput.NameOf(output)}: wrong on purpose: " +
-                $"{string.Join("; ", mistakes.Select(mistake => mistake.Cause))}{Environment.NewLine}");
+        line.Tell($"{PictureOutput.NameOf(output)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");
         return ExitCode.Done;
     }
 }

@@ -44,13 +44,14 @@ internal sealed class OrbitCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var path = line.Exactly("<scene>")[0];
-        var (size, threads, quiet) = (line.PictureSize(), line.ThreadCount(), line.Has(Option.Quiet));
+        var (threads, quiet) = (line.ThreadCount(), line.Has(Option.Quiet));
         if (line[Option.Frames] is not { } text) throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
         if (CommandLine.ParseCount(text) is not ({ } frames and <= MostFrames))
             throw ProblemException.Usage($"'{text}' is not a number of frames: it is a whole number from 1 to {MostFrames}");
         var only = line[Option.Only] is { } some ? Rows.Of(some, frames, "frames", "a film") : LineRange.Whole(frames);
 
-        if (SceneInput.Read(path, size, threads, quiet, cancellation) is not { } scene) return ExitCode.CouldNot;
+        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
+        scene = SpatialOrder.Of(scene, threads);
         CameraPath? way = null;
         if (line[Option.Keys] is { } keys)
         {
@@ -63,9 +64,8 @@ internal sealed class OrbitCommand : Command
         var folder = line[Option.Output] ?? "";
         var name = DrawCommand.NameOf(path);
         var digits = $"D{Math.Max(4, (frames - 1).ToString(CultureInfo.InvariantCulture).Length)}";
-        var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
         var (start, drawn) = (Stopwatch.GetTimestamp(), 0);
-        var leftByKilledRuns = new TemporaryFileList(folder == "" ? "." : folder);
+        var leftByKilledRuns = ReplacedFile.LeftIn(folder == "" ? "." : folder);
         for (var frame = only.First; frame <= only.Last; frame++)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -78,15 +78,13 @@ internal sealed class OrbitCommand : Command
             // The reason to draw a frame anew is printed for the first one only.
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue;
             PictureOutput.Draw(
-                output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, showProgress, cancellation,
+                output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, line.ShowsProgress, cancellation,
                 found: leftByKilledRuns);
             drawn++;
         }
-        if (!quiet)
-            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
-                $"{(folder == "" ? "." : folder)}: {drawn} {(drawn == 1 ? "frame" : "frames")} " +
-                $"of {scene.Camera.Width} x {scene.Camera.Height} pixels drawn, " +
-                $"{only.Count - drawn} existed already, {Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
+        var (pixels, seconds) = ($"{scene.Camera.Width} x {scene.Camera.Height} pixels", Stopwatch.GetElapsedTime(start).TotalSeconds);
+        var (place, noun) = (folder == "" ? "." : folder, drawn == 1 ? "frame" : "frames");
+        line.Tell($"{place}: {drawn} {noun} of {pixels} drawn, {only.Count - drawn} existed already, {seconds:0.00} s");
         return ExitCode.Done;
     }
 }

@@ -16,12 +16,16 @@ internal static class PictureOutput
     /// <summary>Its name in messages.</summary>
     public static string NameOf(string output) => output == SceneInput.Standard ? "standard output" : output;
 
+    /// <summary>The format that is asked for, or that of the file's extension.</summary>
+    public static PictureFormat FormatOf(CommandLine line, string output) =>
+        line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+
     /// <summary>Opens the output, writes it and closes it.</summary>
     /// <param name="cancellation">If cancelled, the old file stays.</param>
     /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
     /// <exception cref="PictureFileException">The file cannot be written.</exception>
-    public static void Write(string output, CancellationToken cancellation, Action<Stream> write, TemporaryFileList? found = null)
+    public static void Write(string output, CancellationToken cancellation, Action<Stream> write, IReadOnlyList<string>? found = null)
     {
         if (output == SceneInput.Standard)
         {
@@ -43,7 +47,7 @@ internal static class PictureOutput
     /// <param name="watch">Also gets the lines in order; again from the first line if the picture is drawn again.</param>
     /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
-        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null, TemporaryFileList? found = null)
+        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null, IReadOnlyList<string>? found = null)
     {
         if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // lines on standard output cannot be replaced later
         try

@@ -37,25 +37,9 @@ internal static class Program
             Interruption.Tell();
             return exitCode;
         }
-        catch (ProblemException problem)
+        catch (Exception e) when (Message(e) is { } message)
         {
-            StandardFile.WriteError(problem.Message + Environment.NewLine);
-            return ExitCode.CouldNot;
-        }
-        catch (PictureFileException problem)
-        {
-            StandardFile.WriteError("raycaster: " + problem.Message + Environment.NewLine);
-            return ExitCode.CouldNot;
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            StandardFile.WriteError("raycaster: " +
-                $"{(IsCurrentFolderThere() ? e.Message : "the current folder was deleted")}{Environment.NewLine}");
-            return ExitCode.CouldNot;
-        }
-        catch (Exception e) when (IsOutOfMemory(e))
-        {
-            StandardFile.WriteError("raycaster: there is not enough memory\n");
+            StandardFile.WriteError(message + Environment.NewLine);
             return ExitCode.CouldNot;
         }
         catch (Exception unexpected)
@@ -67,6 +51,15 @@ internal static class Program
             GC.KeepAlive(tooLarge);
         }
     }
+
+    /// <summary>What to tell the user; null for a fault of this program.</summary>
+    private static string? Message(Exception e) => e switch
+    {
+        ProblemException => e.Message,
+        PictureFileException => "raycaster: " + e.Message,
+        IOException or UnauthorizedAccessException => "raycaster: " + (IsCurrentFolderThere() ? e.Message : "the current folder was deleted"),
+        _ => IsOutOfMemory(e) ? "raycaster: there is not enough memory" : null,
+    };
 
     private static int Report(Exception unexpected)
     {

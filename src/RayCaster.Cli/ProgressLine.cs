@@ -6,9 +6,8 @@ namespace RayCaster.Cli;
 /// A progress line on the terminal: drawn only if the work takes long, at most ten times a second, and wiped at the end.
 /// </summary>
 /// <param name="output">Where to draw: the terminal behind standard error.</param>
-/// <param name="width">Pixels in a line of the picture.</param>
-/// <param name="height">Lines of the picture.</param>
 /// <param name="columns">The terminal's width; less than 20 means unknown.</param>
+/// <param name="width">Pixels in a line of the picture; 0 if there is no picture, and something else is counted.</param>
 /// <param name="what">What is counted for each pixel: rays, or something else if no rays are cast.</param>
 internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock, string what = "rays") : IDisposable
 {
@@ -32,16 +31,18 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
         new(Console.Error, width, height, TerminalScreen.Width(), TimeProvider.System, what);
 
     /// <summary>Counts finished lines of the picture. Any thread may call it.</summary>
-    public void LinesDone(int lines)
+    public void LinesDone(int lines) => Show(Interlocked.Add(ref linesDone, lines), height);
+
+    /// <summary>Shows how many are done of all. Any thread may call it.</summary>
+    public void Show(int done, int all)
     {
-        var done = Interlocked.Add(ref linesDone, lines);
         var elapsed = clock.GetElapsedTime(start);
         if (isGone || elapsed < Patience || !drawing.TryEnter()) return;
         try
         {
             if (elapsed - lastDrawn < Pause) return;
             lastDrawn = elapsed;
-            Draw(Text(done, elapsed));
+            Draw(Text(done, all, elapsed));
         }
         finally
         {
@@ -55,13 +56,13 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
             if (drawn > 0) Draw("");
     }
 
-    private string Text(int done, TimeSpan elapsed)
+    private string Text(int done, int all, TimeSpan elapsed)
     {
-        var share = (double)done / height;
-        var rays = (double)done * width / elapsed.TotalSeconds;
+        var share = (double)done / all;
+        var speed = FormattableString.Invariant($"{done * (double)width / elapsed.TotalSeconds / 1e6:0.0} million {what} per second  ");
         var left = TimeSpan.FromSeconds(elapsed.TotalSeconds / share * (1 - share));
         return string.Create(CultureInfo.InvariantCulture,
-            $"{share * 100,3:0} %  {done} of {height} lines  {rays / 1e6:0.0} million {what} per second  " +
+            $"{share * 100,3:0} %  {done} of {all} {(width > 0 ? $"lines  {speed}" : $"{what}  ")}" +
             $"{(long)left.TotalHours:00}:{left:mm\\:ss} left");
     }
 

@@ -25,8 +25,4 @@ internal static class Rows
             throw new ProblemException($"raycaster: the {what} {lines} do not all exist: {of} of {height} {what} has {whole}");
         return lines;
     }
-
-    /// <summary>Refuses a value of another form before a scene is read.</summary>
-    /// <exception cref="ProblemException">The value has another form.</exception>
-    public static void Check(string text) => Of(text, int.MaxValue);
 }

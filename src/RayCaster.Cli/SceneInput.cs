@@ -8,16 +8,15 @@ internal static class SceneInput
 
     /// <summary>Reads a scene and prints its errors and warnings.</summary>
     /// <param name="path">The file, or "-".</param>
-    /// <param name="size">The picture's size; null for the scene's.</param>
-    /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
-    /// <param name="quiet">Whether to print no warnings.</param>
+    /// <param name="line">Has the picture's size and the number of threads.</param>
     /// <returns>The scene; null if it has errors.</returns>
-    public static Scene? Read(string path, (int Width, int Height)? size, int? threads, bool quiet, CancellationToken cancellation)
+    public static Scene? Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true)
     {
+        var size = line.PictureSize();
         var (wide, high) = size ?? (0, 0); // the scene's own size is not known yet
-        var reading = Read(path, threads, text => WarmUp.Begin(text, (long)wide * high));
+        var reading = Read(path, line.ThreadCount(), text => WarmUp.Begin(text, (long)wide * high));
         cancellation.ThrowIfCancellationRequested();
-        if (reading.Scene is null || !quiet) StandardFile.WriteError(reading.Report());
+        if (reading.Scene is null || (warns && !line.Has(Option.Quiet))) StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
         return scene with { Camera = scene.Camera.WithSize(width, height) };
     }

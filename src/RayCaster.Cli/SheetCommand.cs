@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Cli;
 
 /// <summary>Draws small copies of many pictures on one sheet.</summary>
@@ -45,9 +43,7 @@ internal sealed class SheetCommand : Command
             sheet.Write(writer, cancellation);
             writer.Finish();
         });
-        if (!line.Has(Option.Quiet))
-            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
-                $"{output}: {pictures.Count} pictures, {sheet.Width} x {sheet.Height} pixels{Environment.NewLine}"));
+        line.Tell($"{output}: {pictures.Count} pictures, {sheet.Width} x {sheet.Height} pixels");
         return ExitCode.Done;
     }
 }

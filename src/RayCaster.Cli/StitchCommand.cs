@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Globalization;
 
 namespace RayCaster.Cli;
 
@@ -59,8 +58,7 @@ internal sealed class StitchCommand : Command
                 ? "--missing writes no picture: leave -o out"
                 : "stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines");
         var output = line[Option.Output] ?? "";
-        var format = onlyMissing ? PictureFormat.Png
-            : line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+        var format = onlyMissing ? PictureFormat.Png : PictureOutput.FormatOf(line, output);
         PictureOutput.KeepOffTerminal(output);
 
         var files = InputFiles.Of(line.Operands, out var chosen);
@@ -79,20 +77,16 @@ internal sealed class StitchCommand : Command
             return No($"of {parts.Size.Height} lines these are missing", [.. parts.Missing.Select(lines => lines.ToString())]);
 
         InputFiles.Note(parts.Files);
-        var (quiet, (width, height)) = (line.Has(Option.Quiet), parts.Size);
+        var (width, height) = parts.Size;
         PictureOutput.Write(output, cancellation, stream =>
         {
-            var showProgress = !quiet && !line.Has(Option.NoProgress) && ProgressLine.IsWanted;
-            using var progress = showProgress ? ProgressLine.OnTerminal(width, height, "pixels") : null;
+            using var progress = line.ShowsProgress ? ProgressLine.OnTerminal(width, height, "pixels") : null;
             using var writer = PictureWriter.Create(format, stream, width, height);
             parts.Write(writer, progress is null ? null : progress.LinesDone, cancellation);
             writer.Finish();
         });
-        if (!quiet)
-            StandardFile.WriteError(string.Create(CultureInfo.InvariantCulture,
-                $"{PictureOutput.NameOf(output)}: {width} x {height} pixels, " +
-                $"{parts.Count} {(parts.Count == 1 ? "part" : "parts")}, " +
-                    $"{Stopwatch.GetElapsedTime(start).TotalSeconds:0.00} s{Environment.NewLine}"));
+        var (seconds, noun) = (Stopwatch.GetElapsedTime(start).TotalSeconds, parts.Count == 1 ? "part" : "parts");
+        line.Tell($"{PictureOutput.NameOf(output)}: {width} x {height} pixels, {parts.Count} {noun}, {seconds:0.00} s");
         return ExitCode.Done;
     }
 

@@ -48,7 +48,6 @@ internal sealed class TerminalPreview
     }
 
     /// <summary>The characters, in whole lines.</summary>
-    /// <param name="depth">The colours of the terminal.</param>
     public string Text(ColorDepth depth)
     {
         var text = new StringBuilder();

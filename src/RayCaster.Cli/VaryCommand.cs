@@ -52,8 +52,7 @@ internal sealed class VaryCommand : Command
             return ExitCode.No;
         }
         PictureOutput.Write(output, cancellation, stream => stream.Write(varied));
-        if (!line.Has(Option.Quiet))
-            StandardFile.WriteError($"{PictureOutput.NameOf(output)}: {path}, varied; it shows the same mistakes{Environment.NewLine}");
+        line.Tell($"{PictureOutput.NameOf(output)}: {path}, varied; it shows the same mistakes");
         return ExitCode.Done;
     }
 }

@@ -5,8 +5,6 @@ internal static class StreamBytes
 {
     /// <summary>Reads up to the end of the stream; false if there are more than <paramref name="most"/> bytes.</summary>
     /// <param name="stream">The stream; one that can seek tells how much memory it needs.</param>
-    /// <param name="most">The most bytes.</param>
-    /// <param name="all">All bytes.</param>
     /// <param name="begun">Bytes that were read before; they come first.</param>
     public static bool TryReadToEnd(Stream stream, long most, out ArraySegment<byte> all, ReadOnlySpan<byte> begun = default)
     {

@@ -88,7 +88,7 @@ internal static class Messages
     public static byte[] OfExplanation(Scene scene, int column, int line, Picture? mine, int version)
     {
         var pixel = PixelExplanation.Of(scene, column, line);
-        var text = pixel.ToJson(mine is null ? null : ReferenceExplanation.Of(pixel, mine));
+        var text = ExplanationJson.Of(pixel, mine is null ? null : ReferenceExplanation.Of(pixel, mine));
         var section = JsonSerializer.Serialize(RaySection.Of(pixel), options);
         return Encoding.UTF8.GetBytes($$"""{"kind":"explanation","version":{{version}},"pixel":{{text}},"section":{{section}}}""");
     }

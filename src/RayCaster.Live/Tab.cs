@@ -157,10 +157,13 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
             if (!wantsExplanation || isMoving || explained is not { } wanted) return;
             (wantsExplanation, place, seen) = (false, wanted, view);
         }
-        var scene = seen.Of(state.Scene!);
-        if (!IsIn(scene, place)) return;
-        var mine = seen.Camera is null ? server.Mine.PictureFor(scene.Camera) : null;
-        await SendAsync(await Task.Run(() => Messages.OfExplanation(scene, place.Column, place.Line, mine, state.Version)));
+        if (!IsIn(seen.Of(state.Scene!), place)) return;
+        await SendAsync(await Task.Run(() =>
+        {
+            var scene = seen.Of(server.Scene.InFileOrder(state));
+            var mine = seen.Camera is null ? server.Mine.PictureFor(scene.Camera) : null;
+            return Messages.OfExplanation(scene, place.Column, place.Line, mine, state.Version);
+        }));
     }
 
     private async Task TellLedgerAsync(SceneState state)

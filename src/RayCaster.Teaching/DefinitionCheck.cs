@@ -17,7 +17,6 @@ public sealed class DefinitionCheck
     private int linesTaken;
 
     /// <summary>Chooses the windows and begins to compute the definition.</summary>
-    /// <param name="scene">What is drawn.</param>
     /// <param name="lines">Which lines, counted from the top.</param>
     public DefinitionCheck(Scene scene, Range lines)
     {
@@ -106,7 +105,6 @@ public sealed class DefinitionCheck
         windows.Add(new(Math.Clamp(column, 0, width - across), Math.Clamp(line, 0, height - down), new(across, down), new(across, down)));
     }
 
-    /// <param name="Column">The first column.</param>
     /// <param name="Line">The first line of those that are drawn.</param>
     /// <param name="Drawn">What the fast way gives.</param>
     /// <param name="Right">What the definition gives.</param>

@@ -32,7 +32,7 @@ internal static class OwnWays
         return new(name, Answer.Hits, threads =>
         {
             var (scene, map) = (next(), hits.Value);
-            return Time(threads, () => new Renderer(scene, threads) { ManyFrames = true }.CastHits(map));
+            return Time(threads, () => new Renderer(SpatialOrder.Of(scene, threads), threads) { ManyFrames = true }.CastHits(map));
         });
     }
 
@@ -42,7 +42,7 @@ internal static class OwnWays
         return new(name, Answer.Bytes, threads =>
         {
             var (scene, kept) = (next(), picture.Value);
-            return Time(threads, () => new Renderer(scene, threads) { ManyFrames = manyFrames }.DrawInto(kept));
+            return Time(threads, () => new Renderer(SpatialOrder.Of(scene, threads), threads) { ManyFrames = manyFrames }.DrawInto(kept));
         });
     }
 
@@ -121,7 +121,7 @@ internal static class OwnWays
     private static Func<Scene> Moving(BenchmarkScene scene, int width, int height)
     {
         const int Frames = 16, OfOrbit = 720;
-        var (kept, frame) = (new Lazy<Scene>(() => scene.Create(width, height)), 0);
+        var (kept, frame) = (new Lazy<Scene>(() => SpatialOrder.Of(scene.Create(width, height))), 0);
         return () => kept.Value with { Camera = Orbit.Frame(kept.Value.Camera, frame++ % Frames, OfOrbit) };
     }
 

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Text.Json;
 
 namespace RayCaster.Live.Tests;
@@ -26,11 +27,17 @@ public class FollowingTests
         await using var page = await LivePage.OpenAsync();
         await page.ConnectAsync();
         await page.FrameAsync();
+        var version = 1;
         for (var i = 1; i <= 5; i++)
         {
+            var start = Stopwatch.GetTimestamp();
             Save(page, Moved(6 + i), how);
-            var said = await page.MessageAsync("scene", message => message.GetProperty("version").GetInt32() > i);
+            // On a loaded machine the second step may come so late that the page rightly says that the file is broken.
+            var isPatient = Stopwatch.GetElapsedTime(start).TotalMilliseconds < (how == "in two steps" ? 140 : 550);
+            var said = await page.MessageAsync("scene",
+                message => message.GetProperty("version").GetInt32() > version && (isPatient || message.GetProperty("good").GetBoolean()));
             Assert.True(said.GetProperty("good").GetBoolean(), said.ToString());
+            version = said.GetProperty("version").GetInt32();
             (await page.FrameAsync()).IsThatOf(page.Scene);
         }
     }

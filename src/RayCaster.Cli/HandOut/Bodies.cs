@@ -13,16 +13,11 @@ internal sealed partial class Bodies
     private Bodies(string[] lines, List<Body> all) => (this.lines, All) = (lines, all);
 
     /// <summary>A marked body, with the indexes of its markers' lines.</summary>
-    /// <param name="Slide">The slide's title.</param>
-    /// <param name="Begin">The line of its first marker.</param>
-    /// <param name="End">The line of its last marker.</param>
     public sealed record Body(string Slide, int Begin, int End);
 
     /// <summary>The bodies in the order of the file.</summary>
     public IReadOnlyList<Body> All { get; }
 
-    /// <summary>Finds the bodies.</summary>
-    /// <param name="file">The file's name in errors.</param>
     /// <exception cref="ProblemException">A marker is missing, or its slide belongs to no step.</exception>
     public static Bodies Parse(string file, string text)
     {

@@ -29,7 +29,6 @@ internal static class HandOutFiles
     }
 
     /// <summary>All files, with stubs in place of some bodies of the lab.</summary>
-    /// <param name="isOpen">Whether students write a step.</param>
     /// <exception cref="ProblemException">A body of the lab has wrong markers.</exception>
     public static List<(string Path, byte[] Content)> With(Func<int, bool> isOpen)
     {

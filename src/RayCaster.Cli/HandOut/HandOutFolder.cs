@@ -6,9 +6,7 @@ internal static class HandOutFolder
     /// <summary>The assemblies of this program that the lab and its tests use.</summary>
     private static readonly string[] libraries = ["RayCaster.Library", "RayCaster.Files", "RayCaster.Engine", "RayCaster.Teaching"];
 
-    /// <summary>Writes all files.</summary>
     /// <param name="folder">The folder, which must be new or empty.</param>
-    /// <param name="isOpen">Whether students write a step.</param>
     /// <param name="cancellation">Ends the work; no file is left.</param>
     /// <exception cref="ProblemException">The folder cannot be written.</exception>
     public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)

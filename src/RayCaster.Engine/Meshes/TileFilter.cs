@@ -198,31 +198,6 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Those of some large triangles that are not hidden: for each of them that saves setting it up.</summary>
-    /// <param name="large">A bit for each triangle.</param>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private uint Visible(uint large, Vector256<float> left, Vector256<float> right, Vector256<float> bottom, Vector256<float> top)
-    {
-        ref readonly var t = ref eight;
-        var size = Lanes.Most(t.A.X, t.B.X, t.C.X) - Lanes.Least(t.A.X, t.B.X, t.C.X)
-            + (Lanes.Most(t.A.Y, t.B.Y, t.C.Y) - Lanes.Least(t.A.Y, t.B.Y, t.C.Y));
-        var mostW = TriangleSetUp.StretchedW(Lanes.Most(t.A.W, t.B.W, t.C.W), size, screen) * Vector256.Create(1 + 1e-5f);
-        Span<int> box = stackalloc int[32];
-        Vector256.ConvertToInt32Native(left).CopyTo(box);
-        Vector256.ConvertToInt32Native(right).CopyTo(box[8..]);
-        Vector256.ConvertToInt32Native(bottom).CopyTo(box[16..]);
-        Vector256.ConvertToInt32Native(top).CopyTo(box[24..]);
-        Span<float> w = stackalloc float[8];
-        mostW.CopyTo(w);
-        for (var rest = large; rest != 0; rest &= rest - 1)
-        {
-            var i = BitOperations.TrailingZeroCount(rest);
-            var cells = Cells.Of((uint)box[i], (uint)box[i + 8], (uint)box[i + 16], (uint)box[i + 24]);
-            if (coarse.Hides(cells, tile.Row % Tile.MaxSide, w[i])) large &= ~(1u << i);
-        }
-        return large;
-    }
-
     /// <summary>Draws what waits, and finds out anew what is hidden.</summary>
     private void Refresh()
     {

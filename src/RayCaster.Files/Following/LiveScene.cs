@@ -4,9 +4,11 @@ namespace RayCaster.Files;
 /// <param name="Version">Counts the changes, from 1.</param>
 /// <param name="Text">The file's bytes; empty if it could not be read.</param>
 /// <param name="Problems">The mistakes in the file now.</param>
-/// <param name="Scene">The last good scene; null if there was none.</param>
+/// <param name="Scene">The last good scene, its meshes in <see cref="SpatialOrder"/>; null if there was none.</param>
 /// <param name="IsGood">Whether the file describes that scene now.</param>
-public sealed record SceneState(int Version, byte[] Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood);
+/// <param name="InFileOrder">The text of that scene if the order of a mesh is another than in its file; otherwise null.</param>
+public sealed record SceneState(
+    int Version, byte[] Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood, byte[]? InFileOrder = null);
 
 /// <summary>Reads a scene file again whenever it, or a mesh that it names, is saved.</summary>
 public sealed class LiveScene : IDisposable
@@ -23,7 +25,6 @@ public sealed class LiveScene : IDisposable
     private (DateTime, long)[] stamps = []; // of the meshes that are shown
 
     /// <summary>Reads the file for the first time.</summary>
-    /// <param name="path">The file as the user named it.</param>
     public LiveScene(string path)
     {
         (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));
@@ -59,6 +60,11 @@ public sealed class LiveScene : IDisposable
             Publish(Next(reading, text));
         }
     }
+
+    /// <summary>The state's scene with its triangles numbered as in the mesh files. Those in another order are read again, since a second copy would
+    /// take as much memory as the first.</summary>
+    public Scene InFileOrder(SceneState state) =>
+        (state.InFileOrder is { } text ? SceneReader.Parse(text, Path, System.IO.Path.GetDirectoryName(Path) ?? "").Scene : null) ?? state.Scene!;
 
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
     /// <param name="version">The version that the user has seen.</param>
@@ -106,7 +112,10 @@ public sealed class LiveScene : IDisposable
     {
         watch.Watch([FullPath, .. reading.MeshFiles]);
         stamps = StampsOf(reading);
-        return new((State?.Version ?? 0) + 1, text, reading.Problems, reading.Scene ?? State?.Scene, reading.Scene is not null);
+        var version = (State?.Version ?? 0) + 1;
+        if (reading.Scene is not { } read) return new(version, text, reading.Problems, State?.Scene, IsGood: false, State?.InFileOrder);
+        var scene = SpatialOrder.Of(read);
+        return new(version, text, reading.Problems, scene, IsGood: true, ReferenceEquals(scene, read) ? null : text);
     }
 
     private static (DateTime, long)[] StampsOf(SceneReading reading) => [.. reading.MeshFiles.Select(FileWatch.StampOf)];

@@ -9,24 +9,11 @@ public static class CameraPathReader
     public const int MostBytes = 1 << 20;
 
     /// <summary>Reads a file.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="camera">The scene's camera: its target and fovY are the defaults of a key.</param>
     /// <param name="report">All mistakes in the file, as text for people; empty if there are none.</param>
     /// <returns>The path, or null if there is an error.</returns>
     public static CameraPath? Read(string path, Camera camera, out string report) =>
-        ShortFile.TryRead(path, MostBytes, out var utf8, out report) ? Parse(utf8, path, camera, out report) : null;
-
-    /// <summary>Reads a text.</summary>
-    /// <param name="utf8">The text.</param>
-    /// <param name="displayName">What messages call it.</param>
-    /// <param name="camera">The scene's camera.</param>
-    /// <param name="report">All mistakes in it.</param>
-    public static CameraPath? Parse(ReadOnlyMemory<byte> utf8, string displayName, Camera camera, out string report)
-    {
-        var path = SceneReader.Parse(utf8, displayName, "", "the camera's path", o => ReadPath(o, camera), out var problems);
-        report = new SceneReading(null, problems).Report();
-        return path;
-    }
+        ShortFile.Read(path, MostBytes, "the camera's path", o => ReadPath(o, camera), out report);
 
     private static CameraPath? ReadPath(SceneObject o, Camera camera)
     {

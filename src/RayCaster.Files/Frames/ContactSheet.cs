@@ -45,46 +45,13 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
         writer.WriteRows(new byte[Gap * lineBytes]);
     }
 
-    /// <summary>Makes a picture small: each pixel is the mean of the pixels that it covers. A picture that is smaller already is
-    /// enlarged.</summary>
     private void Shrink(string picture, Span<byte> corner, int lineBytes)
     {
-        var small = new byte[3 * width * height];
-        PngReader.OpenFile(picture, png =>
+        var small = PngReader.OpenFile(picture, png =>
         {
-            var (fromWidth, fromHeight) = (png.Header.Width, png.Header.Height);
             png.RequireLines();
-            var line = new byte[3 * fromWidth];
-            var (sums, read) = (new long[3 * width], 0);
-            for (var y = 0; y < height; y++)
-            {
-                var (top, bottom) = Of(y, height, fromHeight);
-                Array.Clear(sums);
-                for (var i = top; i < bottom; i++)
-                {
-                    for (; read <= i; read++) png.ReadLine(line);
-                    for (var x = 0; x < width; x++)
-                    {
-                        var (left, right) = Of(x, width, fromWidth);
-                        for (var from = 3 * left; from < 3 * right; from++) sums[3 * x + from % 3] += line[from];
-                    }
-                }
-                for (var x = 0; x < width; x++)
-                {
-                    var (left, right) = Of(x, width, fromWidth);
-                    var count = (long)(right - left) * (bottom - top);
-                    for (var c = 3 * x; c < 3 * x + 3; c++) small[3 * width * y + c] = (byte)((sums[c] + count / 2) / count);
-                }
-            }
-            return true;
+            return SmallPicture.Of(png.Header.Width, png.Header.Height, png.ReadLine, width, height);
         });
-        for (var y = 0; y < height; y++) small.AsSpan(3 * width * y, 3 * width).CopyTo(corner[(y * lineBytes)..]);
-
-        // The pixels that a small pixel covers; at least one.
-        static (int From, int To) Of(int place, int places, int many)
-        {
-            var from = (int)((long)place * many / places);
-            return (from, Math.Max(from + 1, (int)((place + 1L) * many / places)));
-        }
+        for (var y = 0; y < height; y++) small.Rgb.AsSpan(3 * width * y, 3 * width).CopyTo(corner[(y * lineBytes)..]);
     }
 }

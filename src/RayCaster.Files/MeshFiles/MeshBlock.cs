@@ -4,8 +4,6 @@ namespace RayCaster.Files;
 internal sealed class MeshBlock(MeshSource source)
 {
     /// <summary>Finds where a block can end.</summary>
-    /// <param name="bytes">What has been loaded.</param>
-    /// <param name="isEnd">Whether the file ends there.</param>
     /// <returns>The bytes of the block; 0 where more must be loaded first.</returns>
     public delegate int Cut(ReadOnlySpan<byte> bytes, bool isEnd);
 

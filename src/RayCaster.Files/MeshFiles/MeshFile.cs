@@ -7,7 +7,6 @@ public static class MeshFile
     public const int MostBytesAtOnce = 1 << 28;
 
     /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
-    /// <param name="path">The file, of any size.</param>
     /// <param name="threads">How many threads read a large file; one per core if left out.</param>
     /// <exception cref="MeshFileException">The file is not there, is of another kind, or is broken.</exception>
     public static MeshData Read(string path, int? threads = null) => Read(path, threads, new FileNames());
@@ -22,7 +21,6 @@ public static class MeshFile
 
     /// <summary>Reads the bytes of a mesh file.</summary>
     /// <param name="name">The file's name, for its extension and for messages.</param>
-    /// <param name="bytes">What the file holds.</param>
     /// <exception cref="MeshFileException">They are not a mesh of that kind.</exception>
     public static MeshData Parse(string name, byte[] bytes) => Parse(name, bytes, MeshSource.UsualBlockSize);
 

@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>What one block of a mesh file holds.</summary>
-/// <param name="Vertices">The vertices of the block.</param>
 /// <param name="Indices">
 /// Three corners for each triangle. A corner from 0 on is a place among all vertices of the file. A negative corner minus <see cref="Here"/> is
 /// a place relative to the block's first vertex, whose own place is not known yet.

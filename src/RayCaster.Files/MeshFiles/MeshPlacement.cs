@@ -76,33 +76,40 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     {
         for (var to = 0; !indices.IsEmpty; indices = indices[3..])
         {
-            if (IsFlat(indices, vertices)) continue;
+            if (IsFlat(vertices[indices[0]], vertices[indices[1]], vertices[indices[2]])) continue;
             indices[..3].CopyTo(kept.AsSpan(to));
             to += 3;
         }
         return kept;
     }
 
+    /// <remarks>The corners of many triangles are copied first: they may lie anywhere, and so the processor waits for all of them at once.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private static int CountFlat(ReadOnlySpan<int> indices, Vector3[] vertices)
     {
+        const int AtOnce = 3 * 32;
+        Span<Vector3> corners = stackalloc Vector3[AtOnce];
         var count = 0;
-        for (; !indices.IsEmpty; indices = indices[3..])
-            if (IsFlat(indices, vertices))
-                count++;
+        for (; !indices.IsEmpty; indices = indices[Math.Min(AtOnce, indices.Length)..])
+        {
+            if (indices.Length < AtOnce) corners = corners[..indices.Length];
+            for (var i = 0; i < corners.Length; i++) corners[i] = vertices[indices[i]];
+            for (var i = 0; i < corners.Length; i += 3)
+                if (IsFlat(corners[i], corners[i + 1], corners[i + 2]))
+                    count++;
+        }
         return count;
     }
 
-    /// <summary>Whether the first of some triangles has no area.</summary>
+    /// <summary>Whether a triangle has no area.</summary>
     /// <remarks>
     /// Almost all triangles pass a test without roots: squared, and with twice the limit of <see cref="Triangle.IsOnOneLine"/>. A triangle that
     /// passes it has an area by that definition too, because the roots round by only a few parts in 10¹⁶. The bounds 1e-100 and 1e100 keep all
     /// products within a double.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static bool IsFlat(ReadOnlySpan<int> corners, Vector3[] vertices)
+    private static bool IsFlat(Vector3 a, Vector3 b, Vector3 c)
     {
-        var (a, b, c) = (vertices[corners[0]], vertices[corners[1]], vertices[corners[2]]);
         var (e1, e2, e3) = (b - a, c - a, c - b);
         var (n, longest) = (e1 % e2, Math.Max(e1 * e1, Math.Max(e2 * e2, e3 * e3)));
         return !(longest is > 1e-100 and < 1e100 && n * n > 4e-24 * longest * longest) && Triangle.IsOnOneLine(a, b, c);

@@ -5,7 +5,7 @@ namespace RayCaster.Files;
 /// <summary>PLY, ascii or binary: x, y and z of the element vertex, vertex_indices of the element face; all else is skipped.</summary>
 internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
 {
-    private readonly PlyRows rows = header.Format == "ascii" ? new AsciiPlyRows() : new BinaryPlyRows(header.Format == "binary_big_endian");
+    private readonly bool isAscii = header.Format == "ascii", isBigEndian = header.Format == "binary_big_endian";
     private long position = header.BodyAt;
     private long rowsLeft;      // of the last element that has begun
     private int elementsBegun;
@@ -33,8 +33,8 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
         var rowCount = 0L;
         position = block.Load(position, (bytes, isEnd) =>
         {
-            rowCount = rowsLeft;
-            var length = rows.Measure(bytes, element, ref rowCount);
+            var length = isAscii ? PlyRows.MeasureLines(bytes, rowsLeft, out rowCount)
+                : PlyRows.MeasureBinary(bytes, element, isBigEndian, rowsLeft, out rowCount);
             if (!isEnd || rowCount == rowsLeft) return length;
             rowCount = rowsLeft; // in ascii the last line may have no end; rows that are missing are an error when they are read
             return bytes.Length;
@@ -46,7 +46,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
 
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {
-        var values = rows.ValuesOf(block);
+        PlyValues values = isAscii ? new AsciiPlyValues(block) : new BinaryPlyValues(block, isBigEndian);
         for (var row = 0L; row < block.RowCount; row++)
         {
             values.BeginRow();
@@ -58,7 +58,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
     private void Begin(PlyElement element)
     {
         if (element.Properties.Count == 0) return; // its rows take no space
-        if (!rows.CanHold(element, source.Length - position))
+        if (!PlyRows.CanHold(element, source.Length - position, isAscii))
             throw source.ErrorAtLine(element.At, $"the header promises {element.Count} rows, more than the rest of the file can hold");
         rowsLeft = element.Count;
     }
@@ -68,7 +68,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
     {
         if (source.FirstNotBlank(position) is not { } rest) return;
         const string reason = "there is more in the file than the rows that its header promises";
-        throw header.Format == "ascii" ? source.ErrorAtLine(rest, reason) : source.ErrorAtByte(rest, reason);
+        throw isAscii ? source.ErrorAtLine(rest, reason) : source.ErrorAtByte(rest, reason);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]

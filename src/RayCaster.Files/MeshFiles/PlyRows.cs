@@ -3,34 +3,25 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Files;
 
 /// <summary>Finds where the rows of a PLY file end, without reading their values.</summary>
-internal abstract class PlyRows
+internal static class PlyRows
 {
     /// <summary>Whether some bytes can hold all rows of an element that the header promises, if each row is as short as possible.</summary>
-    public abstract bool CanHold(PlyElement element, long bytes);
-
-    /// <summary>The length of the rows that are whole.</summary>
-    /// <param name="bytes">Some of the file, from the beginning of a row on.</param>
-    /// <param name="element">What the rows are.</param>
-    /// <param name="count">In: how many rows are wanted. Out: how many there are.</param>
-    public abstract int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count);
-
-    public abstract PlyValues ValuesOf(MeshBlock block);
-}
-
-/// <summary>Each row is a line; blank lines do not count.</summary>
-internal sealed class AsciiPlyRows : PlyRows
-{
-    public override bool CanHold(PlyElement element, long bytes)
+    public static bool CanHold(PlyElement element, long bytes, bool isAscii)
     {
         var leastRow = 0L;
-        foreach (var property in element.Properties) leastRow += 2 * property.LeastNumbers; // each a digit, and a blank or line end
-        return element.Count <= (bytes + 1) / leastRow;                                    // the last line may have no end
+        foreach (var property in element.Properties) leastRow += isAscii ? 2 * property.LeastNumbers : property.LeastSize;
+        // In ascii each number has a digit, and a blank or line end; the last line may have no end.
+        return element.Count <= (isAscii ? bytes + 1 : bytes) / leastRow;
     }
 
+    /// <summary>The length of the rows that are whole, in ascii: each row is a line, and blank lines do not count.</summary>
+    /// <param name="bytes">Some of the file, from the beginning of a row on.</param>
+    /// <param name="wanted">How many rows to find at most.</param>
+    /// <param name="count">How many there are.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public override int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count)
+    public static int MeasureLines(ReadOnlySpan<byte> bytes, long wanted, out long count)
     {
-        var (wanted, rowsEnd, at) = (count, 0, 0);
+        var (rowsEnd, at) = (0, 0);
         for (count = 0; count < wanted;)
         {
             var line = bytes[at..];
@@ -49,23 +40,12 @@ internal sealed class AsciiPlyRows : PlyRows
         return rowsEnd;
     }
 
-    public override PlyValues ValuesOf(MeshBlock block) => new AsciiPlyValues(block);
-}
-
-/// <summary>A row ends where the lists in it say.</summary>
-internal sealed class BinaryPlyRows(bool bigEndian) : PlyRows
-{
-    public override bool CanHold(PlyElement element, long bytes)
-    {
-        var leastRow = 0L;
-        foreach (var property in element.Properties) leastRow += property.LeastSize;
-        return element.Count <= bytes / leastRow;
-    }
-
+    /// <summary>The same in binary form: a row ends where the lists in it say.</summary>
+    /// <inheritdoc cref="MeasureLines"/>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    public override int Measure(ReadOnlySpan<byte> bytes, PlyElement element, ref long count)
+    public static int MeasureBinary(ReadOnlySpan<byte> bytes, PlyElement element, bool bigEndian, long wanted, out long count)
     {
-        var (wanted, rowsEnd) = (count, 0L);
+        var rowsEnd = 0L;
         for (count = 0; count < wanted; count++)
         {
             var at = rowsEnd;
@@ -85,6 +65,4 @@ internal sealed class BinaryPlyRows(bool bigEndian) : PlyRows
         }
         return (int)rowsEnd;
     }
-
-    public override PlyValues ValuesOf(MeshBlock block) => new BinaryPlyValues(block, bigEndian);
 }

@@ -13,7 +13,6 @@ internal static class Ranges
         EachPiece((int)((arrayLength + Usual - 1L) / Usual), threads, i => work(i * Usual, Math.Min(Usual, arrayLength - i * Usual)));
 
     /// <summary>Does pieces 0 to count − 1 of some work: on one thread in order, on several in any order.</summary>
-    /// <param name="count">How many pieces.</param>
     /// <param name="threads">How many threads at most, the caller's included.</param>
     /// <param name="work">Does a piece. After an exception no other piece is started, and the exception is thrown here.</param>
     public static void EachPiece(int count, int threads, Action<int> work)

@@ -4,7 +4,6 @@ using System.Text;
 namespace RayCaster.Files;
 
 /// <summary>Divides a text into words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>
-/// <param name="block">The text.</param>
 /// <param name="position">Where the search for the first word begins.</param>
 /// <param name="isObj">Whether, as in OBJ, # starts a comment, and a backslash at the end of a line continues it on the next.</param>
 internal sealed class TextScanner(MeshBlock block, int position, bool isObj = false)
@@ -36,9 +35,8 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
             const int most = 40;
             var word = buffer.AsSpan(WordAt, wordEnd - WordAt);
             if (word.IsEmpty) return Position == length ? "the end of the file" : "the end of the line";
-            var quoted = new StringBuilder("'");
-            foreach (var c in Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)])) quoted.Append(char.IsControl(c) ? '?' : c);
-            return quoted.Append(word.Length > most ? "…'" : "'").ToString();
+            var text = Encoding.UTF8.GetString(word[..Math.Min(word.Length, most)]).Select(c => char.IsControl(c) ? '?' : c);
+            return $"'{string.Concat(text)}{(word.Length > most ? "…" : "")}'";
         }
     }
 
@@ -88,7 +86,6 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
     public double NextNumber(string what) => ToNumber(NextInLine(), what);
 
     /// <summary>Reads the word that came last as a number.</summary>
-    /// <param name="what">What the number is, for a message.</param>
     /// <exception cref="MeshFileException">It is something else, NaN, or beyond the largest number.</exception>
     public double ToNumber(ReadOnlySpan<byte> word, string what)
     {

@@ -3,7 +3,6 @@ using System.Globalization;
 namespace RayCaster.Files;
 
 /// <summary>Lines of a picture that follow each other, counted from the top, from 0.</summary>
-/// <param name="First">The first line.</param>
 /// <param name="Last">The last line, included; not less than the first.</param>
 public readonly record struct LineRange(int First, int Last)
 {

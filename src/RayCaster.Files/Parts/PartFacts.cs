@@ -12,9 +12,6 @@ namespace RayCaster.Files;
 /// raycaster 1.0.0
 /// </code>
 /// </summary>
-/// <param name="Width">Pixels in a line.</param>
-/// <param name="Height">Lines of the whole picture.</param>
-/// <param name="Lines">The lines that the file holds.</param>
 /// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
 /// <param name="Version">The version of the program that drew it.</param>
 public sealed record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)

@@ -36,8 +36,6 @@ public sealed class PartFile : IDisposable
     });
 
     /// <summary>Whether a file exists, can be read to its last pixel, and holds these lines of this picture.</summary>
-    /// <param name="path">The file.</param>
-    /// <param name="facts">What it should hold.</param>
     /// <param name="reason">Why not, as the end of a sentence; null if there is no file.</param>
     public static bool Holds(string path, PartFacts facts, out string? reason)
     {

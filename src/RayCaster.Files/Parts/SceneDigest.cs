@@ -17,19 +17,18 @@ namespace RayCaster.Files;
 /// <para>The last bit of tan, sin and cos may depend on the system. Therefore h and the placed vertices are hashed: if two systems compute
 /// different ones, their digests differ.</para>
 /// </remarks>
-public sealed class SceneDigest : IModelVisitor, IDisposable
+public sealed class SceneDigest : IModelVisitor
 {
-    private readonly IncrementalHash hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+    private readonly IncrementalHash hash;
 
-    private SceneDigest()
-    {
-    }
+    private SceneDigest(IncrementalHash hash) => this.hash = hash;
 
     /// <summary>The digest of a scene: 64 hexadecimal digits, small letters.</summary>
     /// <exception cref="NotSupportedException">A model does not tell its <see cref="Model.Numbers"/>; the message is for people.</exception>
     public static string Of(Scene scene)
     {
-        using var digest = new SceneDigest();
+        using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        var digest = new SceneDigest(hash);
         var camera = scene.Camera;
         digest.Add("raycaster picture 1").Add(camera.Width).Add(camera.Height)
             .Add(camera.Position).Add(camera.Target).Add(camera.Up).Add(camera.FovY).Add(camera.PlaneHeight)
@@ -47,7 +46,7 @@ public sealed class SceneDigest : IModelVisitor, IDisposable
                 throw new NotSupportedException($"models[{i}] {e.Message}", e);
             }
         }
-        return Convert.ToHexStringLower(digest.hash.GetHashAndReset());
+        return Convert.ToHexStringLower(hash.GetHashAndReset());
     }
 
     void IModelVisitor.Visit<P>(Model<P> model) => Add(typeof(P).Name).AddBits([model.Primitive]);
@@ -85,7 +84,4 @@ public sealed class SceneDigest : IModelVisitor, IDisposable
 
     private static NotSupportedException Unknown(Type type) => new(
         $"is of the class {type.Name}, which does not tell its numbers; override Numbers in it (docs/adding-a-primitive.md)");
-
-    /// <inheritdoc/>
-    public void Dispose() => hash.Dispose();
 }

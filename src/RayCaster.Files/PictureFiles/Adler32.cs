@@ -27,18 +27,4 @@ internal static class Adler32
         }
         return b << 16 | a;
     }
-
-    /// <summary>The checksum of two parts together, from the checksum of each.</summary>
-    /// <remarks>
-    /// A checksum is b · 2^16 + a, both modulo 65521: a is 1 plus the sum of the bytes, and b is the sum of the values of a after each byte.
-    /// After the first part, each value of a is larger than in the rest alone by s = a₁ − 1, the sum of the first part's bytes. So
-    /// a = s + a₂, and b = b₁ + b₂ + s · restBytes.
-    /// </remarks>
-    public static uint Join(uint first, uint rest, long restBytes)
-    {
-        var s = ((first & 0xFFFF) + Modulus - 1) % Modulus; // a₁ may be 0
-        var a = (s + (rest & 0xFFFF)) % Modulus;
-        var b = ((first >> 16) + (rest >> 16) + (ulong)s * (ulong)(restBytes % Modulus)) % Modulus;
-        return (uint)b << 16 | a;
-    }
 }

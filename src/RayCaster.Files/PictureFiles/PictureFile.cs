@@ -25,7 +25,6 @@ public static class PictureFile
     public static Picture Read(Stream stream) => Read(stream, MostBytes);
 
     /// <summary>The same with a limit.</summary>
-    /// <param name="stream">The file's bytes.</param>
     /// <param name="mostBytes">The most bytes that the picture may take in memory, three for each pixel.</param>
     /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
@@ -48,7 +47,6 @@ public static class PictureFile
     }
 
     /// <summary>Writes a picture. An old file is replaced at the end, and stays if anything fails.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="format">The format; the extension's if left out.</param>
     /// <exception cref="PictureFileException">The extension names no format, or the file cannot be written.</exception>
     public static void Write(string path, Picture picture, PictureFormat? format = null)
@@ -68,7 +66,6 @@ public static class PictureFile
     }
 
     /// <summary>Opens a file for reading; errors name the file.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="read">Reads, and closes the file or keeps it. If it throws or returns null, the file is closed here.</param>
     /// <exception cref="PictureFileException">The file cannot be read.</exception>
     internal static T Open<T>(string path, Func<FileStream, T> read)

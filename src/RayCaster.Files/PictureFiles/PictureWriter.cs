@@ -23,7 +23,6 @@ public abstract class PictureWriter : IDisposable
     private protected int LineBytes { get; }
 
     /// <summary>Begins a picture: writes the header.</summary>
-    /// <param name="format">The kind of file.</param>
     /// <param name="output">Receives the file's bytes in order. It need not seek, and is left open.</param>
     /// <param name="width">Pixels in a line, at least 1.</param>
     /// <param name="height">Lines, at least 1.</param>

@@ -15,17 +15,14 @@ internal static class PngChunk
     /// <summary>Not ASCII, and with both kinds of line end, so that a transfer as text damages it.</summary>
     public static ReadOnlySpan<byte> Signature => [0x89, (byte)'P', (byte)'N', (byte)'G', (byte)'\r', (byte)'\n', 0x1A, (byte)'\n'];
 
-    public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data) =>
-        Write(output, type, data, Crc(Crc(0, type), data));
-
-    public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data, uint crc)
+    public static void Write(Stream output, ReadOnlySpan<byte> type, ReadOnlySpan<byte> data)
     {
         Span<byte> number = stackalloc byte[4];
         BinaryPrimitives.WriteInt32BigEndian(number, data.Length);
         output.Write(number);
         output.Write(type);
         output.Write(data);
-        BinaryPrimitives.WriteUInt32BigEndian(number, crc);
+        BinaryPrimitives.WriteUInt32BigEndian(number, Crc(Crc(0, type), data));
         output.Write(number);
     }
 

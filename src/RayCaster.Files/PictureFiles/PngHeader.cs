@@ -25,17 +25,15 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     /// The reduced pictures that the file holds one after another: one picture of all pixels, or the seven of Adam7, which take pixels from
     /// finer and finer grids. The number of its filter stands before each line.
     /// </summary>
-    public IReadOnlyList<PngPass> Passes
+    public PngPass[] Passes
     {
         get
         {
-            ReadOnlySpan<PngPass> grids = Interlaced
+            var (width, height) = (Width, Height);
+            PngPass[] grids = Interlaced
                 ? [new(0, 0, 8, 8), new(4, 0, 8, 8), new(0, 4, 4, 8), new(2, 0, 4, 4), new(0, 2, 2, 4), new(1, 0, 2, 2), new(0, 1, 1, 2)]
                 : [new(0, 0, 1, 1)];
-            var passes = new List<PngPass>(grids.Length);
-            foreach (var grid in grids)
-                if (grid.X < Width && grid.Y < Height) passes.Add(grid); // a small picture has no pixel in some
-            return passes;
+            return Array.FindAll(grids, grid => grid.X < width && grid.Y < height); // a small picture has no pixel in some
         }
     }
 

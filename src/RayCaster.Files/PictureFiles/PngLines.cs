@@ -2,34 +2,27 @@ using System.Buffers.Binary;
 
 namespace RayCaster.Files;
 
-/// <summary>Reads the lines of a PNG, or of one pass of an interlaced PNG, with one byte for each sample.</summary>
-internal sealed class PngLines
+/// <summary>Reads the lines of a PNG, pass by pass, with one byte for each sample.</summary>
+/// <param name="data">The decompressed data.</param>
+internal sealed class PngLines(Stream data, PngHeader header)
 {
-    private readonly Stream data;
-    private readonly PngHeader header;
-    private readonly int margin;
-    private readonly byte[] samples;
-    private byte[] line, above;
+    // The left neighbours of a line's first pixel are zeros, which stand before each line. The last of these bytes first receives the number of
+    // the filter, and is set to zero again.
+    private readonly int margin = Math.Max(1, header.BitsPerPixel / 8);
+    private byte[] line = [], above = [], samples = [];
 
-    /// <summary>The checksum of all decompressed data, with the passes before this one.</summary>
-    public uint CheckSum { get; private set; }
+    /// <summary>The checksum of all decompressed data so far.</summary>
+    public uint CheckSum { get; private set; } = Adler32.OfNothing;
 
-    /// <param name="data">The decompressed data, at the first line of the pass.</param>
-    /// <param name="checkSum">The checksum of the passes before.</param>
-    public PngLines(Stream data, PngHeader header, PngPass pass, uint checkSum)
+    /// <summary>Begins a pass, of the width of its lines.</summary>
+    public void Begin(PngPass pass)
     {
-        CheckSum = checkSum;
-        (this.data, this.header) = (data, header);
         var columns = pass.Columns(header.Width);
-        // The left neighbours of a line's first pixel are zeros, which stand before each line. The last of these bytes first receives the number
-        // of the filter, and is set to zero again.
-        margin = Math.Max(1, header.BitsPerPixel / 8);
         (line, above) = (new byte[margin + header.LineBytes(columns)], new byte[margin + header.LineBytes(columns)]);
         samples = new byte[(long)columns * header.Channels];
     }
 
     /// <summary>The samples of the next line, scaled to 8 bits if they are not places in the palette. The next call overwrites them.</summary>
-    /// <param name="y">Which line it is, for a message.</param>
     /// <exception cref="PictureFileException">The line is missing, or its filter is unknown.</exception>
     public ReadOnlySpan<byte> Next(int y)
     {

@@ -127,13 +127,13 @@ internal sealed class PngReader : IDisposable
     /// <exception cref="PictureFileException">The data are damaged.</exception>
     public void ReadLine(Span<byte> rgb) => FromData(rgb, static (reader, rgb) =>
     {
-        reader.lines ??= new(reader.OpenData(), reader.Header, reader.Header.Passes[0], Adler32.OfNothing);
-        var samples = reader.lines.Next(reader.linesRead);
+        if (reader.lines is null) reader.OpenLines().Begin(reader.Header.Passes[0]);
+        var samples = reader.lines!.Next(reader.linesRead);
         if (reader.Header.ColorType == PngHeader.Rgb) samples.CopyTo(rgb);
         else
             for (; !rgb.IsEmpty; rgb = rgb[3..], samples = samples[reader.Header.Channels..])
                 (rgb[0], rgb[1], rgb[2]) = reader.ColorOf(samples);
-        if (++reader.linesRead == reader.Header.Height) reader.CheckEnd(reader.lines.CheckSum);
+        if (++reader.linesRead == reader.Header.Height) reader.CheckEnd();
     });
 
     /// <summary>The compressed pixels, a zlib stream. Reading it checks the chunks' checksums.</summary>
@@ -147,26 +147,25 @@ internal sealed class PngReader : IDisposable
 
     private Picture ReadPicture()
     {
-        OpenData();
+        OpenLines();
         var picture = new Picture(Header.Width, Header.Height);
         FromData(picture, static (reader, picture) =>
         {
-            var checkSum = Adler32.OfNothing;
             foreach (var pass in reader.Header.Passes)
             {
-                var lines = new PngLines(reader.data!, reader.Header, pass, checkSum);
-                for (var y = pass.Y; y < picture.Height; y += pass.StepY) reader.Place(lines.Next(y), y, pass, picture);
-                checkSum = lines.CheckSum;
+                reader.lines!.Begin(pass);
+                for (var y = pass.Y; y < picture.Height; y += pass.StepY) reader.Place(reader.lines.Next(y), y, pass, picture);
             }
-            reader.CheckEnd(checkSum);
+            reader.CheckEnd();
         });
         return picture;
     }
 
-    private ZLibStream OpenData()
+    private PngLines OpenLines()
     {
         chunks.Return(firstData);
-        return data = new ZLibStream(compressed = new PngData(chunks), CompressionMode.Decompress);
+        data = new ZLibStream(compressed = new PngData(chunks), CompressionMode.Decompress);
+        return lines = new(data, Header);
     }
 
     /// <summary>The text under <see cref="PartFacts.Keyword"/>; null where the chunk holds another text.</summary>
@@ -178,11 +177,11 @@ internal sealed class PngReader : IDisposable
     }
 
     /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a wrong checksum, but not a missing one.</summary>
-    private void CheckEnd(uint checkSum)
+    private void CheckEnd()
     {
         if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
         data.BaseStream.CopyTo(Stream.Null);
-        if (compressed!.LastFour != checkSum) throw new PictureFileException("its compressed data do not end with their checksum");
+        if (compressed!.LastFour != lines!.CheckSum) throw new PictureFileException("its compressed data do not end with their checksum");
     }
 
     /// <summary>Reads something from the data. Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>

@@ -1,106 +1,89 @@
-using System.Buffers.Binary;
+using System.IO.Compression;
+using System.Numerics;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 using System.Text;
 
 namespace RayCaster.Files;
 
 /// <summary>
 /// Writes PNG with 8 bits each of red, green and blue. Each line is stored as its difference from the line above (the filter Up), because
-/// neighbours in a column are often equal, and then compressed; large pictures in bands, several at the same time.
+/// neighbours in a column are often equal, and then compressed.
 /// </summary>
-/// <remarks>Only the caller's thread writes to the output, so that the caller gets the output's exceptions.</remarks>
 internal sealed class PngWriter : PictureWriter
 {
-    /// <summary>Smaller pictures are compressed on the caller's thread: other threads would take longer to start.</summary>
-    private const int BytesOfLarge = 1 << 24;
+    private const byte FilterUp = 2;
 
-    /// <summary>Small enough for many bands in a large picture, and large enough that a new start of the compressor costs almost nothing.</summary>
-    private const int BytesOfBand = 1 << 20;
+    /// <summary>About how many bytes go to the compressor in one call, and from how many compressed bytes on a chunk is written.</summary>
+    private const int BytesAtOnce = 1 << 15, BytesOfChunk = 1 << 20;
 
-    /// <summary>The most bands at a time. Then the oldest must be written before a new one starts.</summary>
-    private static int MostBands => Environment.ProcessorCount + 1;
+    /// <summary>Level 2 of 9 takes a fraction of the default's time and makes hardly larger files.</summary>
+    private static readonly ZLibCompressionOptions options = new() { CompressionLevel = 2 };
 
-    private readonly int linesOfBand, bandCount;
-    private readonly Queue<PngBand> started = [], written = [];
-
-    private PngBand band; // the one that takes the next lines
-    private int bandsBegun;
-    private uint adler = Adler32.OfNothing;
+    private readonly byte[] above, filtered;
+    private readonly MemoryStream compressed = new();
+    private readonly ZLibStream compressor;
+    private int used; // of the filtered bytes
 
     public PngWriter(Stream output, int width, int height, PartFacts? part = null) : base(output, width, height)
     {
-        linesOfBand = (long)LineBytes * height <= BytesOfLarge ? height : Math.Max(1, BytesOfBand / LineBytes);
-        bandCount = (height - 1) / linesOfBand + 1;
-        band = NextBand([]);
+        above = new byte[LineBytes];
+        filtered = new byte[(1 + LineBytes) * Math.Min(height, 1 + BytesAtOnce / LineBytes)];
+        compressor = new(compressed, options, leaveOpen: true);
 
         output.Write(PngChunk.Signature);
         PngChunk.Write(output, "IHDR"u8, new PngHeader(width, height, 8, PngHeader.Rgb, Interlaced: false).ToBytes());
         if (part is not null) PngChunk.Write(output, "tEXt"u8, Encoding.Latin1.GetBytes($"{PartFacts.Keyword}\0{part}"));
     }
 
-    /// <summary>Waits until no other thread works for this writer, at most for the time of a band.</summary>
     public override void Dispose()
     {
-        foreach (var other in started) other.Dispose();
-        band.Dispose();
+        compressor.Dispose();
         base.Dispose();
     }
 
     private protected override void Encode(ReadOnlySpan<byte> lines)
     {
-        if (bandCount == 1)
+        for (; !lines.IsEmpty; lines = lines[LineBytes..])
         {
-            band.Compress(lines);
-            return;
-        }
-        while (!lines.IsEmpty)
-        {
-            if (band.Room == 0) StartBand();
-            var now = Math.Min(lines.Length, band.Room);
-            band.Collect(lines[..now]);
-            lines = lines[now..];
+            var line = lines[..LineBytes];
+            filtered[used] = FilterUp;
+            Subtract(line, above, filtered.AsSpan(used + 1));
+            line.CopyTo(above);
+            used += 1 + LineBytes;
+            if (used == filtered.Length) Compress();
         }
     }
 
     private protected override void EncodeEnd()
     {
-        if (bandCount == 1) band.End();
-        else band.Start();
-        started.Enqueue(band);
-        WriteOldest(leave: 0);
-
-        Span<byte> checksum = stackalloc byte[4];
-        BinaryPrimitives.WriteUInt32BigEndian(checksum, adler);
-        PngChunk.Write(Output, "IDAT"u8, checksum);
+        Compress();
+        compressor.Dispose(); // ends the data with their checksum
+        WriteChunk();
         PngChunk.Write(Output, "IEND"u8, []);
     }
 
-    /// <summary>Starts to compress the full band, and begins the next.</summary>
-    private void StartBand()
+    private void Compress()
     {
-        var full = band;
-        full.Start();
-        started.Enqueue(full);
-        WriteOldest(leave: MostBands - 1);
-        band = NextBand(full.LastLine);
+        compressor.Write(filtered.AsSpan(0, used));
+        used = 0;
+        if (compressed.Length >= BytesOfChunk) WriteChunk();
     }
 
-    private PngBand NextBand(ReadOnlySpan<byte> lineAbove)
+    private void WriteChunk()
     {
-        if (!written.TryDequeue(out var next)) next = new(LineBytes, linesOfBand);
-        next.Begin(lineAbove, isFirst: bandsBegun == 0, isLast: bandsBegun == bandCount - 1);
-        bandsBegun++;
-        return next;
+        PngChunk.Write(Output, "IDAT"u8, compressed.GetBuffer().AsSpan(0, (int)compressed.Length));
+        compressed.SetLength(0);
     }
 
-    /// <summary>Writes the oldest bands: those that are done, and more until only <paramref name="leave"/> are left.</summary>
-    private void WriteOldest(int leave)
+    /// <summary>a − b modulo 256, byte by byte.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)] // a picture is often written before the runtime would optimise by itself
+    private static void Subtract(ReadOnlySpan<byte> a, ReadOnlySpan<byte> b, Span<byte> difference)
     {
-        while (started.TryPeek(out var oldest) && (started.Count > leave || oldest.IsDone))
-        {
-            oldest.Wait();
-            PngChunk.Write(Output, "IDAT"u8, oldest.Data, oldest.Crc);
-            adler = Adler32.Join(adler, oldest.Adler, oldest.FilteredBytes);
-            written.Enqueue(started.Dequeue());
-        }
+        var wideA = MemoryMarshal.Cast<byte, Vector<byte>>(a);
+        var wideB = MemoryMarshal.Cast<byte, Vector<byte>>(b);
+        var wide = MemoryMarshal.Cast<byte, Vector<byte>>(difference);
+        for (var i = 0; i < wideA.Length; i++) wide[i] = wideA[i] - wideB[i];
+        for (var i = wideA.Length * Vector<byte>.Count; i < a.Length; i++) difference[i] = (byte)(a[i] - b[i]);
     }
 }

@@ -8,8 +8,6 @@ internal sealed class PnmBytes
     private int at, end;
     private long passed; // bytes that were in the buffer before
 
-    /// <param name="begun">The first bytes, which were read before.</param>
-    /// <param name="rest">The rest of the file.</param>
     public PnmBytes(ReadOnlySpan<byte> begun, Stream rest)
     {
         begun.CopyTo(buffer);

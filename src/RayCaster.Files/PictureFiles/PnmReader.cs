@@ -83,7 +83,6 @@ internal sealed class PnmReader
 
     /// <summary>The next sample, scaled to 8 bits and rounded to nearest.</summary>
     /// <param name="bits">For P4: the sample is the highest of these eight bits.</param>
-    /// <param name="dataAt">Where the samples begin, for a message.</param>
     private byte ReadSample(int bits, long dataAt)
     {
         var start = file.Place;

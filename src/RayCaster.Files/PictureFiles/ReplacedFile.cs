@@ -11,12 +11,11 @@ public sealed class ReplacedFile : Stream
     private bool closed;
 
     /// <summary>Creates the temporary file; the old file stays as it is.</summary>
-    /// <param name="path">The file to write.</param>
-    /// <param name="found">Where to look for what killed writers of this file have left; null: in its folder.</param>
+    /// <param name="found">Where to look for what killed writers of this file have left (<see cref="LeftIn"/>); null: in its folder.</param>
     /// <exception cref="PictureFileException">
     /// The path is a folder or a device, its folder is /dev, does not exist or may not be written to, or the old file is read-only.
     /// </exception>
-    public ReplacedFile(string path, TemporaryFileList? found = null)
+    public ReplacedFile(string path, IReadOnlyList<string>? found = null)
     {
         this.path = path;
         try
@@ -43,6 +42,20 @@ public sealed class ReplacedFile : Stream
         catch (IOException e)
         {
             throw Failure(e);
+        }
+    }
+
+    /// <summary>The temporary files in a folder now; none if the folder cannot be listed. A program that writes many files lists their folder
+    /// once: once for each file would be quadratic in their number.</summary>
+    public static IReadOnlyList<string> LeftIn(string folder)
+    {
+        try
+        {
+            return Directory.GetFiles(Path.GetFullPath(folder), "*.tmp");
+        }
+        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
+        {
+            return []; // writing the first file fails too, and says why
         }
     }
 

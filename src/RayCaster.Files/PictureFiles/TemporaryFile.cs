@@ -70,16 +70,14 @@ internal static class TemporaryFile
     }
 
     /// <summary>Deletes the temporary files of writers of the same target that were killed. Never fails.</summary>
-    /// <param name="target">The full path of the target.</param>
-    /// <param name="own">This writer's temporary file.</param>
     /// <param name="found">Files of the target's folder; null: all that it has now.</param>
-    public static void DeleteOrphans(string target, string own, TemporaryFileList? found)
+    public static void DeleteOrphans(string target, string own, IReadOnlyList<string>? found)
     {
         try
         {
             var name = Path.GetFileName(Beginning(target));
             bool? locksHold = null;
-            foreach (var path in found?.Paths ?? Directory.EnumerateFiles(Path.GetDirectoryName(target)!))
+            foreach (var path in found ?? Directory.EnumerateFiles(Path.GetDirectoryName(target)!))
                 if (path != own && IsOneOf(name, Path.GetFileName(path)) && (locksHold ??= IsLocked(own)))
                     DeleteUnlessLocked(path);
         }

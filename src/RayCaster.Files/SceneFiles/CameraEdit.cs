@@ -9,13 +9,12 @@ public static class CameraEdit
     /// <param name="utf8">The text of a scene without errors, with or without a byte order mark.</param>
     public static byte[] Write(ReadOnlyMemory<byte> utf8, Camera camera)
     {
-        var mark = utf8.Span.StartsWith(Encodings.Utf8Mark) ? Encodings.Utf8Mark.Length : 0;
-        var tree = JsonTree.Parse(new SourceText("", utf8[mark..]), out _) ?? throw new ArgumentException("the text is not JSON", nameof(utf8));
+        var tree = JsonTree.Parse(new SourceText("", utf8), out _) ?? throw new ArgumentException("the text is not JSON", nameof(utf8));
         var place = tree.Root.Find("camera") ?? throw new ArgumentException("the text has no camera", nameof(utf8));
         var edits = new List<(JsonValue, string)>();
         Replace("position", camera.Position);
         Replace("target", camera.Target);
-        return [.. utf8.Span[..mark], .. tree.With(edits)];
+        return tree.With(edits);
 
         void Replace(string key, Vector3 v)
         {

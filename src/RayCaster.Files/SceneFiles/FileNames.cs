@@ -17,7 +17,6 @@ internal sealed class FileNames
     public int NamesRead { get; private set; }
 
     /// <summary>The end of a message about a missing file: its full path, unless that was given, and a file with a similar name.</summary>
-    /// <param name="path">The missing file.</param>
     /// <param name="extension">An extension that may have been left out.</param>
     public static string Hint(string path, string extension = "") => new FileNames().HintFor(path, extension);
 
@@ -45,14 +44,12 @@ internal sealed class FileNames
     /// <summary>The names in a folder, sorted; without names that are not printable, which nobody typed.</summary>
     private string[] NamesIn(string folder)
     {
-        var names = new List<string>();
-        foreach (var path in Directory.EnumerateFiles(folder).Take(MostFiles))
-        {
-            var name = Path.GetFileName(path);
-            if (PrintableText.Of(name) == name && !name.Contains('\uFFFD')) names.Add(name);
-        }
-        NamesRead += names.Count;
-        names.Sort(StringComparer.Ordinal);
-        return [.. names];
+        string[] names =
+        [
+            .. Directory.EnumerateFiles(folder).Take(MostFiles).Select(path => Path.GetFileName(path))
+                .Where(name => PrintableText.Of(name) == name && !name.Contains('\uFFFD')).Order(StringComparer.Ordinal),
+        ];
+        NamesRead += names.Length;
+        return names;
     }
 }

@@ -8,7 +8,6 @@ namespace RayCaster.Files;
 /// </summary>
 /// <param name="tree">The tokens before the mistake.</param>
 /// <param name="open">The arrays and objects that are open at the mistake.</param>
-/// <param name="last">The last good token.</param>
 /// <param name="lastEnd">The place after the last good token; after a key the place after its colon.</param>
 internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> open, JsonTokenType last, int lastEnd)
 {
@@ -17,7 +16,6 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     private readonly JsonWords words = new(tree.Text);
     private readonly WrongToken wrong = new(tree.Text);
 
-    /// <summary>Finds the mistake.</summary>
     /// <param name="refusal">The JSON reader's own message, for a mistake that is not known here.</param>
     public JsonMistake Explain(JsonException refusal)
     {

@@ -52,6 +52,7 @@ internal sealed class JsonTree
     public byte[] With(IEnumerable<(JsonValue Number, string Text)> edits)
     {
         var (text, done) = (new MemoryStream(), 0);
+        text.Write(Text.Mark);
         foreach (var (number, by) in edits.OrderBy(edit => edit.Number.Start))
         {
             text.Write(Text.Utf8[done..number.Start]);
@@ -103,6 +104,5 @@ internal sealed class JsonTree
         (node.Kind, node.Start, node.End, node.Next) = (kind, start, end, count);
     }
 
-    /// <summary>Ends an array or object.</summary>
     private void Close(int opening, int end) => (nodes[opening].End, nodes[opening].Next, lastClosed) = (end, count, opening);
 }

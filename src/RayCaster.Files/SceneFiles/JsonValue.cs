@@ -5,8 +5,6 @@ using System.Text.Json;
 namespace RayCaster.Files;
 
 /// <summary>A value or a key in a JSON text.</summary>
-/// <param name="tree">The text.</param>
-/// <param name="node">The value's token.</param>
 internal readonly struct JsonValue(JsonTree tree, int node)
 {
     private const int FewKeys = 16; // up to here each key is compared with each other
@@ -47,24 +45,12 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     public IEnumerable<JsonValue> Keys => Content.Where((_, i) => i % 2 == 0);
 
     /// <summary>The value of a key of an object, the first if the key is repeated; null if it is missing.</summary>
-    public JsonValue? Find(string name) => FindKey(name) is { } key ? new(tree, key.node + 1) : null;
-
-    /// <summary>The same in an object without repeated keys.</summary>
-    /// <param name="name">The key.</param>
-    /// <param name="likely">Where the search begins, 0 for nowhere; then the place of the next key. Most files have their keys in the order in
-    /// which they are read.</param>
-    public JsonValue? Find(string name, ref int likely)
-    {
-        if (likely > 0 && likely < tree[node].Next && new JsonValue(tree, likely).Is(name)) return ValueOf(new(tree, likely), ref likely);
-        return FindKey(name) is { } key ? ValueOf(key, ref likely) : null;
-    }
-
-    public JsonValue? FindKey(string name)
+    public JsonValue? Find(string name)
     {
         for (int key = node + 1, end = tree[node].Next; key < end; key = tree[key + 1].Next)
         {
             tree.KeysLookedAt++;
-            if (new JsonValue(tree, key).Is(name)) return new JsonValue(tree, key);
+            if (new JsonValue(tree, key).Is(name)) return new(tree, key + 1);
         }
         return null;
     }
@@ -123,12 +109,6 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         JsonTokenType.String => $"the text {AsWritten}",
         _ => AsWritten, // a number, true, false or null
     };
-
-    private JsonValue ValueOf(JsonValue key, ref int next)
-    {
-        next = tree[key.node + 1].Next;
-        return new(tree, key.node + 1);
-    }
 
     private string Unescaped()
     {

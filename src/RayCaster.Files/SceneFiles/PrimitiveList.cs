@@ -2,7 +2,6 @@ namespace RayCaster.Files;
 
 /// <summary>A type of model as a scene file names it.</summary>
 /// <param name="Name">The value of the key <c>type</c>.</param>
-/// <param name="Meaning">What an editor shows for it.</param>
 /// <param name="Read">Reads the type's own keys; name and colour are the same for all types.</param>
 internal sealed record PrimitiveType(string Name, string Meaning, Func<SceneObject, Model> Read);
 
@@ -40,7 +39,7 @@ internal static class PrimitiveList
     {
         var o = SceneObject.Describing(out var keys);
         foreach (var type in All) SceneReader.ReadModel(o, type);
-        foreach (var key in keys) yield return key.Name;
+        return keys.Select(key => key.Name);
     }
 
     private static Model Box(SceneObject o)

@@ -16,10 +16,7 @@ internal enum KeyKind
 }
 
 /// <summary>A key of an object in a scene file, described by the code that reads it. The editors' schema is made from these.</summary>
-/// <param name="Name">The key.</param>
-/// <param name="Kind">What kind of value it has.</param>
 /// <param name="Meaning">What an editor shows for it.</param>
-/// <param name="IsRequired">Whether it must be there.</param>
 /// <param name="Default">The value if the key is left out; null for none.</param>
 internal sealed record SceneKey(string Name, KeyKind Kind, string Meaning, bool IsRequired, object? Default = null)
 {
@@ -31,8 +28,6 @@ internal sealed record SceneKey(string Name, KeyKind Kind, string Meaning, bool 
 }
 
 /// <summary>Which numbers a key may have.</summary>
-/// <param name="Least">The lower limit.</param>
-/// <param name="Most">The upper limit.</param>
 /// <param name="IsOpen">Whether the limits themselves are refused.</param>
 internal sealed record Limits(double Least, double Most, bool IsOpen)
 {

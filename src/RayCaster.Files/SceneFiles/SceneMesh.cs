@@ -13,36 +13,24 @@ internal static class SceneMesh
             o.Factors("scale", "A factor for all axes, or one for each; none is 0, negative mirrors.", 1),
             o.Vector("rotate", "Turns about the x, y and z axis, in this order, in degrees.", Vector3.Zero),
             o.Vector("translate", "Where the mesh's origin goes, at last.", Vector3.Zero));
-        if (file is null || Load(o, file) is not { } data || !o.IsSound) return Nothing;
-
-        try
-        {
-            var mesh = placement.Place(data, out var dropped, o.Document!.Threads);
-            if (dropped > 0) o.Warn("file", $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
-            return mesh;
-        }
-        catch (OverflowException e)
-        {
-            o.Refuse("file", $": {e.Message}");
-            return Nothing;
-        }
-    }
-
-    private static MeshData? Load(SceneObject o, string file)
-    {
+        if (file is null) return Nothing;
         if (file.Contains('\0')) // which no file system takes
         {
             o.Refuse("file", $" must name a mesh file");
-            return null;
+            return Nothing;
         }
         try
         {
-            return o.Document!.Mesh(file);
+            var data = o.Document!.Mesh(file);
+            if (!o.IsSound) return Nothing;
+            var mesh = placement.Place(data, out var dropped, o.Document.Threads);
+            if (dropped > 0) o.Warn("file", $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
+            return mesh;
         }
-        catch (MeshFileException e)
+        catch (Exception e) when (e is MeshFileException or OverflowException)
         {
             o.Refuse("file", $": {e.Message}");
-            return null;
+            return Nothing;
         }
     }
 }

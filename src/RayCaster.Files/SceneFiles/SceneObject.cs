@@ -24,7 +24,7 @@ internal sealed class SceneObject
     private int? index;        // in the array at that path
     private int errorsBefore;
     private int? keyCount;     // null where a key may be there twice
-    private int found, likely; // the number of keys read that exist; where the next may be
+    private int found;         // the number of keys read that exist
 
     /// <param name="path">The object's path, empty for the scene itself; for the elements of an array, the array's path.</param>
     private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
@@ -46,7 +46,6 @@ internal sealed class SceneObject
     }
 
     /// <summary>An object; null, after a report, if the value is none.</summary>
-    /// <param name="value">What should be an object.</param>
     /// <param name="path">Its path, empty for the outermost.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
     public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string? name = null)
@@ -64,13 +63,10 @@ internal sealed class SceneObject
     private string LongPathOf(string key, int? element) =>
         (path.Length > 0 ? $"{path}{(index is { } place ? $"[{place}]" : "")}.{key}" : key) + (element is { } i ? $"[{i}]" : "");
 
-    /// <summary>Any number.</summary>
     public double Number(string key, string meaning, double? orElse = null) => Number(key, meaning, Limits.None, orElse);
 
-    /// <summary>A number greater than 0.</summary>
     public double Positive(string key, string meaning, double? orElse = null) => Number(key, meaning, Limits.Positive, orElse);
 
-    /// <summary>A number within limits.</summary>
     public double Number(string key, string meaning, Limits limits, double? orElse = null)
     {
         described?.Add(new(key, KeyKind.Number, meaning, orElse is null, orElse) { Limits = limits });
@@ -92,7 +88,6 @@ internal sealed class SceneObject
         return double.IsNaN(number) ? orElse : (int)number;
     }
 
-    /// <summary>Three numbers.</summary>
     public Vector3 Vector(string key, string meaning, Vector3? orElse = null) => Vector(key, KeyKind.Vector, meaning, orElse);
 
     /// <summary>A vector of any length but zero.</summary>
@@ -208,8 +203,6 @@ internal sealed class SceneObject
     private void Report(JsonValue value, string key, string message, int? element = null) => Report(true, value, key, message, element);
 
     /// <summary>Starts to read an object. False, after a report, if the value is none.</summary>
-    /// <param name="value">What should be an object.</param>
-    /// <param name="place">Its place in the array.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
     private bool Begin(JsonValue value, int? place, string? name = null)
     {
@@ -218,7 +211,7 @@ internal sealed class SceneObject
             RefuseAsObject(value, place, name);
             return false;
         }
-        (json, index, errorsBefore, keyCount, found, likely) = (value, place, document!.ErrorCount, value.CountKeys(), 0, 0);
+        (json, index, errorsBefore, keyCount, found) = (value, place, document!.ErrorCount, value.CountKeys(), 0);
         keysRead.Clear();
         if (keyCount is null) new WrongKeys(this, document, json.Keys).RefuseRepeated();
         return true;
@@ -235,7 +228,7 @@ internal sealed class SceneObject
     {
         if (document is null) return null;
         keysRead.Add(key);
-        var value = keyCount is null ? json.Find(key) : json.Find(key, ref likely);
+        var value = json.Find(key);
         if (value is not null) found++;
         else if (isRequired) Report(true, null, key, " is missing: " + (words is null ? meaning : WrongValue.OneOf(words)));
         return value;

@@ -25,10 +25,7 @@ public static class SceneReader
     }
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
-    /// <param name="stream">The text, with or without a byte order mark.</param>
-    /// <param name="displayName">Its name in messages; <c>&lt;stdin&gt;</c> for standard input.</param>
-    /// <param name="folder">The folder where paths of mesh files start.</param>
-    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
+    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string, int?)"/>
     /// <param name="look">Receives the bytes, also if they contain mistakes.</param>
     /// <exception cref="IOException">The stream fails.</exception>
     public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
@@ -58,19 +55,13 @@ public static class SceneReader
     }
 
     /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>
-    /// <param name="utf8">The text, with or without a byte order mark.</param>
-    /// <param name="displayName">Its name in messages.</param>
-    /// <param name="folder">The folder where paths of mesh files start.</param>
+    /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string, int?)"/>
     /// <param name="name">The name of the outermost object in messages.</param>
-    /// <param name="read">Reads the outermost object.</param>
-    /// <param name="problems">All errors and warnings.</param>
-    /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     internal static T? Parse<T>(
         ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,
         int? threads = null) where T : class
     {
-        var hasMark = utf8.Span.StartsWith(Encodings.Utf8Mark);
-        var document = new SceneDocument(new SourceText(displayName, utf8[(hasMark ? 3 : 0)..]), folder, threads);
+        var document = new SceneDocument(new SourceText(displayName, utf8), folder, threads);
         var root = ReadRoot(document, name);
         var result = root is null ? null : read(root);
         problems = document.Problems();

@@ -3,12 +3,23 @@ namespace RayCaster.Files;
 /// <summary>Reads a short file in the form of a scene file: a camera's path or a rubric.</summary>
 internal static class ShortFile
 {
-    /// <summary>Reads all bytes of a file, which may be a pipe that never ends.</summary>
+    /// <summary>Reads a file, which may be a pipe that never ends. Returns null if there is an error.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
-    /// <param name="mostBytes">The longest file.</param>
-    /// <param name="utf8">The bytes.</param>
-    /// <param name="report">The error, as text for people; empty if the file could be read.</param>
-    public static bool TryRead(string path, int mostBytes, out ReadOnlyMemory<byte> utf8, out string report)
+    /// <param name="name">The name of the outermost object in messages.</param>
+    /// <param name="report">All errors and warnings, as text for people; empty if there are none.</param>
+    /// <param name="look">Receives the file's bytes, also if they contain mistakes.</param>
+    public static T? Read<T>(
+        string path, int mostBytes, string name, Func<SceneObject, T?> read, out string report, Action<ReadOnlySpan<byte>>? look = null)
+        where T : class
+    {
+        if (!TryRead(path, mostBytes, out var utf8, out report)) return null;
+        look?.Invoke(utf8.Span);
+        var result = SceneReader.Parse(utf8, path, "", name, read, out var problems);
+        report = new SceneReading(null, problems).Report();
+        return result;
+    }
+
+    private static bool TryRead(string path, int mostBytes, out ReadOnlyMemory<byte> utf8, out string report)
     {
         (utf8, report) = (default, "");
         try

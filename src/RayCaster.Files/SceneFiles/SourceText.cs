@@ -5,17 +5,22 @@ namespace RayCaster.Files;
 
 /// <summary>The text of a file, and the lines and columns of its bytes.</summary>
 /// <param name="name">The file as the user named it.</param>
-/// <param name="utf8">The text, without a byte order mark.</param>
+/// <param name="utf8">The text, with or without a byte order mark.</param>
 internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 {
     private const int LongestExcerpt = 120;
     private readonly ArraySegment<byte> bytes = MemoryMarshal.TryGetArray(utf8, out var array) ? array : utf8.ToArray();
+    private readonly int mark = utf8.Span.StartsWith(Encodings.Utf8Mark) ? Encodings.Utf8Mark.Length : 0;
     private int[]? lineStarts;
     private (int Offset, int Column) last = (0, 1); // the last result of Locate, from which it goes on: a long line may have many problems
 
     public string Name => name;
 
-    public ReadOnlySpan<byte> Utf8 => new(bytes.Array, bytes.Offset, bytes.Count);
+    /// <summary>The byte order mark, if there is one.</summary>
+    public ReadOnlySpan<byte> Mark => bytes.AsSpan(0, mark);
+
+    /// <summary>The text after it.</summary>
+    public ReadOnlySpan<byte> Utf8 => bytes.AsSpan(mark);
 
     /// <summary>A part of the text as written, shortened if it is long.</summary>
     public string Quote(int start, int end)

@@ -18,8 +18,6 @@ public static class Spelling
     ];
 
     /// <summary>The most likely right word, or null.</summary>
-    /// <param name="word">The misspelt word.</param>
-    /// <param name="known">The right words.</param>
     /// <remarks>
     /// First the same word in another case, then a synonym, then the word with the fewest letters missing, added, wrong or swapped
     /// (Damerau–Levenshtein distance): at most one in a word of up to four letters, two in one of up to eight, else three.

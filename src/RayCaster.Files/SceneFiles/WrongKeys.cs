@@ -1,9 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>Refuses the keys of an object that are repeated or unknown.</summary>
-/// <param name="o">The object.</param>
-/// <param name="document">The scene file.</param>
-/// <param name="keys">The object's keys, as they are written.</param>
 internal readonly struct WrongKeys(SceneObject o, SceneDocument document, IEnumerable<JsonValue> keys)
 {
     /// <summary>Refuses each key that the object has already; the first one counts.</summary>

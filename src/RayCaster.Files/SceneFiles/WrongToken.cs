@@ -4,7 +4,6 @@ namespace RayCaster.Files;
 
 /// <summary>Finds the mistake in a word, a number or a text that is not JSON. Each method returns null if there is none, or if the file ends too
 /// early.</summary>
-/// <param name="text">The text that is not JSON.</param>
 internal readonly ref struct WrongToken(SourceText text)
 {
     private readonly ReadOnlySpan<byte> utf8 = text.Utf8;

@@ -9,7 +9,7 @@ namespace RayCaster.Teaching;
 /// <param name="Colors">The change of its colours that must be undone; null for none.</param>
 /// <param name="Bytes">By how many bytes all its bytes must be moved towards the end of the file.</param>
 /// <param name="SidesSwapped">Whether its bytes are in the right order, but width and height are swapped.</param>
-public sealed record Change(
+internal sealed record Change(
     Turn Turn = Turn.None, int Right = 0, int Down = 0, ColorChange? Colors = null, int Bytes = 0, bool SidesSwapped = false)
 {
     /// <summary>How complex the change is. Of changes with the same effect, the simplest is reported.</summary>
@@ -50,8 +50,8 @@ public sealed record Change(
         get
         {
             List<string> parts = [];
-            if (Right != 0) parts.Add($"{Count(Right, "pixel")} to the {(Right > 0 ? "right" : "left")}");
-            if (Down != 0) parts.Add($"{Count(Down, "line")} {(Down > 0 ? "down" : "up")}");
+            if (Right != 0) parts.Add($"{ComparisonText.Count(Math.Abs(Right), "pixel")} to the {(Right > 0 ? "right" : "left")}");
+            if (Down != 0) parts.Add($"{ComparisonText.Count(Math.Abs(Down), "line")} {(Down > 0 ? "down" : "up")}");
             return string.Join(" and ", parts);
         }
     }
@@ -64,35 +64,39 @@ public sealed record Change(
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public Picture Undo(Picture mine, Picture reference)
     {
-        var (width, height) = (reference.Width, reference.Height);
-        var mended = new Picture(width, height);
+        var mended = new Picture(reference.Width, reference.Height);
         if (SidesSwapped || Bytes != 0)
         {
             reference.Rgb.CopyTo(mended.Rgb, 0);
             mine.Rgb.AsSpan(Math.Max(0, -Bytes), mine.Rgb.Length - Math.Abs(Bytes)).CopyTo(mended.Rgb.AsSpan(Math.Max(0, Bytes)));
             return mended;
         }
-
-        var places = TurnedPlaces.Of(Turn, mine.Width, mine.Height);
-        var tones = Colors?.Tones ?? ToneTable.Same;
-        var (r, g, b) = Colors is null ? (0, 1, 2) : (Colors.PlaceOf(0), Colors.PlaceOf(1), Colors.PlaceOf(2));
-        for (var y = 0; y < height; y++)
-            for (var x = 0; x < width; x++)
-            {
-                var (fromX, fromY) = (x - Right, y - Down);
-                var to = (y * width + x) * 3;
-                if ((uint)fromX >= (uint)width || (uint)fromY >= (uint)height)
-                {
-                    reference.Rgb.AsSpan(to, 3).CopyTo(mended.Rgb.AsSpan(to));
-                    continue;
-                }
-                var from = (places.Start + fromX * places.Right + fromY * places.Down) * 3;
-                mended.Rgb[to] = tones.Undo(mine.Rgb[from + r], reference.Rgb[to]);
-                mended.Rgb[to + 1] = tones.Undo(mine.Rgb[from + g], reference.Rgb[to + 1]);
-                mended.Rgb[to + 2] = tones.Undo(mine.Rgb[from + b], reference.Rgb[to + 2]);
-            }
+        var pixels = new MendedPixels(this, mine, reference);
+        for (var y = 0; y < mended.Height; y++)
+            for (var x = 0; x < mended.Width; x++) mended[x, y] = pixels.TryGet(x, y, out var r, out var g, out var b) ? (r, g, b) : reference[x, y];
         return mended;
     }
+}
 
-    private static string Count(int number, string what) => $"{Math.Abs(number)} {what}{(Math.Abs(number) == 1 ? "" : "s")}";
+/// <summary>The pixels of a picture in which a change is undone that moves no bytes.</summary>
+internal readonly struct MendedPixels(Change change, Picture mine, Picture reference)
+{
+    private readonly TurnedPlaces places = TurnedPlaces.Of(change.Turn, mine.Width, mine.Height);
+    private readonly ToneTable tones = change.Colors?.Tones ?? ToneTable.Same;
+    private readonly (int R, int G, int B) order = change.Colors?.Places ?? (0, 1, 2);
+    private readonly Picture mine = mine, reference = reference;
+    private readonly int right = change.Right, down = change.Down;
+
+    /// <summary>Gets a pixel as it becomes; false where nothing moves to.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public bool TryGet(int x, int y, out byte r, out byte g, out byte b)
+    {
+        r = g = b = 0;
+        var (fromX, fromY) = (x - right, y - down);
+        if ((uint)fromX >= (uint)reference.Width || (uint)fromY >= (uint)reference.Height) return false;
+        var from = mine.Rgb.AsSpan((places.Start + fromX * places.Right + fromY * places.Down) * 3, 3);
+        var to = reference.Rgb.AsSpan((y * reference.Width + x) * 3, 3);
+        (r, g, b) = (tones.Undo(from[order.R], to[0]), tones.Undo(from[order.G], to[1]), tones.Undo(from[order.B], to[2]));
+        return true;
+    }
 }

@@ -14,16 +14,12 @@ internal sealed class ChangeFinder
 
     private readonly Picture mine, reference;
     private readonly PictureDifference? before;
-    private readonly IOutlines outlines;
+    private readonly Func<PictureDifference, bool> holdAllWrong; // whether all wrong pixels are on outlines
     private readonly List<(int X, int Y)> edges = [], anywhere = [];
 
-    /// <param name="mine">The picture in question.</param>
-    /// <param name="reference">The one that it should be.</param>
-    /// <param name="before">Their difference; null if the sizes differ.</param>
-    /// <param name="outlines">Recognises pixels on outlines.</param>
-    private ChangeFinder(Picture mine, Picture reference, PictureDifference? before, IOutlines outlines)
+    private ChangeFinder(Picture mine, Picture reference, PictureDifference? before, Func<PictureDifference, bool> holdAllWrong)
     {
-        (this.mine, this.reference, this.before, this.outlines) = (mine, reference, before, outlines);
+        (this.mine, this.reference, this.before, this.holdAllWrong) = (mine, reference, before, holdAllWrong);
         var random = new Random(1);
         for (var i = 0; i < SampleCount; i++) anywhere.Add((random.Next(reference.Width), random.Next(reference.Height)));
         for (var i = 0; i < 50 * SampleCount && edges.Count < SampleCount; i++)
@@ -34,11 +30,11 @@ internal sealed class ChangeFinder
     }
 
     /// <summary>The simplest change that makes the pictures agree, else the one that nearly does; null if there is none.</summary>
-    public static Recognition? Find(Picture mine, Picture reference, PictureDifference? before, IOutlines outlines)
+    public static Recognition? Find(Picture mine, Picture reference, PictureDifference? before, Func<PictureDifference, bool> holdAllWrong)
     {
         // No change turns a picture of one colour into one of several.
         if (mine.IsOneColor || reference.IsOneColor) return null;
-        return new ChangeFinder(mine, reference, before, outlines).Find();
+        return new ChangeFinder(mine, reference, before, holdAllWrong).Find();
     }
 
     private Recognition? Find()
@@ -83,8 +79,8 @@ internal sealed class ChangeFinder
     /// apart.</summary>
     private Likeness VerdictOn(Change change, PictureDifference difference)
     {
-        var verdict = Likenesses.Of(difference, outlines);
-        if (change.Colors is not Tone { IsInverted: false }) return verdict;
+        var verdict = Likenesses.Of(difference, holdAllWrong);
+        if (change.Colors is not Tone || change.Colors == Tone.Inverted) return verdict;
         return verdict switch
         {
             Likeness.Identical => Likeness.WithinRounding,
@@ -101,59 +97,40 @@ internal sealed class ChangeFinder
     /// <summary>How many samples differ after a change; null if they are too many.</summary>
     private int? Misses(Change change)
     {
-        var places = TurnedPlaces.Of(change.Turn, mine.Width, mine.Height);
-        var onEdges = Misses(change, places, edges, edges.Count * 3 / 5);
-        if (onEdges is null) return null;
-        return onEdges + Misses(change, places, anywhere, anywhere.Count / 20);
+        var pixels = new MendedPixels(change, mine, reference);
+        var onEdges = Misses(pixels, edges, edges.Count * 3 / 5);
+        return onEdges is null ? null : onEdges + Misses(pixels, anywhere, anywhere.Count / 20);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private int? Misses(Change change, TurnedPlaces places, List<(int X, int Y)> samples, int limit)
+    private int? Misses(in MendedPixels pixels, List<(int X, int Y)> samples, int limit)
     {
-        var tones = change.Colors?.Tones ?? ToneTable.Same;
         var (misses, beside) = (0, 0);
-        var (r, g, b) = change.Colors is { } colors ? (colors.PlaceOf(0), colors.PlaceOf(1), colors.PlaceOf(2)) : (0, 1, 2);
         foreach (var (x, y) in samples)
         {
-            if (PlaceIn(places, x - change.Right, y - change.Down) is not { } from)
+            if (!pixels.TryGet(x, y, out var r, out var g, out var b))
             {
                 if (++beside * 2 > samples.Count) return null;
-                continue;
             }
-            var to = (y * reference.Width + x) * 3;
-            if (IsNear(from + r, to) && IsNear(from + g, to + 1) && IsNear(from + b, to + 2)) continue;
-            if (++misses > limit) return null;
+            else if (PictureDifference.Levels((r, g, b), reference[x, y]) > 1 && ++misses > limit) return null;
         }
         return misses;
-
-        bool IsNear(int from, int to) =>
-            tones.Undo(mine.Rgb[from], reference.Rgb[to]) - reference.Rgb[to] is >= -1 and <= 1;
     }
-
-    private int? PlaceIn(TurnedPlaces places, int x, int y) =>
-        (uint)x < (uint)reference.Width && (uint)y < (uint)reference.Height ? (places.Start + x * places.Right + y * places.Down) * 3 : null;
 
     /// <summary>Formulas that may have changed the reference's channels to those of a picture that was turned and moved like this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private List<Tone> Tones(Turn turn, int right, int down)
     {
-        var places = TurnedPlaces.Of(turn, mine.Width, mine.Height);
+        var pixels = new MendedPixels(new(turn, right, down), mine, reference);
         // Sums of least squares, over the channels that are neither black nor clamped: powers, factors, straight lines.
         double logs = 0, logSquares = 0, n = 0, sumA = 0, sumB = 0, sumAA = 0, sumAB = 0;
         foreach (var (x, y) in anywhere)
         {
-            if (PlaceIn(places, x - right, y - down) is not { } from) continue;
-            var to = (y * reference.Width + x) * 3;
-            for (var channel = 0; channel < 3; channel++)
-            {
-                double a = reference.Rgb[to + channel], b = mine.Rgb[from + channel];
-                if (b is 0 or 255) continue;
-                (n, sumA, sumB, sumAA, sumAB) = (n + 1, sumA + a, sumB + b, sumAA + a * a, sumAB + a * b);
-                if (a is < 12 or > 250) continue;
-                var log = Math.Log(a / 255);
-                logs += log * Math.Log(b / 255);
-                logSquares += log * log;
-            }
+            if (!pixels.TryGet(x, y, out var red, out var green, out var blue)) continue;
+            var (r, g, b) = reference[x, y];
+            Add(r, red);
+            Add(g, green);
+            Add(b, blue);
         }
 
         List<Tone> tones = [Tone.Inverted, Tone.Srgb];
@@ -168,6 +145,16 @@ internal sealed class ChangeFinder
         var slope = (n * sumAB - sumA * sumB) / (n * sumAA - sumA * sumA);
         if (slope is > 0.05 and < 20) tones.Add(Tone.Linear(slope, (sumB - slope * sumA) / n / 255));
         return tones;
+
+        void Add(double a, double b)
+        {
+            if (b is 0 or 255) return;
+            (n, sumA, sumB, sumAA, sumAB) = (n + 1, sumA + a, sumB + b, sumAA + a * a, sumAB + a * b);
+            if (a is < 12 or > 250) return;
+            var log = Math.Log(a / 255);
+            logs += log * Math.Log(b / 255);
+            logSquares += log * log;
+        }
     }
 
     /// <summary>A usual gamma, such as 1/2.2, in place of a number within 2 % of it.</summary>

@@ -3,71 +3,57 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Teaching;
 
 /// <summary>A change of a picture's colours, the same in every pixel.</summary>
-public abstract record ColorChange
+internal abstract record ColorChange
 {
-    private protected ColorChange()
-    {
-    }
+    private protected ColorChange(string description, string order, ToneTable tones) =>
+        (Description, Order, Tones, Places) = (description, order, tones, (order.IndexOf('R'), order.IndexOf('G'), order.IndexOf('B')));
 
     /// <summary>What undoes it, in words that follow "when"; c is a channel of the right picture, 0 to 1.</summary>
-    public abstract string Description { get; }
+    public string Description { get; }
 
-    /// <summary>The place, from 0, at which the changed colour has the original's channel.</summary>
-    internal virtual int PlaceOf(int channel) => channel;
+    /// <summary>The letters of RGB in the order in which the changed colour has them.</summary>
+    public string Order { get; }
+
+    /// <summary>The places, from 0, at which the changed colour has the original's channels.</summary>
+    internal (int R, int G, int B) Places { get; }
 
     /// <summary>The bytes from which a changed byte may come.</summary>
-    internal abstract ToneTable Tones { get; }
+    internal ToneTable Tones { get; }
 }
 
 /// <summary>The channels stand in another order.</summary>
-/// <param name="Order">The letters of RGB in the order in which the changed colour has them.</param>
-public sealed record ChannelOrder(string Order) : ColorChange
+internal sealed record ChannelOrder : ColorChange
 {
+    /// <param name="order">The letters of RGB in the order in which the changed colour has them.</param>
+    public ChannelOrder(string order) : base(DescriptionOf(order), order, ToneTable.Same)
+    {
+    }
+
     /// <summary>All orders but the right one.</summary>
     internal static readonly ChannelOrder[] All = [new("BGR"), new("GRB"), new("RBG"), new("GBR"), new("BRG")];
 
-    /// <inheritdoc/>
-    public override string Description => Order switch
+    private static string DescriptionOf(string order) => order switch
     {
         "BGR" => "red and blue are swapped",
         "GRB" => "red and green are swapped",
         "RBG" => "green and blue are swapped",
-        _ => $"its channels are reordered: the bytes of a pixel stand in the order {Order[0]}, {Order[1]}, {Order[2]}",
+        _ => $"its channels are reordered: the bytes of a pixel stand in the order {order[0]}, {order[1]}, {order[2]}",
     };
-
-    /// <inheritdoc/>
-    internal override int PlaceOf(int channel) => Order.IndexOf("RGB"[channel]);
-
-    /// <inheritdoc/>
-    internal override ToneTable Tones => ToneTable.Same;
 }
 
 /// <summary>Every channel goes through the same formula.</summary>
-public sealed record Tone : ColorChange
+internal sealed record Tone : ColorChange
 {
-    private readonly ToneTable tones;
-
-    private Tone(string description, Func<double, double> formula) => (Description, tones) = (description, new(formula));
+    private Tone(string description, Func<double, double> formula) : base(description, "RGB", new(formula))
+    {
+    }
 
     /// <summary>The negative.</summary>
-    public static Tone Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", c => 1 - c) { IsInverted = true };
+    public static Tone Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", c => 1 - c);
 
     /// <summary>The gamma curve of the standard sRGB.</summary>
-    public static Tone Srgb { get; } =
-        new("the gamma of sRGB is removed: the bytes must be linear",
-            c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055)
-        {
-            IsSrgb = true,
-        };
-
-    /// <inheritdoc/>
-    public override string Description { get; }
-
-    /// <summary>Whether it is <see cref="Inverted"/>.</summary>
-    public bool IsInverted { get; private init; }
-
-    /// <summary>Whether it is <see cref="Srgb"/>.</summary>
-    public bool IsSrgb { get; private init; }
+    public static Tone Srgb { get; } = new("the gamma of sRGB is removed: the bytes must be linear",
+        c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055);
 
     /// <summary>The power to which c is raised; null for another formula.</summary>
     public double? Exponent { get; private init; }
@@ -78,21 +64,16 @@ public sealed record Tone : ColorChange
     /// <summary>What is added to c · Factor, 1 being full intensity; null for another formula.</summary>
     public double? Offset { get; private init; }
 
-    /// <inheritdoc/>
-    internal override ToneTable Tones => tones;
-
     /// <summary>c to a power: gamma.</summary>
     public static Tone Power(double exponent) => new(
-        FormattableString.Invariant($"gamma is undone: it shows c^{exponent:0.###} instead of c{Gamma(exponent)}"),
-        c => Math.Pow(c, exponent))
+        FormattableString.Invariant($"gamma is undone: it shows c^{exponent:0.###} instead of c{Gamma(exponent)}"), c => Math.Pow(c, exponent))
     {
         Exponent = exponent,
     };
 
     /// <summary>c · factor + offset, clamped.</summary>
     public static Tone Linear(double factor, double offset) => new(
-        FormattableString.Invariant($"its brightness is corrected: it shows {Times(factor)}{Plus(offset)} instead of c"),
-        c => factor * c + offset)
+        FormattableString.Invariant($"its brightness is corrected: it shows {Times(factor)}{Plus(offset)} instead of c"), c => factor * c + offset)
     {
         Factor = factor,
         Offset = offset,

@@ -59,7 +59,6 @@ public static class ComparisonJson
     private static object Recognised(Recognition r)
     {
         var tone = r.Change.Colors as Tone;
-        var isNamed = tone is { IsInverted: true } or { IsSrgb: true };
         return new
         {
             AgreesWhen = r.Change.Description,
@@ -69,11 +68,11 @@ public static class ComparisonJson
             r.Change.Bytes,
             r.Change.SidesSwapped,
             Channels = (r.Change.Colors as ChannelOrder)?.Order,
-            Inverted = tone is { IsInverted: true } ? true : (bool?)null,
-            Srgb = tone is { IsInverted: false, IsSrgb: true } ? true : (bool?)null,
-            Exponent = isNamed ? null : tone?.Exponent,
-            Factor = isNamed || tone?.Exponent is not null ? null : tone?.Factor,
-            Offset = isNamed || tone?.Exponent is not null ? null : tone?.Offset,
+            Inverted = tone == Tone.Inverted ? true : (bool?)null,
+            Srgb = tone == Tone.Srgb ? true : (bool?)null,
+            tone?.Exponent,
+            tone?.Factor,
+            tone?.Offset,
             Verdict = ComparisonText.Of(r.Likeness),
             r.Difference.Wrong,
             r.Difference.OffByOne,

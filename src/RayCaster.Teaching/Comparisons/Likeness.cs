@@ -27,11 +27,11 @@ public static class Likenesses
     public static bool IsSame(this Likeness verdict) => verdict <= Likeness.OutlinesOnly;
 
     /// <summary>The verdict on a difference.</summary>
-    /// <param name="outlines">Recognises pixels on outlines.</param>
-    internal static Likeness Of(PictureDifference difference, IOutlines outlines)
+    /// <param name="holdAllWrong">Whether all pixels that differ by more than rounding are on outlines.</param>
+    internal static Likeness Of(PictureDifference difference, Func<PictureDifference, bool> holdAllWrong)
     {
         if (difference.Largest == 0) return Likeness.Identical;
-        if (difference.Wrong > 0 && !outlines.HoldAllWrong(difference)) return Likeness.Wrong;
+        if (difference.Wrong > 0 && !holdAllWrong(difference)) return Likeness.Wrong;
         if (difference.OffByOne > difference.Pixels / 100) return Likeness.RoundedOtherwise;
         return difference.Wrong == 0 ? Likeness.WithinRounding : Likeness.OutlinesOnly;
     }

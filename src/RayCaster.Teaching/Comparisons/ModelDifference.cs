@@ -5,7 +5,7 @@ namespace RayCaster.Teaching;
 /// <param name="Name">Its name in texts for people.</param>
 /// <param name="Pixels">How many pixels show it in the scene's own picture.</param>
 /// <param name="Wrong">How many of them differ by more than rounding.</param>
-public sealed record ModelDifference(int Model, string Name, int Pixels, int Wrong)
+internal sealed record ModelDifference(int Model, string Name, int Pixels, int Wrong)
 {
     /// <summary>Whether nearly all of its pixels show what the scene without it shows.</summary>
     public bool IsMissing { get; init; }

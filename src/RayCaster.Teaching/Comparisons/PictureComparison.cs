@@ -16,11 +16,11 @@ public sealed class PictureComparison
             Difference = new(mine, reference);
             if (scene is not null) ByModels = SceneDifference.Find(scene, Difference, threads);
         }
-        IOutlines outlines = ByModels is { IsReferenceOwn: true }
-            ? new SceneOutlines(SceneDifference.InSizeOf(scene!, reference))
-            : PictureOutlines.Instance;
-        Likeness = Difference is null ? Likeness.Wrong : Likenesses.Of(Difference, outlines);
-        if (Likeness == Likeness.Wrong) Recognition = ChangeFinder.Find(mine, reference, Difference, outlines);
+        Func<PictureDifference, bool> holdAllWrong = ByModels is { IsReferenceOwn: true }
+            ? new SceneOutlines(SceneDifference.InSizeOf(scene!, reference)).HoldAllWrong
+            : PictureOutlines.HoldAllWrong;
+        Likeness = Difference is null ? Likeness.Wrong : Likenesses.Of(Difference, holdAllWrong);
+        if (Likeness == Likeness.Wrong) Recognition = ChangeFinder.Find(mine, reference, Difference, holdAllWrong);
     }
 
     /// <summary>The picture in question.</summary>
@@ -30,7 +30,7 @@ public sealed class PictureComparison
     public Picture Reference { get; }
 
     /// <summary>The reference's scene; null if it was not given.</summary>
-    public Scene? Scene { get; }
+    internal Scene? Scene { get; }
 
     /// <summary>The verdict; pictures of different sizes are <see cref="Likeness.Wrong"/>.</summary>
     public Likeness Likeness { get; }
@@ -39,8 +39,8 @@ public sealed class PictureComparison
     public PictureDifference? Difference { get; }
 
     /// <summary>A change of the whole picture that explains the difference; null if there is none.</summary>
-    public Recognition? Recognition { get; }
+    internal Recognition? Recognition { get; }
 
     /// <summary>The difference model by model; null without a scene, or if the sizes differ.</summary>
-    public SceneDifference? ByModels { get; }
+    internal SceneDifference? ByModels { get; }
 }

@@ -64,7 +64,6 @@ public sealed class PictureDifference
     public int CountBeyond(int levels) => count.Skip(levels + 1).Sum();
 
     /// <summary>The largest difference of a pixel's three channels.</summary>
-    /// <param name="x">The column.</param>
     /// <param name="y">The line, from the top.</param>
     public int LevelsAt(int x, int y) => levels[y * Mine.Width + x];
 

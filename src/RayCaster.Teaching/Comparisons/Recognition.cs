@@ -1,10 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>A change that makes a wrong picture agree with the right one, or nearly so.</summary>
-/// <param name="Change">What must be done to the picture.</param>
-/// <param name="Difference">The remaining difference.</param>
 /// <param name="Likeness">The verdict on the remaining difference; <see cref="Likeness.Wrong"/> if the pictures only nearly agree.</param>
-public sealed record Recognition(Change Change, PictureDifference Difference, Likeness Likeness)
+internal sealed record Recognition(Change Change, PictureDifference Difference, Likeness Likeness)
 {
     /// <summary>A reported change leaves at most this percentage of all pixels wrong, and at most one in ten of the wrong ones.</summary>
     private const int Percent = 2, Part = 10;

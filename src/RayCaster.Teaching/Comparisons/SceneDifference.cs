@@ -1,7 +1,7 @@
 namespace RayCaster.Teaching;
 
 /// <summary>A wrong picture of a scene, model by model.</summary>
-public sealed class SceneDifference
+internal sealed class SceneDifference
 {
     /// <summary>The most models that are drawn alone, to find which one a wrong pixel shows.</summary>
     private const int MostTried = 32;
@@ -46,14 +46,12 @@ public sealed class SceneDifference
 
     /// <summary>Compares model by model.</summary>
     /// <param name="scene">The scene, in any size.</param>
-    /// <param name="difference">The pictures.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     public static SceneDifference Find(Scene scene, PictureDifference difference, int? threads = null)
     {
         scene = InSizeOf(scene, difference.Reference);
         var hits = new Renderer(scene, threads).CastHits();
-        var own = new Picture(hits.Width, hits.Height);
-        for (var i = 0; i < difference.Pixels; i++) (own.Rgb[3 * i], own.Rgb[3 * i + 1], own.Rgb[3 * i + 2]) = BytesOf(scene, hits, i);
+        var own = Picture.Of(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
         return new(scene, difference, hits, own, threads);
     }
 
@@ -83,11 +81,11 @@ public sealed class SceneDifference
                 });
         models.Sort((a, b) => (-a.Share, -a.Wrong, a.Model).CompareTo((-b.Share, -b.Wrong, b.Model)));
 
-        var shown = Shown(models);
+        var shown = Tally(Shown(models));
         var leftOut = 0;
         for (var i = 0; i < models.Count && models[i].Wrong > 0; i++)
         {
-            var model = models[i] with { Shows = Tally(models[i].Model, shown) };
+            var model = models[i] with { Shows = [.. shown[models[i].Model]] };
             if (model is { Model: >= 0, Share: >= Nearly / 2 } && leftOut++ < MostLeftOut)
                 model = model with { IsMissing = IsMissing(model) };
             if (!model.IsMissing && model.Share >= Nearly / 2) model = model with { OtherColor = OtherColor(model) };
@@ -97,12 +95,11 @@ public sealed class SceneDifference
     }
 
     /// <summary>
-    /// What each wrong pixel shows, of all models with a hit there: a model's place plus 2, 1 for the background, 0 if none or several fit.
+    /// What each wrong pixel shows, of all models with a hit there: a model's place plus 2, 1 for the background, 0 if none fits, −1 if several do.
     /// </summary>
     private int[] Shown(List<ModelDifference> models)
     {
         var shown = new int[difference.Pixels];
-        var several = new bool[difference.Pixels];
         var background = scene.Background.ToBytes();
         for (var i = 0; i < shown.Length; i++)
             if (IsWrong(i) && hits.Model[i] >= 0) Note(i, -1, background);
@@ -112,31 +109,20 @@ public sealed class SceneDifference
             var alone = scene with { Models = [scene.Models[model.Model]] };
             new Renderer(alone, threads).CastHits(others);
             for (var i = 0; i < shown.Length; i++)
-                if (IsWrong(i) && others.Model[i] >= 0 && hits.Model[i] != model.Model) Note(i, model.Model, BytesOf(alone, others, i));
+                if (IsWrong(i) && others.Model[i] >= 0 && hits.Model[i] != model.Model) Note(i, model.Model, alone.BytesAt(others, i));
         }
-        for (var i = 0; i < shown.Length; i++)
-            if (several[i]) shown[i] = 0;
         return shown;
 
         void Note(int pixel, int model, (byte, byte, byte) color)
         {
-            if (PictureDifference.Levels(MineAt(pixel), color) > 1) return;
-            several[pixel] |= shown[pixel] != 0;
-            shown[pixel] = model + 2;
+            if (Shows(pixel, color)) shown[pixel] = shown[pixel] == 0 ? model + 2 : -1;
         }
     }
 
-    private List<(int Model, int Pixels)> Tally(int model, int[] shown)
-    {
-        var counts = new Dictionary<int, int>();
-        for (var i = 0; i < shown.Length; i++)
-            if (hits.Model[i] == model && IsWrong(i) && shown[i] > 0)
-                counts[shown[i] - 2] = counts.GetValueOrDefault(shown[i] - 2) + 1;
-        var tally = new List<(int Model, int Pixels)>();
-        foreach (var (other, count) in counts) tally.Add((other, count));
-        tally.Sort((a, b) => (-a.Pixels, a.Model).CompareTo((-b.Pixels, b.Model)));
-        return tally;
-    }
+    /// <summary>What the wrong pixels of each model show, and in how many of them.</summary>
+    private ILookup<int, (int Model, int Pixels)> Tally(int[] shown) => Enumerable.Range(0, shown.Length).Where(i => shown[i] > 0)
+        .CountBy(i => (Of: hits.Model[i], Other: shown[i] - 2)).OrderBy(count => (-count.Value, count.Key.Other))
+        .ToLookup(count => count.Key.Of, count => (count.Key.Other, count.Value));
 
     private bool IsMissing(ModelDifference model)
     {
@@ -144,23 +130,19 @@ public sealed class SceneDifference
         rest.RemoveAt(model.Model);
         var without = scene with { Models = rest };
         new Renderer(without, threads).CastHits(others);
-        var explained = 0;
-        for (var i = 0; i < difference.Pixels; i++)
-            if (hits.Model[i] == model.Model && PictureDifference.Levels(MineAt(i), BytesOf(without, others, i)) <= 1) explained++;
-        return explained >= Nearly * model.Pixels;
+        return IsExplained(model, pixel => without.BytesAt(others, pixel));
     }
 
     /// <summary>The colour that gives the bytes of the model's pixels if it is multiplied by their attenuation; null if none does.</summary>
     private Color? OtherColor(ModelDifference model)
     {
-        var channels = (ReadOnlySpan<double>)[Channel(model, 0), Channel(model, 1), Channel(model, 2)];
-        var color = new Color(channels[0], channels[1], channels[2]);
-        var explained = 0;
-        for (var i = 0; i < difference.Pixels; i++)
-            if (hits.Model[i] == model.Model && PictureDifference.Levels(MineAt(i), (LightAt(i, model.Model) * color).ToBytes()) <= 1)
-                explained++;
-        return explained >= Nearly * model.Pixels ? color : null;
+        var color = new Color(Channel(model, 0), Channel(model, 1), Channel(model, 2));
+        return IsExplained(model, pixel => (LightAt(pixel, model.Model) * color).ToBytes()) ? color : null;
     }
+
+    /// <summary>Whether nearly all of a model's pixels have some colours.</summary>
+    private bool IsExplained(ModelDifference model, Func<int, (byte, byte, byte)> color) =>
+        Enumerable.Range(0, difference.Pixels).Count(i => hits.Model[i] == model.Model && Shows(i, color(i))) >= Nearly * model.Pixels;
 
     /// <summary>The sum of a channel's bytes divided by the sum of the attenuations; rounding changes it little.</summary>
     private double Channel(ModelDifference model, int channel)
@@ -179,9 +161,6 @@ public sealed class SceneDifference
 
     private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > 1;
 
-    private (byte R, byte G, byte B) MineAt(int pixel) =>
-        (difference.Mine.Rgb[3 * pixel], difference.Mine.Rgb[3 * pixel + 1], difference.Mine.Rgb[3 * pixel + 2]);
-
-    private static (byte R, byte G, byte B) BytesOf(Scene scene, HitMap hits, int pixel) =>
-        scene.Shade(hits.T[pixel], hits.Model[pixel] < 0 ? null : scene.Models[hits.Model[pixel]]).ToBytes();
+    private bool Shows(int pixel, (byte, byte, byte) color) =>
+        PictureDifference.Levels(difference.Mine[pixel % hits.Width, pixel / hits.Width], color) <= 1;
 }

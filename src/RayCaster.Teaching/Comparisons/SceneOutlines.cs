@@ -1,11 +1,11 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Decides by the scene. A pixel may show what a ray a thousandth of a pixel beside it would show, and any of several models at the same
-/// distance. If that is too much work, <see cref="PictureOutlines"/> decides.
+/// Separates pixels on outlines from wrong pixels by the scene. A pixel may show what a ray a thousandth of a pixel beside it would show, and any
+/// of several models at the same distance. If that is too much work, <see cref="PictureOutlines"/> decides.
 /// </summary>
 /// <param name="scene">The scene in the pictures' size.</param>
-internal sealed class SceneOutlines(Scene scene) : IOutlines
+internal sealed class SceneOutlines(Scene scene)
 {
     /// <summary>In pixels: more than the error of a program that computes in floats, and much less than a shift by half a pixel.</summary>
     private const double Nudge = 1e-3;
@@ -16,9 +16,10 @@ internal sealed class SceneOutlines(Scene scene) : IOutlines
     /// <summary>Rays times shapes, about a second.</summary>
     private const long MostWork = 50_000_000;
 
+    /// <inheritdoc cref="PictureOutlines.HoldAllWrong"/>
     public bool HoldAllWrong(PictureDifference difference)
     {
-        if (!CanJudge(difference.Wrong)) return PictureOutlines.Instance.HoldAllWrong(difference);
+        if (!CanJudge(difference.Wrong)) return PictureOutlines.HoldAllWrong(difference);
         var width = difference.Mine.Width;
         for (var i = 0; i < difference.Pixels; i++)
             if (difference.LevelsAt(i) > 1 && !MayShow(difference.Mine[i % width, i / width], i % width, i / width)) return false;

@@ -28,10 +28,7 @@ public static class SideBySide
     public static Picture Heat(PictureDifference difference)
     {
         var colors = Enumerable.Range(0, 256).Select(HeatMap.Of).ToArray();
-        var picture = new Picture(difference.Mine.Width, difference.Mine.Height);
-        for (var y = 0; y < picture.Height; y++)
-            for (var x = 0; x < picture.Width; x++) picture[x, y] = colors[difference.LevelsAt(x, y)];
-        return picture;
+        return Picture.Of(difference.Mine.Width, difference.Mine.Height, (x, y) => colors[difference.LevelsAt(x, y)]);
     }
 
     private static void Put(Picture part, Picture whole, int left)

@@ -1,31 +1,13 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The eight ways to turn and mirror a picture.</summary>
-public enum Turn
+/// <summary>
+/// The eight ways to turn and mirror a picture. Half is a turn by 180°; transposing makes lines of columns, and the upper left corner stays, or in
+/// AntiTransposed the upper right one.
+/// </summary>
+internal enum Turn
 {
-    /// <summary>As it is.</summary>
-    None,
-
-    /// <summary>The top line becomes the bottom one.</summary>
-    TopBottom,
-
-    /// <summary>Mirrored: the left column becomes the right one.</summary>
-    LeftRight,
-
-    /// <summary>Turned by 180°.</summary>
-    Half,
-
-    /// <summary>Columns become lines: the upper left corner stays where it is.</summary>
-    Transposed,
-
-    /// <summary>Turned by 90° clockwise.</summary>
-    Clockwise,
-
-    /// <summary>Turned by 90° counter-clockwise, which is 270° clockwise.</summary>
-    CounterClockwise,
-
-    /// <summary>Columns become lines: the upper right corner stays where it is.</summary>
-    AntiTransposed,
+    None, TopBottom, LeftRight, Half,
+    Transposed, Clockwise, CounterClockwise, AntiTransposed, // these swap width and height
 }
 
 /// <summary>Where a pixel of a turned picture comes from, as a place in reading order: Start + x · Right + y · Down.</summary>
@@ -51,8 +33,7 @@ internal readonly record struct TurnedPlaces(int Start, int Right, int Down)
             Turn.Transposed => new(0, width, 1),
             Turn.Clockwise => new(last - width + 1, -width, 1),
             Turn.CounterClockwise => new(width - 1, width, -1),
-            Turn.AntiTransposed => new(last, -width, -1),
-            _ => throw new ArgumentOutOfRangeException(nameof(turn), turn, null),
+            _ => new(last, -width, -1),
         };
     }
 }

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>
 /// An explanation for programs: JSON in which each number reads back as the same double. docs/explain.md lists the fields.
 /// </summary>
-internal static class ExplanationJson
+public static class ExplanationJson
 {
     /// <summary>The text, with the same pixel in another picture if there is one.</summary>
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null) => JsonText.Of(new

@@ -2,12 +2,16 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
-/// <summary>An explanation for people.</summary>
-internal sealed class ExplanationText
+/// <summary>An explanation for people: lines of at most 100 characters, mostly; numbers have six significant digits.</summary>
+public sealed class ExplanationText
 {
     private const int Width = 100;
 
     private readonly StringBuilder text = new();
+
+    private ExplanationText()
+    {
+    }
 
     /// <summary>The text, in lines, with the same pixel in another picture if there is one.</summary>
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null)
@@ -83,23 +87,19 @@ internal sealed class ExplanationText
     private void Slabs(IReadOnlyList<SlabExplanation> slabs)
     {
         if (slabs.Count == 0) return;
-        var rows = new List<string[]> { new[] { "slab", "lo", "hi", "t0 = (lo − P) / d", "t1 = (hi − P) / d", "enters", "leaves", "" } };
-        foreach (var slab in slabs)
-            rows.Add(
-            [
-                slab.Axis.ToString(), Digits.Of(slab.Lo), Digits.Of(slab.Hi), Digits.Of(slab.T0), Digits.Of(slab.T1), Digits.Of(slab.Enters),
-                Digits.Of(slab.Leaves), (slab.DecidesEntry, slab.DecidesExit) switch
-                {
-                    (true, true) => "t_min, t_max",
-                    (true, false) => "t_min",
-                    (false, true) => "t_max",
-                    _ => "",
-                },
-            ]);
+        List<string[]> rows =
+        [
+            ["slab", "lo", "hi", "t0 = (lo − P) / d", "t1 = (hi − P) / d", "enters", "leaves", ""],
+            .. slabs.Select(slab => (string[])[slab.Axis.ToString(),
+                .. new[] { slab.Lo, slab.Hi, slab.T0, slab.T1, slab.Enters, slab.Leaves }.Select(number => Digits.Of(number)), Decides(slab)]),
+        ];
         var widths = Enumerable.Range(0, 8).Select(column => rows.Max(row => row[column].Length)).ToArray();
         foreach (var row in rows)
             Line(6, string.Join("  ", row.Select((cell, i) => i is 0 or 7 ? cell.PadRight(widths[i]) : cell.PadLeft(widths[i]))).TrimEnd());
     }
+
+    private static string Decides(SlabExplanation slab) =>
+        string.Join(", ", new[] { slab.DecidesEntry ? "t_min" : "", slab.DecidesExit ? "t_max" : "" }.Where(name => name != ""));
 
     private void Color(PixelExplanation pixel)
     {

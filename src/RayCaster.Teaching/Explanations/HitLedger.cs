@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Teaching;
 
 /// <summary>
@@ -75,13 +73,7 @@ public sealed class HitLedger
     public static bool IsQuick(Scene scene) => scene.ShapeCount <= MostPartsOfQuick;
 
     /// <summary>The table, and in words what is unusual.</summary>
-    public string Report()
-    {
-        var text = new StringBuilder();
-        LedgerTable.Write(this, text);
-        foreach (var sentence in LedgerVerdict.Of(this)) text.Append(sentence).Append('\n');
-        return text.ToString();
-    }
+    public string Report() => LedgerTable.Of(this) + string.Concat(LedgerVerdict.Of(this).Select(sentence => sentence + "\n"));
 
     private void Judge(ModelWitness[] witnesses, int column, int row)
     {

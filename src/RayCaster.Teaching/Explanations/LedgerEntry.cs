@@ -1,7 +1,6 @@
 namespace RayCaster.Teaching;
 
 /// <summary>What became of the rays, for one model. Each ray is counted once.</summary>
-/// <param name="label">The model's name in messages.</param>
 public sealed class LedgerEntry(string label)
 {
     private readonly long[] counts = new long[Outcomes.Count];

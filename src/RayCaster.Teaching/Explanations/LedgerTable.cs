@@ -1,5 +1,4 @@
-using System.Globalization;
-using System.Text;
+using static System.FormattableString;
 
 namespace RayCaster.Teaching;
 
@@ -23,37 +22,28 @@ internal static class LedgerTable
         (Outcome.NoNumber, "no number"),
     ];
 
-    public static void Write(HitLedger ledger, StringBuilder text)
+    public static string Of(HitLedger ledger)
     {
         var camera = ledger.Scene.Camera;
         var pixels = (long)camera.Width * camera.Height;
-        text.Append(ledger.Rays == pixels
-            ? Text($"What became of {pixels:N0} rays, model by model:\n")
-            : Text($"What became of the rays, model by model, judged from {ledger.Rays:N0} of {pixels:N0}:\n"));
-        if (ledger.Models.Count == 0) return;
+        var title = ledger.Rays == pixels
+            ? Invariant($"What became of {pixels:N0} rays, model by model:\n")
+            : Invariant($"What became of the rays, model by model, judged from {ledger.Rays:N0} of {pixels:N0}:\n");
+        if (ledger.Models.Count == 0) return title;
 
         var byHits = Enumerable.Range(0, ledger.Models.Count).OrderByDescending(i => ledger.Models[i].Hits);
         var shown = byHits.Take(MostLines).Order().Select(i => ledger.Models[i]).ToArray();
         var columns = Array.FindAll(Columns,
             column => column.Outcome == Outcome.Shows || ledger.Models.Any(entry => entry[column.Outcome] > 0));
         var labels = Math.Max("model".Length, shown.Max(entry => entry.Label.Length));
-        var width = Math.Max(9, Text($"{ledger.Rays:N0}").Length);
+        var width = Math.Max(9, Number(ledger.Rays).Length);
+        var lines = shown.Select(entry => Line(entry.Label, columns.Select(column => Number(entry[column.Outcome]))));
+        return title + Line("model", columns.Select(column => column.Title)) + string.Concat(lines)
+            + (ledger.Models.Count > MostLines ? Invariant($"  and {ledger.Models.Count - MostLines:N0} models with fewer hits\n") : "");
 
-        text.Append("  ").Append("model".PadRight(labels));
-        foreach (var column in columns) text.Append("  ").Append(column.Title.PadLeft(width));
-        text.Append('\n');
-        foreach (var entry in shown)
-        {
-            text.Append("  ").Append(entry.Label.PadRight(labels));
-            foreach (var column in columns)
-            {
-                var count = entry[column.Outcome];
-                text.Append("  ").Append((count == 0 ? "-" : Text($"{count:N0}")).PadLeft(width));
-            }
-            text.Append('\n');
-        }
-        if (ledger.Models.Count > MostLines) text.Append(Text($"  and {ledger.Models.Count - MostLines:N0} models with fewer hits\n"));
+        string Line(string label, IEnumerable<string> cells) =>
+            $"  {label.PadRight(labels)}{string.Concat(cells.Select(cell => "  " + cell.PadLeft(width)))}\n";
     }
 
-    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+    private static string Number(long count) => count == 0 ? "-" : Invariant($"{count:N0}");
 }

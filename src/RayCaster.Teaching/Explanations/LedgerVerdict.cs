@@ -1,4 +1,4 @@
-using System.Globalization;
+using static System.FormattableString;
 
 namespace RayCaster.Teaching;
 
@@ -25,20 +25,13 @@ internal static class LedgerVerdict
 
     private static void OfNoHits(HitLedger ledger, List<string> sentences)
     {
-        var groups = new SortedDictionary<Outcome, List<LedgerEntry>>();
-        foreach (var entry in ledger.Models)
-        {
-            var reason = entry.Reason == Outcome.PassesBy ? Outcome.Outside : entry.Reason; // they look the same
-            if (!groups.TryGetValue(reason, out var group)) groups[reason] = group = [];
-            group.Add(entry);
-        }
-        var parts = new List<string>();
-        foreach (var (reason, group) in groups)
-            parts.Add(group.Count == 1 ? $"{group[0].Label} {Phrase(reason, true)}" : Text($"{group.Count:N0} models {Phrase(reason, false)}"));
-        sentences.Add(Text($"0 of {ledger.Rays:N0} rays hit anything: {string.Join(", ", parts)}."));
-        foreach (var (reason, group) in groups)
-            if (Remedy(ledger, reason, group) is { } remedy)
-                sentences.Add(remedy);
+        var groups = ledger.Models.GroupBy(entry => entry.Reason == Outcome.PassesBy ? Outcome.Outside : entry.Reason) // they look the same
+            .OrderBy(group => group.Key).Select(group => (Reason: group.Key, Entries: group.ToList())).ToList();
+        var parts = groups.Select(group => group.Entries is [var only]
+            ? $"{only.Label} {Phrase(group.Reason, true)}"
+            : Invariant($"{group.Entries.Count:N0} models {Phrase(group.Reason, false)}"));
+        sentences.Add(Invariant($"0 of {ledger.Rays:N0} rays hit anything: {string.Join(", ", parts)}."));
+        sentences.AddRange(groups.Select(group => Remedy(ledger, group.Reason, group.Entries)).OfType<string>());
     }
 
     /// <summary>What to change if some models do not show for this reason.</summary>
@@ -50,19 +43,19 @@ internal static class LedgerVerdict
             case Outcome.Behind:
                 return OfLookingAway(ledger.Scene);
             case Outcome.UnderBias:
-                return Text($"bias is {camera.Bias:G7}: only t > bias is a hit. Make it smaller; 1e-6 is usual.");
+                return Invariant($"bias is {camera.Bias:G7}: only t > bias is a hit. Make it smaller; 1e-6 is usual.");
             case Outcome.BeforeNear:
                 var greatest = group.Max(entry => entry.GreatestBeforeNear);
-                return Text($"zNear is {camera.ZNear:G7}, but their crossings lie at z = {greatest:G7} and less. Make zNear smaller, ") +
+                return Invariant($"zNear is {camera.ZNear:G7}, but their crossings lie at z = {greatest:G7} and less. Make zNear smaller, ") +
                     "or move the camera back.";
             case Outcome.BeyondFar:
                 var least = group.Min(entry => entry.LeastBeyondFar);
-                return Text($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {least:G7} and more. Make zFar greater.");
+                return Invariant($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {least:G7} and more. Make zFar greater.");
             case Outcome.Outside:
                 return HitsOf(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
-                    ? Text($"They lie beside the picture: aim target at them (it is {camera.Target}), ") +
-                        Text($"or make fovY greater (it is {camera.FovY:G7} degrees).")
-                    : Text($"The camera looks past them: it stands at {camera.Position} and looks towards {camera.Target}. ") +
+                    ? Invariant($"They lie beside the picture: aim target at them (it is {camera.Target}), ") +
+                        Invariant($"or make fovY greater (it is {camera.FovY:G7} degrees).")
+                    : Invariant($"The camera looks past them: it stands at {camera.Position} and looks towards {camera.Target}. ") +
                         "Is target where the models are?";
             default:
                 return null;
@@ -74,12 +67,12 @@ internal static class LedgerVerdict
     {
         var (position, target) = (scene.Camera.Position, scene.Camera.Target);
         if (HitsOf(scene, target, position, scene.Camera.FovY) is > 0 and var swapped)
-            return Text($"Are position and target swapped? From {target} towards {position} {swapped * 100.0 / (Side * Side):0} % of the rays ") +
-                "hit something.";
+            return Invariant($"Are position and target swapped? From {target} towards {position} {swapped * 100.0 / (Side * Side):0} % ") +
+                "of the rays hit something.";
         var other = 2 * position - target;
         return HitsOf(scene, position, other, scene.Camera.FovY) is > 0 and var turned
-            ? Text($"The camera looks away from them: towards target = {other} {turned * 100.0 / (Side * Side):0} % of the rays hit something.")
-            : Text($"The camera stands at {position} and looks towards {target}: is the sign of a coordinate wrong?");
+            ? Invariant($"The camera looks away from them: towards target = {other} {turned * 100.0 / (Side * Side):0} % of the rays hit something.")
+            : Invariant($"The camera stands at {position} and looks towards {target}: is the sign of a coordinate wrong?");
     }
 
     private const int Side = 32;
@@ -96,17 +89,17 @@ internal static class LedgerVerdict
         var (camera, color) = (ledger.Scene.Camera, ledger.OnlyColor);
         if (ledger.Unlit > ledger.Hits / 2)
         {
-            var share = ledger.Unlit == ledger.Hits ? Text($"All {ledger.Hits:N0} hits") : Text($"{ledger.Unlit:N0} of {ledger.Hits:N0} hits");
-            sentences.Add(Text($"{share} are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, ") +
-                Text($"and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}."));
+            var share = Invariant($"{(ledger.Unlit == ledger.Hits ? "All" : Invariant($"{ledger.Unlit:N0} of"))} {ledger.Hits:N0} hits");
+            sentences.Add(Invariant($"{share} are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, ") +
+                Invariant($"and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}."));
             sentences.Add("target sets the light, which ends at twice its distance: move it away along the line of sight.");
         }
         else if (color is (0, 0, 0)) sentences.Add("All that is hit is black: the models' own color is [0, 0, 0], or nearly so.");
         else if (color is (255, 255, 255))
             sentences.Add("All that is hit is white: color times attenuation is 1 or more in each channel, and is clamped.");
         else if (color is not null && ledger.Hits == ledger.Rays && camera.FovY < 3)
-            sentences.Add(Text($"All pixels have one colour: fovY is {camera.FovY:G7} degrees, so all rays go nearly the same way. ") +
-                Text($"In radians it would be {camera.FovY * 180 / Math.PI:0.##} degrees."));
+            sentences.Add(Invariant($"All pixels have one colour: fovY is {camera.FovY:G7} degrees, so all rays go nearly the same way. ") +
+                Invariant($"In radians it would be {camera.FovY * 180 / Math.PI:0.##} degrees."));
         else if (color is { } only && ledger.Hits == ledger.Rays)
             sentences.Add($"All pixels have the colour {only}: the camera sees a single surface, and from so near that its light does not change.");
         if (color is { } shown && ledger.Hits < ledger.Rays && shown == ledger.Scene.Background.ToBytes())
@@ -120,19 +113,19 @@ internal static class LedgerVerdict
         {
             if (entry[Outcome.Shows] > 0 || missing++ >= MostNamed) continue;
             sentences.Add(entry.Hits > 0
-                ? Text($"{entry.Label} does not show: it is hit by {entry.Hits:N0} {(entry.Hits == 1 ? "ray" : "rays")}, ") +
+                ? Invariant($"{entry.Label} does not show: it is hit by {entry.Hits:N0} {(entry.Hits == 1 ? "ray" : "rays")}, ") +
                     "but something nearer hides it there."
                 : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}.");
         }
-        if (missing > MostNamed) sentences.Add(Text($"Nor do {missing - MostNamed:N0} more."));
+        if (missing > MostNamed) sentences.Add(Invariant($"Nor do {missing - MostNamed:N0} more."));
     }
 
     private static void OfNoNumbers(HitLedger ledger, List<string> sentences)
     {
         foreach (var entry in ledger.Models)
             if (entry[Outcome.NoNumber] > ledger.Rays / 2)
-                sentences.Add(Text($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of {ledger.Rays:N0} ") +
-                    "rays: are its numbers far out of range, or is infinity taken from infinity?");
+                sentences.Add(Invariant($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of ") +
+                    Invariant($"{ledger.Rays:N0} rays: are its numbers far out of range, or is infinity taken from infinity?"));
     }
 
     private static string Phrase(Outcome reason, bool one) => reason switch
@@ -145,6 +138,4 @@ internal static class LedgerVerdict
         Outcome.NoNumber => one ? "gives no number (NaN)" : "give no number (NaN)",
         _ => one ? "lies beside every ray" : "lie beside every ray",
     };
-
-    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

@@ -5,9 +5,6 @@ namespace RayCaster.Teaching;
 /// <summary>One model in the explanation of a pixel.</summary>
 /// <param name="Index">Its place in the scene, from 0.</param>
 /// <param name="Name">Its name, or its path in the scene file.</param>
-/// <param name="Type">What kind of shape it is.</param>
-/// <param name="Outcome">What becomes of it.</param>
-/// <param name="Reason">The reason for the outcome, in words.</param>
 /// <param name="Steps">The steps of its formula; empty for a model in plain doubles and ifs, of which only t is known.</param>
 /// <param name="Crossings">The crossings, nearest first; if there is none, one entry says why.</param>
 public sealed record ModelExplanation(int Index, string Name, string Type, Outcome Outcome, string Reason,
@@ -29,8 +26,6 @@ public sealed record ModelExplanation(int Index, string Name, string Type, Outco
 
 /// <summary>A slab of a box: the space lo ≤ coordinate ≤ hi.</summary>
 /// <param name="Axis">x, y or z.</param>
-/// <param name="Lo">The box's least coordinate.</param>
-/// <param name="Hi">The box's greatest coordinate.</param>
 /// <param name="T0">(lo − P) / d.</param>
 /// <param name="T1">(hi − P) / d.</param>
 /// <param name="Enters">The lesser of both.</param>
@@ -41,25 +36,15 @@ public sealed record SlabExplanation(char Axis, double Lo, double Hi, double T0,
     bool DecidesEntry, bool DecidesExit);
 
 /// <summary>The outcomes of a mesh's triangles.</summary>
-/// <param name="Triangles">How many there are.</param>
 /// <param name="Triangle">The index of the explained triangle: the nearest that counts, else the nearest one that does not; null for none.</param>
-/// <param name="Missed">How many the ray misses.</param>
-/// <param name="Behind">How many lie behind the camera.</param>
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias.</param>
-/// <param name="BeforeNear">How many are nearer than zNear.</param>
-/// <param name="BeyondFar">How many are farther than zFar.</param>
 /// <param name="Counting">How many crossings count; the nearest is the mesh's.</param>
 public sealed record MeshExplanation(
     int Triangles, [property: JsonIgnore(Condition = JsonIgnoreCondition.Never)] int? Triangle,
     int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
 
 /// <summary>The outcomes of the models that are not explained one by one.</summary>
-/// <param name="Hidden">How many are hit, but hidden.</param>
-/// <param name="Behind">How many lie behind the camera.</param>
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias only.</param>
-/// <param name="BeforeNear">How many are nearer than zNear.</param>
-/// <param name="BeyondFar">How many are farther than zFar.</param>
-/// <param name="Missed">How many the ray misses.</param>
 public sealed record OtherModels(int Hidden, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Missed)
 {
     /// <summary>How many there are in all.</summary>

@@ -19,7 +19,6 @@ public static class ModelPicture
     private const int Stripe = 4; // pixels
 
     /// <summary>Draws the scene with one model lit and the others dark; or with the model visible through those in front of it.</summary>
-    /// <param name="look">How the model is shown.</param>
     /// <param name="model">Its index; −1 for none: all models are dark.</param>
     /// <param name="cancellation">Ends the work between its steps.</param>
     public static Picture Draw(Scene scene, Look look, int model, CancellationToken cancellation)
@@ -28,7 +27,7 @@ public static class ModelPicture
         cancellation.ThrowIfCancellationRequested();
         var picture = new Picture(hits.Width, hits.Height);
         for (var i = 0; i < hits.T.Length; i++)
-            picture[i % hits.Width, i / hits.Width] = hits.Model[i] == model ? ColorOf(scene, hits, i) : Dark(ColorOf(scene, hits, i));
+            picture[i % hits.Width, i / hits.Width] = hits.Model[i] == model ? scene.BytesAt(hits, i) : Dark(scene.BytesAt(hits, i));
         if (look != Look.Behind || model < 0) return picture;
 
         var alone = scene with { Models = [scene.Models[model]] };
@@ -37,13 +36,10 @@ public static class ModelPicture
         for (var i = 0; i < own.T.Length; i++)
         {
             var (x, y) = (i % own.Width, i / own.Width);
-            if (own.Model[i] == 0 && hits.Model[i] != model && (x + y) / Stripe % 2 == 0) picture[x, y] = ColorOf(alone, own, i);
+            if (own.Model[i] == 0 && hits.Model[i] != model && (x + y) / Stripe % 2 == 0) picture[x, y] = alone.BytesAt(own, i);
         }
         return picture;
     }
-
-    private static (byte R, byte G, byte B) ColorOf(Scene scene, HitMap hits, int pixel) =>
-        scene.Shade(hits.T[pixel], hits.Model[pixel] < 0 ? null : scene.Models[hits.Model[pixel]]).ToBytes();
 
     /// <summary>A quarter of the light, in grey: the shapes are still visible.</summary>
     private static (byte, byte, byte) Dark((byte R, byte G, byte B) color)

@@ -4,7 +4,6 @@ namespace RayCaster.Teaching;
 /// Checks the lines of a picture while they are drawn. A picture looks like a mistake if it has one colour, or only the background's and black.
 /// The check stops at the third colour, so a usual picture costs nothing.
 /// </summary>
-/// <param name="background">The scene's background.</param>
 public sealed class OddPicture(Color background)
 {
     private const int Black = 0;

@@ -84,27 +84,13 @@ public sealed class PixelExplanation
     /// <summary>What is special about this pixel, in words.</summary>
     public IReadOnlyList<string> Notes { get; }
 
-    /// <summary>The explanation as lines for people, most of them at most 100 characters long; numbers have six significant digits.</summary>
-    /// <param name="reference">The same pixel in another picture; null for none.</param>
-    public string ToText(ReferenceExplanation? reference = null) => ExplanationText.Of(this, reference);
-
-    /// <summary>The explanation as JSON; its numbers read back as the same doubles. docs/explain.md lists the fields.</summary>
-    /// <param name="reference">The same pixel in another picture; null for none.</param>
-    public string ToJson(ReferenceExplanation? reference = null) => ExplanationJson.Of(this, reference);
-
     /// <summary>The crossings of all models, in plain doubles.</summary>
     internal IReadOnlyList<Trial> Trials { get; }
 
     /// <summary>A model's name, or its path in the scene file.</summary>
     internal string NameOf(int? index) => index is { } i ? ModelName.Plain(Scene, i) : ModelName.Background;
 
-    private int IndexOf(Model model)
-    {
-        for (var i = 0; i < Scene.Models.Count; i++)
-            if (ReferenceEquals(Scene.Models[i], model))
-                return i;
-        throw new InvalidOperationException("the ray hit a model that is not in the scene");
-    }
+    private int IndexOf(Model hit) => Scene.Models.Index().First(model => ReferenceEquals(model.Item, hit)).Index;
 
     private List<Neighbour> FindNeighbours()
     {

@@ -7,9 +7,6 @@ namespace RayCaster.Teaching;
 /// <param name="Direction">d.</param>
 /// <param name="Near">The u of the near plane; null if zNear is a distance, whose section is a circle.</param>
 /// <param name="Far">The u of the far plane; null if zFar is a distance.</param>
-/// <param name="View">The part of the plane to draw.</param>
-/// <param name="Models">The sections of the models that are explained.</param>
-/// <param name="Crossings">Where the ray crosses them.</param>
 public sealed record RaySection(double[] Direction, double? Near, double? Far, SectionView View, IReadOnlyList<ModelSection> Models,
     IReadOnlyList<SectionCrossing> Crossings)
 {
@@ -22,12 +19,11 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
         var v = camera.V;
         var across = d - d * v * v;
         var u = across.Length > 1e-9 ? across.Normalized : -1 * camera.W; // along V itself any direction will do
-        var crossings = new List<SectionCrossing>();
-        foreach (var model in pixel.Models)
-            foreach (var crossing in model.Crossings)
-                if (double.IsFinite(crossing.T))
-                    crossings.Add(new(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)],
-                        crossing.Outcome.Verdict(), crossing.Reason));
+        var crossings = (from model in pixel.Models
+                         from crossing in model.Crossings
+                         where double.IsFinite(crossing.T)
+                         select new SectionCrossing(model.Index, model.Name, crossing.T, [crossing.T * (d * u), crossing.T * (d * v)],
+                             crossing.Outcome.Verdict(), crossing.Reason)).ToList();
 
         var shown = double.IsFinite(pixel.Ray.HitParameter) ? pixel.Ray.HitParameter : camera.Reach / 2;
         var length = crossings.Where(crossing => crossing.T > 0 && crossing.T <= 2 * shown).Select(crossing => crossing.T).Append(shown).Max();
@@ -117,10 +113,6 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
 }
 
 /// <summary>The part of the plane to draw.</summary>
-/// <param name="Left">The least u.</param>
-/// <param name="Right">The greatest u.</param>
-/// <param name="Bottom">The least v.</param>
-/// <param name="Top">The greatest v.</param>
 public sealed record SectionView(double Left, double Right, double Bottom, double Top)
 {
     /// <summary>The part around a ray from P to a point, with a margin.</summary>
@@ -129,7 +121,6 @@ public sealed record SectionView(double Left, double Right, double Bottom, doubl
 }
 
 /// <summary>The section of one model.</summary>
-/// <param name="Index">Its place in the scene.</param>
 /// <param name="Color">Its colour as #rrggbb.</param>
 /// <param name="Lines">Lines of points (u, v).</param>
 public sealed record ModelSection(int Index, string Name, string Color, IReadOnlyList<double[][]> Lines)
@@ -140,8 +131,6 @@ public sealed record ModelSection(int Index, string Name, string Color, IReadOnl
 
 /// <summary>A crossing in the drawing.</summary>
 /// <param name="Model">The model's place in the scene.</param>
-/// <param name="T">The ray parameter.</param>
 /// <param name="At">Where it lies, (u, v).</param>
 /// <param name="Verdict">shows, hidden, notNeeded, refused or missed.</param>
-/// <param name="Reason">Why.</param>
 public sealed record SectionCrossing(int Model, string Name, double T, double[] At, string Verdict, string Reason);

@@ -15,7 +15,6 @@ internal static class Reasons
 
     /// <summary>Why a ray does not cross a model, in the slides' words for the slides' shapes.</summary>
     /// <param name="model">The model, or a triangle of a mesh.</param>
-    /// <param name="steps">The steps of its formula.</param>
     /// <param name="near">The crossing, which is NaN.</param>
     public static string NoCrossing(Model model, IReadOnlyList<FormulaStep> steps, Term near) => model switch
     {

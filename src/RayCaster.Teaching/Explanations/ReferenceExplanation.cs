@@ -56,5 +56,5 @@ public sealed record ReferenceExplanation(
     };
 
     private static bool AreNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
-        Math.Abs(a.R - b.R) <= 1 && Math.Abs(a.G - b.G) <= 1 && Math.Abs(a.B - b.B) <= 1;
+        PictureDifference.Levels(a, b) <= 1;
 }

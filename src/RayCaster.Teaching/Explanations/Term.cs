@@ -13,8 +13,6 @@ internal enum Operation
 /// <summary>A number and what it was computed from: a formula with its numbers, as a tree.</summary>
 /// <param name="value">The result; for a comparison 1 for true and 0 for false.</param>
 /// <param name="a">The first operand; for a choice the mask.</param>
-/// <param name="b">The second operand.</param>
-/// <param name="c">The third operand.</param>
 internal sealed class Term(Operation operation, double value, Term? a = null, Term? b = null, Term? c = null)
 {
     private const int Huge = 1_000_000;

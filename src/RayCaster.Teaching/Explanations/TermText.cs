@@ -23,7 +23,6 @@ internal sealed class TermText(IReadOnlySet<double>? known = null)
 
     /// <param name="rank">The least rank that needs no brackets here.</param>
     /// <param name="leads">Whether it begins the formula or a bracket; elsewhere a negative number needs brackets.</param>
-    /// <param name="isRoot">Whether it is the whole formula.</param>
     private string Text(Three term, int rank, bool leads, bool isRoot = false)
     {
         term = term.Chosen;

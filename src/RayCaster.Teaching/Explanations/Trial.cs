@@ -17,7 +17,7 @@ internal readonly struct Trial
             (Near, Far) = (crossings.Near, crossings.Far);
         else // a model in plain doubles and ifs: without clipping it returns where it would be hit
             (Near, Far) = (Hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
-        Outcome = Hit is null ? Reason(ray, Near, Far) : Outcome.Shows;
+        Outcome = Hit is null ? Outcomes.Of(double.IsFinite(Far) ? Far : Near, ray) : Outcome.Shows;
     }
 
     public Model Model { get; }
@@ -39,12 +39,6 @@ internal readonly struct Trial
     public MeshExplanation? Mesh { get; }
 
     public static Ray<Scalar> Plain(Ray ray) => new(ray.Origin, ray.Direction);
-
-    private static Outcome Reason(Ray ray, double near, double far)
-    {
-        var (first, second) = (Outcomes.Of(near, ray), Outcomes.Of(far, ray));
-        return second.IsMiss() || first is Outcome.BeyondFar ? first : second;
-    }
 
     private static MeshExplanation TryTriangles(Mesh mesh, Ray ray, double? hit)
     {

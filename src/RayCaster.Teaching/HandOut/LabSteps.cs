@@ -28,7 +28,6 @@ public static class LabSteps
     };
 
     /// <summary>Whether a mistake is one of the code of a step: of its slide or of the shape that is written in it.</summary>
-    /// <param name="mistake">The mistake.</param>
     /// <param name="step">The step, from 1.</param>
     public static bool IsOf(Mistake mistake, int step) => StepOf(mistake.Slide) == step || (mistake.Concerns & ShapeOf(step)) != 0;
 
@@ -50,7 +49,6 @@ public static class LabSteps
     }
 
     /// <summary>The picture after a step.</summary>
-    /// <param name="scene">The whole scene.</param>
     /// <param name="step">The step, from 1.</param>
     public static Picture Draw(Scene scene, int step)
     {
@@ -94,19 +92,10 @@ public static class LabSteps
     private static Picture Unshaded(Scene scene)
     {
         var hits = new Renderer(scene).CastHits();
-        var picture = new Picture(hits.Width, hits.Height);
-        for (var y = 0; y < hits.Height; y++)
-            for (var x = 0; x < hits.Width; x++)
-                picture[x, y] = (hits.Model[y * hits.Width + x] is >= 0 and var model ? scene.Models[model].Color : scene.Background).ToBytes();
-        return picture;
+        return Picture.Of(hits.Width, hits.Height, (x, y) =>
+            (hits.Model[y * hits.Width + x] is >= 0 and var model ? scene.Models[model].Color : scene.Background).ToBytes());
     }
 
-    private static Picture Gradient(int width, int height)
-    {
-        var picture = new Picture(width, height);
-        for (var y = 0; y < height; y++)
-            for (var x = 0; x < width; x++)
-                picture[x, y] = new Color((double)x / width, (double)(height - 1 - y) / height, 0.5).ToBytes();
-        return picture;
-    }
+    private static Picture Gradient(int width, int height) => Picture.Of(width, height, (x, y) =>
+        new Color((double)x / width, (double)(height - 1 - y) / height, 0.5).ToBytes());
 }

@@ -7,13 +7,11 @@ public static class StepHint
     private const int MostTwins = 2;
 
     /// <summary>Lines of text.</summary>
-    /// <param name="scene">What should be seen.</param>
     /// <param name="picture">The student's picture, in the scene's size.</param>
     /// <param name="step">
     /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
     /// test of no step.
     /// </param>
-    /// <param name="level">How much is told.</param>
     public static string Of(Scene scene, Picture picture, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, Judge(scene, picture, step), step, level));
 

@@ -7,7 +7,6 @@ public static class MapMaker
     public const int MostPixels = 100_000_000;
 
     /// <summary>Casts all rays of a scene and makes a map of their hits.</summary>
-    /// <param name="kind">Which numbers.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     /// <exception cref="PictureFileException">The map has more pixels than <see cref="MostPixels"/>, or does not fit into this machine's
     /// memory.</exception>
@@ -21,7 +20,18 @@ public static class MapMaker
         try
         {
             var hits = new Renderer(scene, threads).CastHits();
-            return Make(scene, kind, hits);
+            var map = new NumberMap(width, height, kind.Channels());
+            var surfaces = kind.Channels() == 3 ? new SurfaceHits(scene, hits) : null;
+            for (var y = 0; y < height; y++)
+            {
+                for (var x = 0; x < width; x++)
+                {
+                    var (a, b, c) = Numbers(scene, kind, hits, surfaces, x, y);
+                    map[x, y][0] = ToFloat(a);
+                    if (surfaces is not null) (map[x, y][1], map[x, y][2]) = (ToFloat(b), ToFloat(c));
+                }
+            }
+            return map;
         }
         catch (OutOfMemoryException e)
         {
@@ -29,44 +39,24 @@ public static class MapMaker
         }
     }
 
-    /// <summary>Makes a map of hits that were found before.</summary>
-    /// <param name="kind">Which numbers.</param>
-    /// <param name="hits">The hits of the scene's pixels.</param>
-    public static NumberMap Make(Scene scene, MapKind kind, HitMap hits)
+    private static (double, double, double) Numbers(Scene scene, MapKind kind, HitMap hits, SurfaceHits? surfaces, int x, int y)
     {
-        var camera = scene.Camera;
-        var map = new NumberMap(hits.Width, hits.Height, kind.Channels());
-        var surfaces = kind.Channels() == 3 ? new SurfaceHits(scene, hits) : null;
-        for (var y = 0; y < hits.Height; y++)
+        var (place, row) = (y * hits.Width + x, hits.Height - 1 - y);
+        switch (kind)
         {
-            for (var x = 0; x < hits.Width; x++)
-            {
-                var numbers = map[x, y];
-                var (place, row) = (y * hits.Width + x, hits.Height - 1 - y);
-                switch (kind)
-                {
-                    case MapKind.T:
-                        numbers[0] = ToFloat(hits.T[place]);
-                        break;
-                    case MapKind.Depth:
-                        var d = camera.Direction<Scalar>(x, row);
-                        numbers[0] = ToFloat(hits.T[place] * -(d * camera.W));
-                        break;
-                    case MapKind.Model:
-                        numbers[0] = hits.Model[place];
-                        break;
-                    case MapKind.Normal:
-                        var n = surfaces!.Normal(x, row);
-                        (numbers[0], numbers[1], numbers[2]) = ((float)n.X, (float)n.Y, (float)n.Z);
-                        break;
-                    case MapKind.Uv:
-                        var (u, v) = surfaces!.Parameters(x, row);
-                        (numbers[0], numbers[1]) = (ToFloat(u), ToFloat(v));
-                        break;
-                }
-            }
+            case MapKind.T:
+                return (hits.T[place], 0, 0);
+            case MapKind.Depth:
+                return (hits.T[place] * -(scene.Camera.Direction<Scalar>(x, row) * scene.Camera.W), 0, 0);
+            case MapKind.Model:
+                return (hits.Model[place], 0, 0);
+            case MapKind.Normal:
+                var n = surfaces!.Normal(x, row);
+                return (n.X, n.Y, n.Z);
+            default:
+                var (u, v) = surfaces!.Parameters(x, row);
+                return (u, v, 0);
         }
-        return map;
     }
 
     /// <summary>Rounds to float. A finite number stays finite, because infinity means that nothing is hit.</summary>

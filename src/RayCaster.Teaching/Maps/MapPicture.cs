@@ -3,22 +3,11 @@ namespace RayCaster.Teaching;
 /// <summary>Draws a map as a picture. Pixels without a hit are black.</summary>
 public static class MapPicture
 {
-    /// <summary>
-    /// Nine colours of matplotlib's viridis (public domain), from dark to bright. Its lightness grows evenly, so equal steps of the number look
-    /// equal, also in grey print and to colour-blind people.
-    /// </summary>
-    private static readonly uint[] Ramp = [0x440154, 0x472D7B, 0x3B528B, 0x2C728E, 0x21918C, 0x28AE80, 0x5EC962, 0xADDC30, 0xFDE725];
-
     /// <summary>Makes the picture of a map.</summary>
-    /// <param name="kind">What its numbers mean.</param>
     public static Picture Draw(NumberMap map, MapKind kind)
     {
-        var picture = new Picture(map.Width, map.Height);
         var (least, greatest) = kind.Channels() == 1 && map.Range is { } range ? range : default;
-        for (var y = 0; y < map.Height; y++)
-            for (var x = 0; x < map.Width; x++)
-                picture[x, y] = Pixel(map[x, y], kind, least, greatest);
-        return picture;
+        return Picture.Of(map.Width, map.Height, (x, y) => Pixel(map[x, y], kind, least, greatest));
     }
 
     private static (byte, byte, byte) Pixel(ReadOnlySpan<float> numbers, MapKind kind, double least, double greatest)
@@ -26,7 +15,8 @@ public static class MapPicture
         switch (kind)
         {
             case MapKind.T or MapKind.Depth:
-                return float.IsFinite(numbers[0]) ? OfRamp(greatest > least ? (greatest - numbers[0]) / (greatest - least) : 1) : default;
+                var share = greatest > least ? (greatest - numbers[0]) / (greatest - least) : 1; // 1 for the nearest, which is the brightest
+                return float.IsFinite(numbers[0]) ? ColorRamp.Viridis.At(share * ColorRamp.Viridis.Last) : default;
             case MapKind.Model:
                 return numbers[0] < 0 ? default : OfModel((int)numbers[0]);
             case MapKind.Normal:
@@ -36,18 +26,6 @@ public static class MapPicture
                 var (u, v) = (numbers[0], numbers[1]);
                 return u == 0 && v == 0 ? default : new Color(Part(u), Part(v), 0.5).ToBytes();
         }
-    }
-
-    /// <summary>The nearest is the brightest.</summary>
-    /// <param name="share">0 for the farthest, 1 for the nearest.</param>
-    private static (byte, byte, byte) OfRamp(double share)
-    {
-        var place = share * (Ramp.Length - 1);
-        var i = Math.Min((int)place, Ramp.Length - 2);
-        var rest = place - i;
-        return (Mix(16), Mix(8), Mix(0));
-
-        byte Mix(int shift) => (byte)(((Ramp[i] >> shift) & 255) * (1 - rest) + ((Ramp[i + 1] >> shift) & 255) * rest + 0.5);
     }
 
     /// <summary>A colour for each model. The hue grows by the golden angle, so models that are neighbours in the scene file look

@@ -1,8 +1,6 @@
 namespace RayCaster.Teaching;
 
 /// <summary>One or three floats for each pixel. Line 0 is at the top.</summary>
-/// <param name="width">Pixels in a line.</param>
-/// <param name="height">Lines.</param>
 /// <param name="channels">1, or 3 for vectors.</param>
 /// <exception cref="OverflowException">The map would have 2³¹ numbers or more.</exception>
 public sealed class NumberMap(int width, int height, int channels)

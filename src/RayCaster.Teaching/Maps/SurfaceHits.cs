@@ -1,7 +1,6 @@
 namespace RayCaster.Teaching;
 
 /// <summary>Normals and surface parameters at a picture's hits.</summary>
-/// <param name="hits">The hits of its pixels.</param>
 internal sealed class SurfaceHits(Scene scene, HitMap hits)
 {
     /// <summary>For a shape without a known normal, four rays beside the pixel's own are cast, at this distance in pixels.</summary>

@@ -37,10 +37,8 @@ public sealed class ClassMarks
     public sealed record Options(int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null);
 
     /// <summary>Marks all submissions in a folder.</summary>
-    /// <param name="rubric">The rubric.</param>
     /// <param name="submissions">A folder that contains a folder for each student.</param>
     /// <param name="output">The folder for the results; made if it does not exist.</param>
-    /// <param name="options">The options.</param>
     /// <param name="cancellation">Ends the work; finished marks are kept for <see cref="Options.Resume"/>.</param>
     /// <returns>The marks in the order of the students' names.</returns>
     /// <exception cref="PictureFileException">A folder cannot be read, or a file not be written.</exception>

@@ -1,3 +1,5 @@
+using static System.FormattableString;
+
 namespace RayCaster.Teaching;
 
 /// <summary>
@@ -36,9 +38,6 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits)
             $"{(HasOwnTree ? "; processes of their own, no network" : "")}";
 
     /// <summary>The command, with the commands in front of it that set the limits.</summary>
-    /// <param name="command">The command.</param>
-    /// <param name="limits">What it may use.</param>
-    /// <param name="time">How long it may take.</param>
     public IReadOnlyList<string> Wrap(IReadOnlyList<string> command, ProgramLimits limits, TimeSpan time) =>
     [
         .. HasLimits ? LimitsOf(limits) : [],
@@ -66,6 +65,4 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits)
 
         bool Works(Containment one) => new ProgramRunner(one).Run(["true"], "/", "/", limits, limits.Time, default).IsDone;
     }
-
-    private static string Invariant(FormattableString text) => FormattableString.Invariant(text);
 }

@@ -3,7 +3,6 @@ namespace RayCaster.Teaching;
 /// <summary>A student's page: points, hints, and each picture beside the right one. It has no answers.</summary>
 internal static class FeedbackPage
 {
-    /// <summary>The page's text.</summary>
     public static string Of(Rubric rubric, StudentMarks marks, IReadOnlyList<SubmittedPicture> pictures)
     {
         var page = new Page($"{rubric.Title}: {marks.Student}");

@@ -1,6 +1,5 @@
-using System.Globalization;
-using System.Text;
 using System.Xml;
+using System.Xml.Linq;
 
 namespace RayCaster.Teaching;
 
@@ -8,53 +7,29 @@ namespace RayCaster.Teaching;
 /// is an error, not a skipped test: whoever reads only the sums must see it.</summary>
 internal static class JUnitReport
 {
-    /// <summary>The text of the file.</summary>
-    public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
-    {
-        using var text = new MemoryStream();
-        using (var xml = XmlWriter.Create(text, new() { Encoding = new UTF8Encoding(false), Indent = true, CheckCharacters = true }))
-        {
-            xml.WriteStartElement("testsuites");
-            xml.WriteAttributeString("name", Clean(rubric.Title));
-            foreach (var student in marks) WriteSuite(xml, student);
-            xml.WriteEndElement();
-        }
-        return Encoding.UTF8.GetString(text.ToArray()) + "\n";
-    }
+    public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks) =>
+        $"{new XDeclaration("1.0", "utf-8", null)}\n{new XElement("testsuites", Text("name", rubric.Title), marks.Select(Suite))}\n";
 
-    private static void WriteSuite(XmlWriter xml, StudentMarks student)
-    {
-        xml.WriteStartElement("testsuite");
-        xml.WriteAttributeString("name", Clean(student.Student));
-        Count("tests", student.Items.Count);
-        Count("failures", student.Items.Count(IsLost));
-        Count("errors", student.CommonProblem is null ? 0 : student.Items.Count);
-        Count("skipped", student.CommonProblem is null ? student.Items.Count(item => item.Open > 0) : 0);
-        foreach (var item in student.Items)
-        {
-            xml.WriteStartElement("testcase");
-            xml.WriteAttributeString("classname", Clean(student.Student));
-            xml.WriteAttributeString("name", Clean(item.Name));
-            if (student.CommonProblem is { } problem) WriteMessage(xml, "error", problem);
-            else if (item.Open > 0) WriteMessage(xml, "skipped", "The teacher must look: " + string.Join("; ", student.LookYourself));
-            else if (IsLost(item))
-                WriteMessage(xml, "failure", $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)} points. {MarkWords.Symptoms(item)}");
-            xml.WriteEndElement();
-        }
-        xml.WriteEndElement();
+    private static XElement Suite(StudentMarks student) => new("testsuite",
+        Text("name", student.Student),
+        new XAttribute("tests", student.Items.Count),
+        new XAttribute("failures", student.Items.Count(IsLost)),
+        new XAttribute("errors", student.CommonProblem is null ? 0 : student.Items.Count),
+        new XAttribute("skipped", student.CommonProblem is null ? student.Items.Count(item => item.Open > 0) : 0),
+        student.Items.Select(item =>
+            new XElement("testcase", Text("classname", student.Student), Text("name", item.Name), Outcome(student, item))));
 
-        void Count(string name, int count) => xml.WriteAttributeString(name, count.ToString(CultureInfo.InvariantCulture));
-    }
+    private static XElement? Outcome(StudentMarks student, ItemMarks item) =>
+        student.CommonProblem is { } problem ? Message("error", problem)
+        : item.Open > 0 ? Message("skipped", "The teacher must look: " + string.Join("; ", student.LookYourself))
+        : IsLost(item) ? Message("failure", $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)} points. {MarkWords.Symptoms(item)}")
+        : null;
 
     private static bool IsLost(ItemMarks item) => item.Open == 0 && item.Points < item.Of;
 
-    private static void WriteMessage(XmlWriter xml, string element, string message)
-    {
-        xml.WriteStartElement(element);
-        xml.WriteAttributeString("message", Clean(message));
-        xml.WriteEndElement();
-    }
+    private static XElement Message(string element, string message) => new(element, Text("message", message));
 
-    /// <summary>The text without characters that XML does not allow: a program may print any.</summary>
-    private static string Clean(string text) => string.Concat(text.Select(letter => XmlConvert.IsXmlChar(letter) ? letter : '\uFFFD'));
+    /// <summary>An attribute without characters that XML does not allow: a program may print any.</summary>
+    private static XAttribute Text(string name, string text) =>
+        new(name, string.Concat(text.Select(letter => XmlConvert.IsXmlChar(letter) ? letter : '\uFFFD')));
 }

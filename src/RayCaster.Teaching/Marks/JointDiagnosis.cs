@@ -91,7 +91,6 @@ internal sealed class JointDiagnosis
 
     /// <summary>Diagnoses a program.</summary>
     /// <param name="pictures">Its pictures, at least one.</param>
-    /// <param name="known">The mistakes to try.</param>
     public static JointDiagnosis Of(IReadOnlyList<ScenePicture> pictures, IReadOnlyList<Mistake> known) => new(pictures, known);
 
     /// <summary>Whether the verdict changes a picture, and leaves more than half of its wrong pixels unexplained.</summary>

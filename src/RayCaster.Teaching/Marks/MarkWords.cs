@@ -12,7 +12,6 @@ internal static class MarkWords
     /// <summary>The question that leads to a mistake; empty for a missing part.</summary>
     public static string Question(string because) => MistakeCatalog.Named(because)?.Hint.Question ?? "";
 
-    /// <summary>A missing part in words.</summary>
     public static string NotDrawn(string part) => part == Diagnosis.Attenuation
         ? $"{NotSeen(part)}: attenuation is not written yet, or a mistake hides it."
         : $"{NotSeen(part)}: they are not written yet, or a mistake hides them.";

@@ -6,10 +6,8 @@ namespace RayCaster.Teaching;
 /// <param name="Judge">The scene, its picture, and the mistakes that show in it.</param>
 internal sealed record MarkedScene(string Name, string Path, SceneDiagnosis Judge)
 {
-    /// <summary>The scene.</summary>
     public Scene Scene => Judge.Scene;
 
-    /// <summary>The scene's right picture.</summary>
     public Picture Right => Judge.Right;
 
     /// <summary>Whether a mistake changes the picture. The first call tries all mistakes, which takes a second or two.</summary>

@@ -1,14 +1,10 @@
 namespace RayCaster.Teaching;
 
 /// <summary>Gives points for pictures.</summary>
-/// <param name="rubric">The rubric.</param>
 internal sealed class Marker(Rubric rubric)
 {
     /// <summary>Judges the pictures of a submission together.</summary>
-    /// <param name="student">The student.</param>
     /// <param name="digest">A hash of the rubric and the submission.</param>
-    /// <param name="submitted">The pictures, one for each scene.</param>
-    /// <param name="notes">What else the teacher must look at.</param>
     public StudentMarks Mark(string student, string digest, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
         List<ScenePicture> pictures = [

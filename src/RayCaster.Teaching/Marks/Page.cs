@@ -5,7 +5,6 @@ using System.Text.Unicode;
 namespace RayCaster.Teaching;
 
 /// <summary>An HTML page in one file: it contains its pictures and its style, and needs no network.</summary>
-/// <param name="title">The title.</param>
 internal sealed class Page(string title)
 {
     private const string Style = """
@@ -28,7 +27,6 @@ internal sealed class Page(string title)
 
     private readonly StringBuilder body = new();
 
-    /// <summary>Adds HTML.</summary>
     public Page Html(string html)
     {
         body.Append(html).Append('\n');
@@ -43,12 +41,10 @@ internal sealed class Page(string title)
     public static string Escaped(string text) => encoder.Encode(text);
 
     /// <summary>A picture inside the page.</summary>
-    /// <param name="png">Its bytes.</param>
     /// <param name="words">A description for people who cannot see it.</param>
     public static string Image(byte[] png, string words) =>
         $"<img alt=\"{Escaped(words)}\" src=\"data:image/png;base64,{Convert.ToBase64String(png)}\">";
 
-    /// <summary>The page.</summary>
     public override string ToString() => $"""
         <!DOCTYPE html>
         <html lang="en">

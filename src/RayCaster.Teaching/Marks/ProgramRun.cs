@@ -1,29 +1,16 @@
+using static System.FormattableString;
+
 namespace RayCaster.Teaching;
 
 /// <summary>How a student's program ended.</summary>
 internal enum ProgramEnd
 {
-    /// <summary>By itself, with an exit code.</summary>
-    Exited,
-
-    /// <summary>It cannot be started.</summary>
+    Exited, // by itself, with an exit code
     NotStarted,
-
-    /// <summary>It took too long and was ended with all its processes.</summary>
-    OutOfTime,
-
-    /// <summary>It printed too much and was ended.</summary>
-    TooMuchOutput,
-
-    /// <summary>It held too much memory and was ended.</summary>
-    TooMuchMemory,
-
-    /// <summary>It started too many processes; all were ended.</summary>
-    TooManyProcesses,
+    OutOfTime, TooMuchOutput, TooMuchMemory, TooManyProcesses, // it was ended with all its processes
 }
 
 /// <summary>The result of a run of a student's program.</summary>
-/// <param name="End">How it ended.</param>
 /// <param name="ExitCode">Its exit code, if it exited by itself.</param>
 /// <param name="Printed">The end of its output, standard output and standard error together.</param>
 internal sealed record ProgramRun(ProgramEnd End, int ExitCode, string Printed)
@@ -35,12 +22,12 @@ internal sealed record ProgramRun(ProgramEnd End, int ExitCode, string Printed)
     public string InWords(ProgramLimits limits, TimeSpan time) => End switch
     {
         ProgramEnd.NotStarted => $"cannot be started: {Printed}",
-        ProgramEnd.OutOfTime => FormattableString.Invariant($"out of time after {time.TotalSeconds:0.#} s"),
-        ProgramEnd.TooMuchOutput => FormattableString.Invariant($"printed more than {limits.OutputBytes / 1e6:0.#} MB"),
-        ProgramEnd.TooMuchMemory => FormattableString.Invariant($"held more than {limits.MemoryBytes / 1e6:0} MB of memory"),
-        ProgramEnd.TooManyProcesses => FormattableString.Invariant($"started more than {limits.Processes} processes"),
-        _ when ExitCode > 128 => FormattableString.Invariant($"crashed (exit code {ExitCode}, signal {ExitCode - 128})"),
-        _ when ExitCode != 0 => FormattableString.Invariant($"ended with exit code {ExitCode}"),
+        ProgramEnd.OutOfTime => Invariant($"out of time after {time.TotalSeconds:0.#} s"),
+        ProgramEnd.TooMuchOutput => Invariant($"printed more than {limits.OutputBytes / 1e6:0.#} MB"),
+        ProgramEnd.TooMuchMemory => Invariant($"held more than {limits.MemoryBytes / 1e6:0} MB of memory"),
+        ProgramEnd.TooManyProcesses => Invariant($"started more than {limits.Processes} processes"),
+        _ when ExitCode > 128 => Invariant($"crashed (exit code {ExitCode}, signal {ExitCode - 128})"),
+        _ when ExitCode != 0 => Invariant($"ended with exit code {ExitCode}"),
         _ => "succeeded",
     };
 }

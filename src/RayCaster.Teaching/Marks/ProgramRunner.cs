@@ -15,12 +15,7 @@ internal sealed class ProgramRunner(Containment containment)
     private static readonly TimeSpan patience = TimeSpan.FromSeconds(10);
 
     /// <summary>Runs a command to its end, or until soon after the time limit.</summary>
-    /// <param name="command">The program and its arguments.</param>
     /// <param name="folder">Its current folder.</param>
-    /// <param name="temporary">Its folder for temporary files.</param>
-    /// <param name="limits">What it may use.</param>
-    /// <param name="time">How long it may take.</param>
-    /// <param name="cancellation">Ends the program, too.</param>
     public ProgramRun Run(
         IReadOnlyList<string> command, string folder, string temporary, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
     {

@@ -34,10 +34,8 @@ public sealed class Rubric
     /// <summary>A hash of the rubric's text and the scenes' texts: finished marks are kept as long as it is the same.</summary>
     internal string Digest { get; }
 
-    /// <summary>The scenes.</summary>
     internal IReadOnlyList<MarkedScene> Scenes { get; }
 
-    /// <summary>The mistakes to try.</summary>
     internal IReadOnlyList<Mistake> Known { get; }
 
     /// <summary>The item whose points a mistake costs; null if it costs none.</summary>
@@ -45,8 +43,6 @@ public sealed class Rubric
 }
 
 /// <summary>A part of the lab that has points.</summary>
-/// <param name="Name">Its name.</param>
-/// <param name="Points">Its points.</param>
 /// <param name="Each">The points that one of its mistakes costs; all together cost at most the item's points.</param>
 /// <param name="Mistakes">The ids of the mistakes that cost it.</param>
 /// <param name="Undone">The parts of a program that cost all its points if they are missing (<see cref="Diagnosis.Parts"/>).</param>
@@ -56,14 +52,10 @@ public sealed record RubricItem(string Name, double Points, double Each, IReadOn
 /// <param name="Pictures">The path of a picture in the submission's folder; <c>{name}</c> stands for the scene's name.</param>
 /// <param name="Build">The command that builds a submission; empty for none.</param>
 /// <param name="Run">The command that draws a picture; empty if the pictures are in the folder.</param>
-/// <param name="Limits">The limits of a command.</param>
 public sealed record PictureSource(string Pictures, IReadOnlyList<string> Build, IReadOnlyList<string> Run, ProgramLimits Limits);
 
 /// <summary>The limits of a student's program.</summary>
-/// <param name="Time">The time for a picture.</param>
-/// <param name="BuildTime">The time for building.</param>
 /// <param name="OutputBytes">The bytes that it may print, and the size of a file that it may write.</param>
 /// <param name="MemoryBytes">The memory of all its processes together.</param>
-/// <param name="Processes">The number of its processes.</param>
 /// <param name="Network">Whether it may use the network; some systems cannot forbid it.</param>
 public sealed record ProgramLimits(TimeSpan Time, TimeSpan BuildTime, long OutputBytes, long MemoryBytes, int Processes, bool Network);

@@ -15,26 +15,16 @@ public static class RubricReader
     private static readonly string[] places = ["{dir}", "{scene}", "{out}", "{name}"];
 
     /// <summary>Reads a file and the scenes that it names.</summary>
-    /// <param name="path">The file.</param>
     /// <param name="report">All that is wrong with it and its scenes, as text for people; empty if nothing is.</param>
     /// <returns>The rubric, or null if there is an error.</returns>
-    public static Rubric? Read(string path, out string report) => ShortFile.TryRead(path, MostBytes, out var utf8, out report)
-        ? Parse(utf8, path, Path.GetDirectoryName(path) ?? "", out report)
-        : null;
-
-    /// <summary>Reads a text.</summary>
-    /// <param name="utf8">The text.</param>
-    /// <param name="displayName">The file; messages name it so.</param>
-    /// <param name="folder">Where the paths of scenes start.</param>
-    /// <param name="report">All that is wrong with it and its scenes.</param>
-    public static Rubric? Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, out string report)
+    public static Rubric? Read(string path, out string report)
     {
-        var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-        digest.AppendData(utf8.Span);
+        using var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         var sceneReports = new StringBuilder();
-        var rubric = SceneReader.Parse(utf8, displayName, folder, "the rubric",
-            o => ReadRubric(o, displayName, folder, digest, sceneReports), out var problems);
-        report = new SceneReading(null, problems).Report() + sceneReports;
+        var rubric = ShortFile.Read(
+            path, MostBytes, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report,
+            digest.AppendData);
+        report += sceneReports;
         return rubric;
     }
 

@@ -29,7 +29,6 @@ internal sealed class ScenePicture
 
     private readonly Evidence evidence;
 
-    /// <param name="of">The scene.</param>
     /// <param name="picture">The picture. Its size is the scene's, or the scene's with width and height swapped.</param>
     public ScenePicture(MarkedScene of, Picture picture)
     {
@@ -39,10 +38,8 @@ internal sealed class ScenePicture
         Visible = Math.Max(SceneFitness.LeastPixels, 2.0 * evidence.WrongCount / most) / evidence.PixelCount;
     }
 
-    /// <summary>The scene.</summary>
     public MarkedScene Of { get; }
 
-    /// <summary>The picture.</summary>
     public Picture Picture { get; }
 
     /// <summary>Whether it is the scene's picture, but for rounding and single pixels on outlines.</summary>
@@ -56,7 +53,6 @@ internal sealed class ScenePicture
     public double Visible { get; }
 
     /// <summary>The share of the picture that a program leaves unexplained.</summary>
-    /// <param name="program">The program.</param>
     /// <param name="share">The share of the chosen pixels that is looked at.</param>
     public double Unexplained(WrongProgram program, double share = 1)
     {
@@ -113,7 +109,6 @@ internal sealed class ScenePicture
     }
 
     /// <summary>The share of the picture that a program leaves unexplained, estimated from a few pixels.</summary>
-    /// <param name="program">The program.</param>
     /// <param name="residue">What the same program with one mistake less left.</param>
     public double Unexplained(WrongProgram program, Residue residue)
     {

@@ -48,8 +48,7 @@ public sealed class SceneVariation
     public static byte[]? Of(byte[] utf8, string folder, string seed)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
-        var mark = utf8.AsSpan().StartsWith(Encodings.Utf8Mark) ? Encodings.Utf8Mark.Length : 0;
-        if (JsonTree.Parse(new SourceText("", utf8.AsMemory(mark)), out _) is not { } tree) return null;
+        if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
         var hidden = HiddenIn(scene);
         var distance = (scene.Camera.Target - scene.Camera.Position).Length;
         for (var attempt = 0; attempt < MostTries; attempt++)

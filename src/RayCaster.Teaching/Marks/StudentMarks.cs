@@ -1,12 +1,9 @@
 namespace RayCaster.Teaching;
 
 /// <summary>A student's points, with reasons. Can be written and read as JSON.</summary>
-/// <param name="Student">The name of the submission's folder.</param>
 /// <param name="Digest">A hash of the rubric, the scenes and the submission.</param>
 /// <param name="Items">The items of the rubric, in its order.</param>
 /// <param name="Scenes">The scenes of the rubric, in its order.</param>
-/// <param name="NotDrawn">What the program does not draw yet.</param>
-/// <param name="Mistakes">The ids of its mistakes.</param>
 /// <param name="LookYourself">What the teacher must look at; empty if nothing is.</param>
 public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<ItemMarks> Items, IReadOnlyList<SceneMarks> Scenes,
     IReadOnlyList<string> NotDrawn, IReadOnlyList<string> Mistakes, IReadOnlyList<string> LookYourself)
@@ -24,16 +21,12 @@ public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<I
 }
 
 /// <summary>A student's points for an item.</summary>
-/// <param name="Name">The item's name.</param>
-/// <param name="Of">The item's points.</param>
 /// <param name="Points">The points that are certain.</param>
 /// <param name="Open">The points that are not decided.</param>
 /// <param name="Because">The ids of the mistakes and the names of the missing parts that cost points, or may cost points.</param>
 public sealed record ItemMarks(string Name, double Of, double Points, double Open, IReadOnlyList<string> Because);
 
 /// <summary>The judgement of one picture.</summary>
-/// <param name="Name">The scene's name.</param>
-/// <param name="Verdict">The result.</param>
 /// <param name="Problem">What is unusual about the picture, in words; null if nothing is.</param>
 /// <param name="WrongShare">The share of pixels that are wrong; 1 if there is no picture of the right size.</param>
 /// <param name="Small">A small copy of the picture, as PNG; empty if the picture is right or missing.</param>

@@ -14,7 +14,6 @@ internal sealed record Submission(string Folder)
     private static readonly EnumerationOptions files =
         new() { RecurseSubdirectories = true, AttributesToSkip = FileAttributes.ReparsePoint, MaxRecursionDepth = 32 };
 
-    /// <summary>The student's name, which is the folder's.</summary>
     public string Student => Path.GetFileName(Folder);
 
     /// <summary>The submissions in a folder: each folder in it is one. Sorted by name.</summary>
@@ -58,26 +57,20 @@ internal sealed record Submission(string Folder)
     }
 
     /// <summary>The files below a folder, each with its length and the time of its last change.</summary>
-    public static IEnumerable<(string Path, (long Length, DateTime Time) State)> State(string folder)
+    public static IReadOnlyList<(string Path, (long Length, DateTime Time) State)> State(string folder)
     {
-        IEnumerator<(string, (long, DateTime))>? found = null;
-        while (HasNext(folder, ref found)) yield return found!.Current;
-        found?.Dispose();
-    }
-
-    private static bool HasNext(string folder, ref IEnumerator<(string, (long, DateTime))>? found)
-    {
+        var found = new List<(string, (long, DateTime))>();
         try
         {
-            found ??= new FileSystemEnumerable<(string, (long, DateTime))>(
+            found.AddRange(new FileSystemEnumerable<(string, (long, DateTime))>(
                 folder, (ref entry) => (entry.ToFullPath(), (entry.Length, entry.LastWriteTimeUtc.UtcDateTime)), files)
-            { ShouldIncludePredicate = (ref entry) => !entry.IsDirectory }.GetEnumerator();
-            return found.MoveNext();
+            { ShouldIncludePredicate = (ref entry) => !entry.IsDirectory });
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            return false; // a folder was deleted meanwhile
+            // A folder was deleted meanwhile.
         }
+        return found;
     }
 
     private bool IsLeftOut(string path) =>

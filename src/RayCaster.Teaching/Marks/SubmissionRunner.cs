@@ -3,8 +3,6 @@ using System.Text.RegularExpressions;
 namespace RayCaster.Teaching;
 
 /// <summary>Gets the pictures of a submission: finds them in its folder, or runs its program.</summary>
-/// <param name="rubric">The scenes and the commands.</param>
-/// <param name="runner">Runs programs.</param>
 internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runner)
 {
     /// <summary>How many characters, and how many errors, of what a program printed are told.</summary>
@@ -17,7 +15,7 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
     public IReadOnlyList<SubmittedPicture> Pictures(Submission submission, CancellationToken cancellation)
     {
         var source = rubric.Source;
-        if (!Submission.State(submission.Folder).Any()) return None("the submission's folder is empty");
+        if (Submission.State(submission.Folder).Count == 0) return None("the submission's folder is empty");
         if (source.Run.Count == 0) return [.. rubric.Scenes.Select(scene => Find(submission, scene))];
         if (source.Build.Count > 0 && Build(submission, cancellation) is { } problem) return None(problem);
         var pictures = new List<SubmittedPicture>();

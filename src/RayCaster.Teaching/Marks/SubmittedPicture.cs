@@ -3,7 +3,6 @@ using System.Buffers.Binary;
 namespace RayCaster.Teaching;
 
 /// <summary>A submission's picture of a scene, or why there is none.</summary>
-/// <param name="Scene">The scene.</param>
 /// <param name="Picture">The picture; null if there is none that can be judged.</param>
 /// <param name="Problem">What is odd about it, in words; null if nothing is.</param>
 internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, string? Problem)
@@ -18,8 +17,6 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     public bool CanBeJudged => Picture is not null && HasSizeOf(Scene, Picture.Width, Picture.Height);
 
     /// <summary>Reads an untrusted picture file.</summary>
-    /// <param name="scene">The scene that it should show.</param>
-    /// <param name="path">The file.</param>
     /// <param name="note">A problem with the run of the program; null for none.</param>
     public static SubmittedPicture Read(MarkedScene scene, string path, string? note = null)
     {

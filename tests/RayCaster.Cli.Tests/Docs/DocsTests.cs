@@ -37,7 +37,8 @@ public class DocsTests
     public void TheExplanationOfTheDocumentIsTheOneThatIsPrinted()
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/first.json")).Scene!;
-        Assert.Contains($"-- explain scenes/first.json 250 250\n{PixelExplanation.Of(scene, 250, 250).ToText()}```", Read("docs/explain.md"));
+        var text = ExplanationText.Of(PixelExplanation.Of(scene, 250, 250));
+        Assert.Contains($"-- explain scenes/first.json 250 250\n{text}```", Read("docs/explain.md"));
     }
 
     [Theory]

@@ -9,7 +9,7 @@ internal static class OddCommandLine
     private static readonly string[] words =
     [
         .. Option.All.Select(option => option.Name), .. Option.All.Select(option => option.Short),
-        .. Command.Names.Where(name => name != "live"), // it would serve a page until it is interrupted
+        .. Command.All.Keys.Where(name => name != "live"), // it would serve a page until it is interrupted
         .. "- -- --- -? -x --= =x --output= --size=5x5 --size=x --threads=0 -t 1 2 1025 99999999999".Split(' '),
         .. "-1 1e5 -1e400 NaN 5x5 9X7 0x1 1000001x1 1x1x1 a.png a.ppm".Split(' '),
         "", " ", "a b", "..", "\u001b[31m", "\n", "no.json", "ü.png", new('x', 5000),

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Files.Tests.Frames;
 
 public class CameraPathTests
@@ -122,8 +120,13 @@ public class CameraPathTests
     private static CameraKey[] Keys =>
         [new(0, Vector3.Zero, new(1, 1, 0), 40), new(1, new(3, 0, 0), new(1, 1, 1), 50), new(3, new(3, 6, 0), new(0, 1, 1), 45)];
 
-    private static CameraPath? Read(string json, out string report) =>
-        CameraPathReader.Parse(Encoding.UTF8.GetBytes(json), "way.json", Scene, out report);
+    private static CameraPath? Read(string json, out string report)
+    {
+        using var folder = new TemporaryFolder();
+        var path = CameraPathReader.Read(folder.Write("way.json", json), Scene, out report);
+        report = report.Replace(folder.Path + Path.DirectorySeparatorChar, "");
+        return path;
+    }
 
     private static void AssertNear(Vector3 expected, Vector3 actual, double tolerance = 1e-12) =>
         Assert.True((expected - actual).Length <= tolerance, $"{expected} expected, but it is {actual}");

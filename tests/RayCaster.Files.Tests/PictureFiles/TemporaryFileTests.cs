@@ -20,7 +20,7 @@ public sealed class TemporaryFileTests : IDisposable
     public void AListOfAFolderIsMadeOnce()
     {
         folder.Write("a.png.0123abcd.tmp", "what a killed writer left");
-        var found = new TemporaryFileList(folder.Path);
+        var found = ReplacedFile.LeftIn(folder.Path);
         folder.Write("b.png.0123abcd.tmp", "what another leaves later");
         foreach (var name in (string[])["a.png", "b.png"]) new ReplacedFile(folder[name], found).Dispose();
         Assert.Equal(["b.png.0123abcd.tmp"], folder.Names);

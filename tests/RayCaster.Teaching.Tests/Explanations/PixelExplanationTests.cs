@@ -183,7 +183,7 @@ public class PixelExplanationTests
     public void TheTextForPeopleStaysAsItIs()
     {
         var file = ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Explanations/room.txt");
-        var text = PixelExplanation.Of(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!, 250, 380).ToText();
+        var text = ExplanationText.Of(PixelExplanation.Of(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!, 250, 380));
         if (Environment.GetEnvironmentVariable("RAYCASTER_ACCEPT") == "1") File.WriteAllText(file, text);
         Assert.Equal(File.ReadAllText(file).ReplaceLineEndings("\n"), text);
     }
@@ -197,8 +197,8 @@ public class PixelExplanationTests
             var (column, line) = (random.Next(picture.Width), random.Next(picture.Height));
             var pixel = PixelExplanation.Of(scene, column, line);
             Assert.Equal(picture[column, line], pixel.Bytes);
-            Assert.NotEmpty(pixel.ToText());
-            CheckNumbers(JsonDocument.Parse(pixel.ToJson()).RootElement, picture[column, line]);
+            Assert.NotEmpty(ExplanationText.Of(pixel));
+            CheckNumbers(JsonDocument.Parse(ExplanationJson.Of(pixel)).RootElement, picture[column, line]);
         }
     }
 

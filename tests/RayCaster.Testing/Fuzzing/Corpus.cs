@@ -29,8 +29,6 @@ internal static class Corpus
         .. KeptFiles(".png", ".pbm", ".pgm", ".ppm"),
     ];
 
-    public static SeedFile[] Maps { get; } = [.. FilesIn("tests/RayCaster.Teaching.Tests/Maps/Data", ".pfm"), .. KeptFiles(".pfm")];
-
     public static string SceneFolder { get; } = ProjectFolder.PathOf("tests/RayCaster.Files.Tests/Good");
 
     /// <summary>The files with some extensions that broke a promise before, and some that are made for it.</summary>

@@ -1,17 +1,10 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Separates pixels on outlines, which may show either side, from wrong pixels.</summary>
-internal interface IOutlines
-{
-    /// <summary>Whether all pixels that differ by more than rounding are on outlines.</summary>
-    bool HoldAllWrong(PictureDifference difference);
-}
-
 /// <summary>
-/// Decides by the pictures alone. A pixel may show the colour of a neighbour, but only in thin lines, and only on a small part of all outlines:
-/// a shift by half a pixel changes about half of them.
+/// Separates pixels on outlines, which may show either side, from wrong pixels, by the pictures alone. A pixel may show the colour of a
+/// neighbour, but only in thin lines, and only on a small part of all outlines: a shift by half a pixel changes about half of them.
 /// </summary>
-internal sealed class PictureOutlines : IOutlines
+internal static class PictureOutlines
 {
     /// <summary>How many levels a pixel may differ from its neighbour on the same model, because of the attenuation.</summary>
     private const int Shading = 2;
@@ -19,9 +12,8 @@ internal sealed class PictureOutlines : IOutlines
     /// <summary>One in so many pixels on outlines may show the other side.</summary>
     private const int Rarity = 20;
 
-    public static readonly PictureOutlines Instance = new();
-
-    public bool HoldAllWrong(PictureDifference difference)
+    /// <summary>Whether all pixels that differ by more than rounding are on outlines.</summary>
+    public static bool HoldAllWrong(PictureDifference difference)
     {
         var (width, height) = (difference.Mine.Width, difference.Mine.Height);
         if (difference.Wrong > width * height / Rarity) return false;
