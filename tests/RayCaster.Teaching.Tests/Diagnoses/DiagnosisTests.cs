@@ -120,6 +120,17 @@ public class DiagnosisTests
     [InlineData("center")]
     public void NamesOtherPlantedMistakesFirst(string id) => NamesThePlantedMistakeFirst(id);
 
+    [Theory]
+    [Trait("kind", "campaign")] // each ray must try every triangle
+    [InlineData("tri-uv")]
+    [InlineData("cross-x")]
+    [InlineData("rows")]
+    public void NamesAMistakeInAMeshsPicture(string id)
+    {
+        var mesh = SceneFolder.Small("mesh", 4);
+        Assert.Contains(id, Named(Diagnosis.Of(mesh, WrongPicture.Draw(mesh, [MistakeCatalog.Named(id)!])).Suspects[0]));
+    }
+
     [Fact]
     public void NamesAMistakeThatShowsOnOutlinesOnly()
     {
