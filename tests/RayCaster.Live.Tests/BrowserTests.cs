@@ -4,6 +4,7 @@ namespace RayCaster.Live.Tests;
 
 /// <summary>The page as a browser shows it, used by mouse and by keyboard.</summary>
 [Collection("browser")]
+[Trait("kind", "campaign")] // needs more than the SDK
 public class BrowserTests(Chromium chromium)
 {
     [BrowserFact]
@@ -129,7 +130,6 @@ public class BrowserTests(Chromium chromium)
 
     /// <summary>Makes the pictures of docs/live.md anew if RAYCASTER_DOCS names their folder.</summary>
     [BrowserFact]
-    [Trait("kind", "campaign")]
     public async Task ThePicturesOfTheDocsAreMade()
     {
         var folder = Environment.GetEnvironmentVariable("RAYCASTER_DOCS");

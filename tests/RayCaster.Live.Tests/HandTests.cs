@@ -4,6 +4,7 @@ namespace RayCaster.Live.Tests;
 
 /// <summary>Fingers on a touch screen, a file that is dropped, and what the page does for people who set their system up.</summary>
 [Collection("browser")]
+[Trait("kind", "campaign")] // needs more than the SDK
 public class HandTests(Chromium chromium)
 {
     private const string Distance = """

@@ -102,6 +102,7 @@ public class MarkerTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // tries all pairs of mistakes
     public void WhatNothingExplainsIsOpenAndFlaggedAndNotLost()
     {
         var random = new Random(1);
