@@ -118,6 +118,7 @@ public class MarkerTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // tries all pairs of mistakes
     public void WhereAllOutlinesAreRightOnlyTheLightIsOpen()
     {
         var marks = Mark(two, scene =>
