@@ -40,7 +40,8 @@ internal sealed class Growth(Options options, Workshop workshop, string? peer)
             foreach (var benchmark in scenes.Where(scene => scene.ModelCount >= 1000))
             {
                 if (benchmark.Mesh is { } mesh)
-                    chart.Add("the mesh itself", Ink.Scalar, benchmark.ModelCount, (24.0 * mesh.Vertices.Length + 4.0 * mesh.Indices.Length) / Megabyte);
+                    chart.Add(
+                        "the mesh itself", Ink.Scalar, benchmark.ModelCount, (24.0 * mesh.Vertices.Length + 4.0 * mesh.Indices.Length) / Megabyte);
                 chart.Add($"drawing the {kind}", Ink.Exact, benchmark.ModelCount, Peak(benchmark) / Megabyte, dashed);
             }
         }

@@ -31,8 +31,8 @@ internal sealed class Report
     private void WriteRays(StringBuilder text)
     {
         text.AppendLine("\n## Rays\n");
-        text.AppendLine("| scene | picture | threads | exact t | bytes | exact t, later frame | bytes, later frame | bytes of a single picture | scalar definition | " +
-            "naive, struct | naive, class | Embree agrees | its build / its trace |");
+        text.AppendLine("| scene | picture | threads | exact t | bytes | exact t, later frame | bytes, later frame | bytes of a single picture | " +
+            "scalar definition | naive, struct | naive, class | Embree agrees | its build / its trace |");
         text.AppendLine("|---|---|---|---|---|---|---|---|---|---|---|---|---|");
         foreach (var c in Comparisons)
         {

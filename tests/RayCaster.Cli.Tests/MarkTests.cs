@@ -45,7 +45,8 @@ public sealed class MarkTests : IDisposable
         var page = File.ReadAllText(raycaster.PathOf("marks/=boris/feedback.html"));
         Assert.Contains("No spheres are drawn: they are not written yet, or a mistake hides them.", page);
         Assert.DoesNotContain("http", page); // it needs no network
-        Assert.Contains("<failure message=\"0 of 3 points. No spheres are drawn: they are not written yet, or a mistake hides them.\" />", File.ReadAllText(raycaster.PathOf("marks.xml")));
+        Assert.Contains("<failure message=\"0 of 3 points. No spheres are drawn: they are not written yet, or a mistake hides them.\" />",
+            File.ReadAllText(raycaster.PathOf("marks.xml")));
         var forTheTeacher = File.ReadAllText(raycaster.PathOf("marks/class.html"));
         Assert.Contains("=boris", forTheTeacher);
         Assert.Contains("To discuss next: No spheres are drawn.", forTheTeacher);
@@ -123,7 +124,8 @@ public sealed class MarkTests : IDisposable
     {
         if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
         WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
-        raycaster.Write(Folder("vandal") + "draw.sh", $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}' '{raycaster.PathOf("rubric.json")}'");
+        raycaster.Write(Folder("vandal") + "draw.sh",
+            $"rm -rf '{raycaster.PathOf("class")}' '{raycaster.PathOf("marks")}' '{raycaster.PathOf("rubric.json")}'");
         raycaster.Write(Folder("anna") + "draw.sh", "echo marked before").Write(Folder("victim") + "draw.sh", "echo never run");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "-t", "1");
         Assert.Equal(("", 0), (raycaster.Error, raycaster.ExitCode));

@@ -36,7 +36,8 @@ public sealed class SystemCallTests : IDisposable
         Assert.DoesNotMatch(@"\b(socket|connect|bind|sendto)\(", trace);
         string[] changed =
         [
-            .. Regex.Matches(trace, """openat\([^"]*"([^"]*)"[^)]*O_(?:WRONLY|RDWR|CREAT)|\b(?:mkdir|unlink|mknod\w*|symlink|link)\(.*?"([^"]*)["]""")
+            .. Regex.Matches(trace,
+                    """openat\([^"]*"([^"]*)"[^)]*O_(?:WRONLY|RDWR|CREAT)|\b(?:mkdir|unlink|mknod\w*|symlink|link)\(.*?"([^"]*)["]""")
                 .Select(call => call.Groups[1].Value + call.Groups[2].Value)
                 .Where(path => !path.StartsWith("/proc/self/task/")) // the names of the threads
                 .Distinct().Order(StringComparer.Ordinal),

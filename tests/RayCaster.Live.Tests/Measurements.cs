@@ -23,7 +23,8 @@ public class Measurements(Chromium chromium, ITestOutputHelper output) : IClassF
         for (var i = 1; i <= Saves; i++)
         {
             var version = int.Parse((await page.GetAttributeAsync("#picture", "data-version"))!);
-            var shown = page.WaitForFunctionAsync("v => +document.getElementById('picture').dataset.version > v", version, new() { PollingInterval = 1 });
+            var shown = page.WaitForFunctionAsync(
+                "v => +document.getElementById('picture').dataset.version > v", version, new() { PollingInterval = 1 });
             await Task.Delay(300);
             var start = Stopwatch.GetTimestamp();
             File.WriteAllText(live.Scene, scene.Replace("\"fovY\": 45", FormattableString.Invariant($"\"fovY\": {45 + 0.1 * i}")));
@@ -31,7 +32,8 @@ public class Measurements(Chromium chromium, ITestOutputHelper output) : IClassF
             times.Add(Stopwatch.GetElapsedTime(start).TotalMilliseconds);
         }
         times.Sort();
-        output.WriteLine($"room.json, save to picture: median {times[Saves / 2]:f0} ms, least {times[0]:f0}, greatest {times[^1]:f0}, of {Saves} saves");
+        output.WriteLine(
+            $"room.json, save to picture: median {times[Saves / 2]:f0} ms, least {times[0]:f0}, greatest {times[^1]:f0}, of {Saves} saves");
     }
 
     /// <summary>From the moment at which the browser asks for the page to its first paint.</summary>
@@ -62,7 +64,8 @@ public class Measurements(Chromium chromium, ITestOutputHelper output) : IClassF
         var random = new Random(1);
         double Next() => Math.Round(2 * random.NextDouble() - 1, 4);
         var spheres = from i in Enumerable.Range(0, 100_000)
-                      select FormattableString.Invariant($$"""{ "type": "sphere", "center": [{{Next()}}, {{Next()}}, {{Next()}}], "radius": 0.01 }""");
+                      select FormattableString.Invariant(
+                          $$"""{ "type": "sphere", "center": [{{Next()}}, {{Next()}}, {{Next()}}], "radius": 0.01 }""");
         await FramesAsync("100,000 spheres", Scene(string.Join(",\n", spheres)), _ => { });
     }
 

@@ -23,7 +23,8 @@ internal static class HandOutFiles
             yield return (name.Replace('\\', '/')[Prefix.Length..], content);
         }
         var folder = Path.Combine(AppContext.BaseDirectory, Prefix);
-        if (!Directory.Exists(folder)) throw new ProblemException($"raycaster: the folder {Prefix} is not beside this program: publish it as a whole");
+        if (!Directory.Exists(folder))
+            throw new ProblemException($"raycaster: the folder {Prefix} is not beside this program: publish it as a whole");
         foreach (var file in Directory.GetFiles(folder, "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
             yield return (Path.GetRelativePath(folder, file).Replace('\\', '/'), File.ReadAllBytes(file));
     }

@@ -2,8 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Files;
 
-/// <summary>Brings a mesh whose triangles come in random order, as a scanner's do, into an order in space: then triangles that follow one another lie
-/// side by side in space and in memory, and are drawn in half of the time.</summary>
+/// <summary>
+/// Brings a mesh whose triangles come in random order, as a scanner's do, into an order in space: then triangles that follow one another
+/// lie side by side in space and in memory, and are drawn in half of the time.
+/// </summary>
 public sealed class SpatialOrder
 {
     /// <summary>A mesh with fewer triangles lies in the processor's caches, so its order hardly matters.</summary>

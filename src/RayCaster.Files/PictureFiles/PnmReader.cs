@@ -22,7 +22,8 @@ internal sealed class PnmReader
         var digit = file.Next();
         kind = digit - '0';
         if (kind is < 1 or > 6)
-            throw new PictureFileException($"it begins with 'P{PictureFile.Printable(digit < 0 ? [] : [(byte)digit])}'; P1 to P6 can be read, and PNG");
+            throw new PictureFileException(
+                $"it begins with 'P{PictureFile.Printable(digit < 0 ? [] : [(byte)digit])}'; P1 to P6 can be read, and PNG");
         width = ReadNumber("the width");
         height = ReadNumber("the height");
         maxval = kind is 1 or 4 ? 1 : ReadNumber("maxval");

@@ -57,7 +57,8 @@ public static class LabSteps
         return step < Shading ? Unshaded(scene) : Renderer.Render(scene);
     }
 
-    /// <summary>What of a scene surely works when a step is written, as a diagnosis calls it; the step's own shape may be missing in a picture.</summary>
+    /// <summary>What of a scene surely works when a step is written, as a diagnosis calls it; the step's own shape may be missing in a
+    /// picture.</summary>
     internal static string[] DoneAt(Scene scene, int step) =>
     [
         .. scene.Models.Where(model => StepOf(model) < step).Select(model => model.Kind).Distinct(),

@@ -81,7 +81,8 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         var lines = text.Split('\n', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
         string[] errors = [.. lines.Where(line => IsError().IsMatch(line)).Distinct()];
         if (errors.Length == 0) return $"; it printed: {(text.Length > Quoted ? $"… {text[^Quoted..]}" : text).ReplaceLineEndings(" / ")}";
-        return $"; it printed: {string.Join(" / ", errors.Take(MostErrors))}{(errors.Length > MostErrors ? $" / and {errors.Length - MostErrors} more errors" : "")}";
+        var more = errors.Length > MostErrors ? $" / and {errors.Length - MostErrors} more errors" : "";
+        return $"; it printed: {string.Join(" / ", errors.Take(MostErrors))}{more}";
     }
 
     /// <summary>The project at the end of a compiler's message.</summary>

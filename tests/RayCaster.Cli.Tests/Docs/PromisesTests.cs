@@ -3,7 +3,8 @@ using RayCaster.Testing.Fuzzing;
 
 namespace RayCaster.Cli.Tests.Docs;
 
-/// <summary>The tests that SECURITY.md and docs/limits.md name exist, and the sources keep the promises about files, programs and variables.</summary>
+/// <summary>The tests that SECURITY.md and docs/limits.md name exist, and the sources keep the promises about files, programs and
+/// variables.</summary>
 public class PromisesTests
 {
     public static TheoryData<string> Documents => new("SECURITY.md", "docs/limits.md");

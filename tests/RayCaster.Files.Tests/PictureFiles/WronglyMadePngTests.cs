@@ -21,7 +21,8 @@ public sealed class WronglyMadePngTests : IDisposable
     [Theory]
     [InlineData(1)]
     [InlineData(4)]
-    public void DataWithoutTheirChecksumAreRefused(int missing) => Refused("its compressed data do not end with their checksum", Data(Zlib[..^missing]));
+    public void DataWithoutTheirChecksumAreRefused(int missing) =>
+        Refused("its compressed data do not end with their checksum", Data(Zlib[..^missing]));
 
     [Fact]
     public void DataThatAreCutAreRefused() => Refused("the file is cut short: its data end in line 0 of 10", Data(Zlib[..5]));

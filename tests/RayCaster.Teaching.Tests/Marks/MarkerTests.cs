@@ -136,7 +136,8 @@ public class MarkerTests
     public void WhereTheLightOfOneKindOfShapeIsWrongItsItemIsOpen()
     {
         var spheres = With(whole.Items, Scenes("3-spheres", "4-all").Select(Small));
-        var marks = new Marker(spheres).Mark("somebody", "", [.. spheres.Scenes.Select(scene => new SubmittedPicture(scene, Darkened(scene), null))]);
+        var marks = new Marker(spheres).Mark(
+            "somebody", "", [.. spheres.Scenes.Select(scene => new SubmittedPicture(scene, Darkened(scene), null))]);
         Assert.Contains("8", Lost(marks));
 
         static Picture Darkened(MarkedScene scene)
