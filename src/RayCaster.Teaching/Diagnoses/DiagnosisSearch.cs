@@ -64,12 +64,14 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     public List<WrongProgram> Run(IEnumerable<Unfinished> unfinished, Func<IEnumerable<Unfinished>> likely)
     {
         var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
-        var quick = Singles(Unfinished.Nothing, MayBeOtherSample ? [false, true] : [false]).ToLookup(trial => trial.Draw(scene).TrianglesTried == 0);
-        var everySingle = Measured([.. quick[true]], Glance);
+        var hasMesh = scene.Models.Any(model => model is Mesh);
+        var isSlow = Singles(Unfinished.Nothing, MayBeOtherSample ? [false, true] : [false])
+            .ToLookup(trial => hasMesh && trial.Draw(scene).TrianglesTried > 0);
+        var everySingle = Measured([.. isSlow[false]], Glance);
         var singles = Best(everySingle[..(everySingle.Count / 3)]);
-        if (quick[false].Any() && !IsDone(singles, Certain))
+        if (isSlow[true].Any() && !IsDone(singles, Certain)) // tried only where no quick one explains the picture
         {
-            everySingle = Sorted([.. everySingle, .. Measured([.. quick[false]], Glance)]);
+            everySingle = Sorted([.. everySingle, .. Measured([.. isSlow[true]], Glance)]);
             singles = Best(everySingle[..(everySingle.Count / 3)]);
         }
         if (!MayBeOtherSample)

@@ -21,7 +21,7 @@ public sealed class SceneDiagnosis
             && possible?.Invoke(mistake) != false).ToArray();
         var triangles = scene.Models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount);
         Known = [.. visible.Where(mistake => triangles <= Lab.MostTriangles
-            || mistake.Wordings.All(wording => new Lab(scene, wording).TrianglesTried <= Lab.MostTriangles))];
+            || mistake.Wordings.All(wording => !new Lab(scene, wording).TakesTooLong))];
         NotTried = [.. visible.Except(Known)];
         hidden = new(() => TooManyModels ? [] : SceneFitness.HiddenIn(scene, threads));
     }

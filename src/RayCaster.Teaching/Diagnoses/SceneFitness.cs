@@ -44,7 +44,7 @@ public sealed class SceneFitness
 
     private static (Mistake[] Known, View[] Views) Look(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
     {
-        Mistake[] known = [.. asked.Where(mistake => scenes.All(scene => new Lab(scene, mistake).TrianglesTried <= Lab.MostTriangles))];
+        Mistake[] known = [.. asked.Where(mistake => scenes.All(scene => !new Lab(scene, mistake).TakesTooLong))];
         View[] views = [.. scenes.Select(scene => new View(scene))];
         var options = new ParallelOptions { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount };
         foreach (var view in views) Parallel.ForEach(known, options, view.Look);
