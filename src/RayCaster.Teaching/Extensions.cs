@@ -27,6 +27,15 @@ internal static class Extensions
         /// <summary>Whether all pixels are equal, so that the picture proves nothing.</summary>
         public bool IsOneColor => picture.Rgb.AsSpan(3).SequenceEqual(picture.Rgb.AsSpan(0, picture.Rgb.Length - 3));
 
+        /// <summary>Whether a pixel or one of its eight neighbours has a colour, but for two levels.</summary>
+        public bool ShowsAround(int x, int y, (byte R, byte G, byte B) color)
+        {
+            for (var j = Math.Max(0, y - 1); j <= Math.Min(picture.Height - 1, y + 1); j++)
+                for (var i = Math.Max(0, x - 1); i <= Math.Min(picture.Width - 1, x + 1); i++)
+                    if (PictureDifference.Levels(color, picture[i, j]) <= Evidence.Tolerance) return true;
+            return false;
+        }
+
         /// <summary>Whether a pixel differs from the one to the right or the one below by more than so many levels.</summary>
         public bool IsEdge(int x, int y, int levels) =>
             (x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > levels)

@@ -15,6 +15,6 @@ public static class HeatMap
         var (width, height) = (comparison.Reference.Width, comparison.Reference.Height);
         if (comparison.ByModels is not { } byModels) return new(width, height);
         var colors = byModels.Models.ToDictionary(model => model.Model, model => Of((int)Math.Ceiling(255 * model.Share)));
-        return Picture.Of(width, height, (x, y) => colors.GetValueOrDefault(byModels.ModelAt(y * width + x)));
+        return Picture.Of(width, height, (x, y) => colors.GetValueOrDefault(byModels.ModelAt[y * width + x]));
     }
 }

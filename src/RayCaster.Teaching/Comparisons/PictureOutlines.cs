@@ -19,7 +19,7 @@ internal static class PictureOutlines
         if (difference.Wrong > width * height / Rarity) return false;
         for (var y = 0; y < height; y++)
             for (var x = 0; x < width; x++)
-                if (difference.LevelsAt(x, y) > 1 && (IsThick(difference, x, y) || !ShowsNeighbour(difference, x, y)))
+                if (difference.LevelsAt(x, y) > 1 && (IsThick(difference, x, y) || !difference.Reference.ShowsAround(x, y, difference.Mine[x, y])))
                     return false;
         return (difference.Wrong - 1) * Rarity < OnOutlines(difference.Reference);
     }
@@ -38,13 +38,4 @@ internal static class PictureOutlines
     private static bool IsThick(PictureDifference difference, int x, int y) =>
         x + 1 < difference.Mine.Width && y + 1 < difference.Mine.Height
         && difference.LevelsAt(x + 1, y) > 1 && difference.LevelsAt(x, y + 1) > 1 && difference.LevelsAt(x + 1, y + 1) > 1;
-
-    private static bool ShowsNeighbour(PictureDifference difference, int x, int y)
-    {
-        var (reference, shown) = (difference.Reference, difference.Mine[x, y]);
-        for (var j = Math.Max(0, y - 1); j <= Math.Min(reference.Height - 1, y + 1); j++)
-            for (var i = Math.Max(0, x - 1); i <= Math.Min(reference.Width - 1, x + 1); i++)
-                if (PictureDifference.Levels(shown, reference[i, j]) <= Shading) return true;
-        return false;
-    }
 }

@@ -41,8 +41,8 @@ internal sealed class SceneDifference
     /// picture.</summary>
     public IReadOnlyList<ModelDifference> Models { get; }
 
-    /// <summary>The model that a pixel shows in the scene's own picture, by the pixel's place in reading order; −1 for the background.</summary>
-    internal int ModelAt(int pixel) => hits.Model[pixel];
+    /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
+    internal IReadOnlyList<int> ModelAt => hits.Model;
 
     /// <summary>Compares model by model.</summary>
     /// <param name="scene">The scene, in any size.</param>

@@ -22,7 +22,7 @@ public enum Finding
 }
 
 /// <summary>One mistake, or two at once, that may have made a picture.</summary>
-/// <param name="Mistakes">The mistakes, the one that explains more first.</param>
+/// <param name="Mistakes">The mistakes, the one that explains more first, each in the wording that fits best.</param>
 /// <param name="Unexplained">In about how many pixels the picture looks otherwise nevertheless, by more than rounding.</param>
 /// <param name="OtherSample">Whether the picture is also sampled at the other place in its pixels than the scene says: centres for corners.</param>
 /// <param name="Twins">Mistakes that give the same picture of this scene, so that nothing can tell them apart.</param>
@@ -72,9 +72,6 @@ public sealed class Diagnosis
     /// <summary>Of what mistakes leave, so much may another number of the scene leave to be told instead: beside one mistake, beside two.</summary>
     private const double NumberForOne = 0.25, NumberForPair = 0.8;
 
-    /// <summary>The share of the wrong pixels that each mistake of several must explain, or it is not named.</summary>
-    private const double Idle = 0.002;
-
     /// <summary>Of what is left beside shapes that are missing, so much may mistakes leave to be named in their place.</summary>
     private const double Much = 0.25;
 
@@ -98,11 +95,10 @@ public sealed class Diagnosis
     {
         (this.prepared, this.likely) = (prepared, likely);
         var (scene, right) = (prepared.Scene, prepared.Right);
-        var most = (int)Math.Clamp(Pixels * 500L / Math.Max(1, scene.Models.Count), 300, Pixels); // the time stays
-        evidence = new(scene, right, picture, most, !TooManyModels);
+        evidence = new(scene, right, picture, Pixels, !TooManyModels);
         if (evidence.WrongCount < evidence.OutlineCount && evidence.OutlineCount > SceneFitness.LeastPixels)
         {
-            var strict = new Evidence(scene, right, picture, most, forgiveOutlines: false);
+            var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false);
             if (prepared.Known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
         }
         ProvesNothing = right.IsOneColor;
@@ -124,9 +120,7 @@ public sealed class Diagnosis
         if (TooManyModels) return;
 
         MissingModel = FindMissingModel();
-        var ranked = new DiagnosisSearch(scene, prepared.Known, evidence, prepared.Threads, likely)
-            .Run(Unfinished.Ways(scene.Models, done), () => Unfinished.ByColors(scene, right, picture, done));
-        Answer(ranked, picture, done);
+        Answer(new([evidence], prepared.Known, done, prepared.Threads, likely), done);
     }
 
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
@@ -181,13 +175,14 @@ public sealed class Diagnosis
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public static Diagnosis Of(Scene scene, Picture picture, int? threads = null) => new SceneDiagnosis(scene, threads).Judge(picture);
 
-    /// <summary>What the trials come to, the best of which stands first.</summary>
-    private void Answer(List<WrongProgram> ranked, Picture picture, IReadOnlyCollection<string> done)
+    /// <summary>What a search comes to.</summary>
+    private void Answer(DiagnosisSearch search, IReadOnlyCollection<string> done)
     {
+        var (ranked, picture) = (search.Run(), evidence.Picture);
         var best = ranked.Find(trial => trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount) ?? ranked[0];
         if (best.Base.Kinds.Any() && best.Misfit.Unexplained > Nearly * WrongCount) // few wrong pixels may be all that shows of a misplaced shape
             best = ranked.Find(trial => !trial.Base.Kinds.Any() && trial.Misfit.Unexplained <= Much * best.Misfit.Unexplained) ?? best;
-        best = WithoutIdle(best);
+        best = search.WithoutIdle(best);
         var left = best.Misfit.Unexplained / WrongCount;
         // where one missing model is enough, two mistakes are not assumed
         var isNamed = MissingModel is null ? left <= Math.Max(Explained, MayLeave(best))
@@ -198,15 +193,15 @@ public sealed class Diagnosis
         if ((left > Nearly || isOfCamera) && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
         {
             var byModels = SceneDifference.Find(prepared.Scene, new(picture, prepared.Right), prepared.Threads);
-            var most = best.Named.Count > 1 ? Math.Max(left * NumberForPair, isOfCamera ? Idle : 0) : left * NumberForOne;
+            var most = best.Named.Count > 1 ? Math.Max(left * NumberForPair, isOfCamera ? DiagnosisSearch.Idle : 0) : left * NumberForOne;
             if (LikelyCause.Certain(prepared, byModels, evidence, most) is { } certain) (isNamed, isCertain, Likely) = (false, true, [certain]);
-            else if (!isNamed) Likely = [.. LikelyCause.Hints(prepared.Scene, byModels, picture, prepared.Right)];
+            else if (!isNamed) Likely = [.. LikelyCause.Hints(byModels, evidence)];
         }
         if (!isNamed)
         {
             if (evidence.IsOnlyOutlines) Finding = Finding.Matches;
             if (evidence.IsOnlyOutlines || MissingModel is not null) return;
-            if (Likely.Count == 0 && LikelyCause.OfTheWhole(prepared.Scene, picture, prepared.Right, WrongCount) is { } whole) Likely = [whole];
+            if (Likely.Count == 0 && LikelyCause.OfTheWhole(evidence) is { } whole) Likely = [whole];
             if (!isCertain) Nearest = [.. NearestOf(ranked, best.Draw(prepared.Scene))];
             return;
         }
@@ -215,7 +210,7 @@ public sealed class Diagnosis
             && !IsRestRight([.. best.Base.Kinds], picture, done)) return;
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
         var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount)
-            .DistinctBy(trial => trial.Id).Take(Looked).Select(WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
+            .DistinctBy(trial => trial.Id).Take(Looked).Select(search.WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
         if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
             named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
         else if (best.Base.Kinds.Any()) named = named.Take(1).Concat(Losing(best));
@@ -232,18 +227,6 @@ public sealed class Diagnosis
 
     private double MayLeave(WrongProgram trial) => trial.Wordings is [{ Id: "tri-area" }] ? Scattered
         : trial.Wordings.Count + trial.Base.Kinds.Count() > 1 ? ForeignPair : Foreign;
-
-    /// <summary>Leaves out the mistakes beside others without which as much is explained.</summary>
-    private WrongProgram WithoutIdle(WrongProgram trial)
-    {
-        if (trial.Wordings.Count + trial.Base.NotYet.Count < 2) return trial;
-        foreach (var less in trial.Less)
-        {
-            var misfit = evidence.Misfit(less.Draw(prepared.Scene));
-            if (misfit.Unexplained <= trial.Misfit.Unexplained + Idle * WrongCount) return WithoutIdle(less with { Misfit = misfit });
-        }
-        return trial;
-    }
 
     /// <summary>The mistakes by which a program loses a shape that it draws, beside those that it has.</summary>
     private IEnumerable<WrongProgram> Losing(WrongProgram best)
@@ -302,7 +285,7 @@ public sealed class Diagnosis
         {
             var way = trial.Wordings.Count > 0 ? trial.Base : Unfinished.Nothing;
             twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
-                .Where(other => other != named && other.Wordings.Any(
+                .Where(other => other.Id != named.Id && other.Wordings.Any(
                     wording => evidence.AreAlike(drawn, new WrongProgram(way, [wording], trial.OtherSample).Draw(prepared.Scene))))];
         }
         var isSame = !own.Scatters && !likeliest.Scatters && evidence.AreAlike(drawn, likeliest);

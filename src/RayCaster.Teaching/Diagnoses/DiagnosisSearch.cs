@@ -3,12 +3,22 @@ using System.Numerics;
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Tries what a program may not do yet, each mistake in each of its wordings, and pairs of them, on a picture's <see cref="Evidence"/>: each
-/// round looks at more pixels of fewer trials, so that most of what is far off costs a hundred rays.
+/// Tries what a program may not do yet, each mistake in each of its wordings, and pairs of them, on the <see cref="Evidence"/> of a program's
+/// pictures: each round looks at more pixels of fewer trials, so that most of what is far off costs a hundred rays.
 /// </summary>
-internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known, Evidence evidence, int? threads, Predicate<Mistake>? likely)
+/// <remarks>
+/// Of one picture the wrong pixels count. Of several each counts 1 at most (<see cref="Evidence.Loss"/>): a picture that nothing explains does
+/// not hide what explains the others, and a mistake drops out that would show in a picture that is right.
+/// </remarks>
+/// <param name="pictures">The pictures, of a scene each.</param>
+/// <param name="known">The mistakes that are tried.</param>
+/// <param name="done">What the program surely draws.</param>
+/// <param name="threads">How many threads draw; one per core if null.</param>
+/// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
+internal sealed class DiagnosisSearch(
+    IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done, int? threads, Predicate<Mistake>? likely)
 {
-    /// <summary>What a mistake may leave unexplained, as a share of the wrong pixels, for the search to end.</summary>
+    /// <summary>What a mistake may leave unexplained, as a share of all that is wrong, for the search to end.</summary>
     private const double Explained = 0.02;
 
     /// <summary>The same where no second mistake could be worth its <see cref="WrongProgram.Cost"/>.</summary>
@@ -19,6 +29,9 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     /// <summary>The same where shapes are missing, whose pixels a second mistake may explain.</summary>
     private const double Nearly = 0.001;
+
+    /// <summary>The share of all that is wrong that each mistake of several must explain, or it is not named.</summary>
+    public const double Idle = 0.002;
 
     /// <summary>The share of the evidence that each round looks at, and how many trials are left for it at least.</summary>
     private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
@@ -56,17 +69,18 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
 
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
-    private int Wrong => evidence.WrongCount;
+    /// <summary>All that is wrong: the wrong pixels of one picture, or how many of several are wrong.</summary>
+    public double Wrong { get; } = pictures is [var only] ? only.WrongCount : pictures.Count(picture => !picture.IsRight);
 
     /// <summary>All that was looked at closely, the best first.</summary>
-    /// <param name="unfinished">All ways to be unfinished.</param>
-    /// <param name="likely">The ways to be unfinished that are tried with mistakes on top.</param>
-    public List<WrongProgram> Run(IEnumerable<Unfinished> unfinished, Func<IEnumerable<Unfinished>> likely)
+    public List<WrongProgram> Run()
     {
+        Unfinished[] unfinished = [.. Unfinished.Ways(pictures, done)];
+        var mayBeOtherSample = MayBeOtherSample();
         var plain = Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
-        var hasMesh = scene.Models.Any(model => model is Mesh);
-        var isSlow = Singles(Unfinished.Nothing, MayBeOtherSample ? [false, true] : [false])
-            .ToLookup(trial => hasMesh && trial.Draw(scene).TrianglesTried > 0);
+        Scene[] meshes = [.. pictures.Select(picture => picture.Scene).Where(scene => scene.Models.Any(model => model is Mesh))];
+        var isSlow = Singles(Unfinished.Nothing, mayBeOtherSample ? [false, true] : [false])
+            .ToLookup(trial => meshes.Any(scene => trial.Draw(scene).TrianglesTried > 0));
         var everySingle = Measured([.. isSlow[false]], Glance);
         var singles = Best(everySingle[..(everySingle.Count / 3)]);
         if (isSlow[true].Any() && !IsDone(singles, Certain)) // tried only where no quick one explains the picture
@@ -74,7 +88,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
             everySingle = Sorted([.. everySingle, .. Measured([.. isSlow[true]], Glance)]);
             singles = Best(everySingle[..(everySingle.Count / 3)]);
         }
-        if (!MayBeOtherSample)
+        if (!mayBeOtherSample)
         {
             var other = singles.Where(single => single.Id != center.Id).Take(OtherSamples).Select(single => single with { OtherSample = true });
             singles = Sorted([.. singles, .. Best([.. other])]);
@@ -93,7 +107,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         if (IsDone([.. all.Where(trial => !trial.Base.Kinds.Any())], Certain) || IsDone(all, Nearly)) return Sorted(all);
         if (IsDone(all)) return Sorted([.. all, .. Best(Pairs([.. Sorted(all).SelectMany(Written)], 2))]);
 
-        Unfinished[] ways = [.. likely().Take(Ways)];
+        Unfinished[] ways = [.. Unfinished.ByColors(pictures, done).Take(Ways)];
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
         var onTop = Best([.. ways.SelectMany(way => Singles(way, samples))]);
         all.AddRange(onTop);
@@ -107,10 +121,21 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         return Sorted(all);
     }
 
+    /// <summary>Leaves out the mistakes beside others, and the missing parts, without which as much is explained.</summary>
+    public WrongProgram WithoutIdle(WrongProgram trial)
+    {
+        if (trial.Wordings.Count + trial.Base.NotYet.Count < 2) return trial;
+        foreach (var less in trial.Less)
+        {
+            var misfit = Measure(less, 1);
+            if (misfit.Unexplained <= trial.Misfit.Unexplained + Idle * Wrong) return WithoutIdle(less with { Misfit = misfit });
+        }
+        return trial;
+    }
+
     /// <summary>Whether rays through the other place of each pixel explain so much by themselves that they are tried with every mistake, not
     /// just with the nearest.</summary>
-    private bool MayBeOtherSample { get; } =
-        evidence.Misfit(new Lab(scene, center), 0.05).Unexplained < 0.9 * evidence.WrongCount;
+    private bool MayBeOtherSample() => Measure(new(Unfinished.Nothing, [center], false), 0.05).Unexplained < 0.9 * Wrong;
 
     /// <summary>A trial, and before it the same with all shapes drawn: a shape that seems missing may be misplaced by a second mistake.</summary>
     private static WrongProgram[] Written(WrongProgram trial) =>
@@ -125,14 +150,18 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     private double Surprise(WrongProgram trial) =>
         likely is null ? 1 : Math.Pow(Unlikely, trial.Wordings.Count(wording => !likely(wording)) + (trial.OtherSample && !likely(center) ? 1 : 0));
 
-    private List<WrongProgram> Singles(Unfinished way, bool[] samples) =>
-    [
-        .. from mistake in known
-           where !way.AsMistakes.Contains(mistake)
-           from wording in mistake.Wordings
-           from otherSample in mistake == center ? (bool[])[false] : samples
-           select new WrongProgram(way, [wording], otherSample),
-    ];
+    private List<WrongProgram> Singles(Unfinished way, bool[] samples)
+    {
+        string[] drawn = [.. Unfinished.KindsOf(pictures).Except(way.Kinds)];
+        return
+        [
+            .. from mistake in known
+               where mistake.Touches(drawn) && !way.AsMistakes.Contains(mistake)
+               from wording in mistake.Wordings
+               from otherSample in mistake == center ? (bool[])[false] : samples
+               select new WrongProgram(way, [wording], otherSample),
+        ];
+    }
 
     /// <summary>Without those that stand beside rays through the other place of each pixel and explain no more than these alone.</summary>
     private static List<WrongProgram> WithoutIdle(List<WrongProgram> singles)
@@ -145,7 +174,7 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
     private List<WrongProgram> Pairs(List<WrongProgram> singles, int partners) =>
     [
         .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)]).Take(partners + 1)
-           let left = evidence.Beside(first.Draw(scene))
+           let left = pictures.Select(picture => picture.Beside(first.Draw(picture.Scene))).ToArray()
            let seconds = from other in known
                          where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
                          from wording in other.Wordings
@@ -210,11 +239,18 @@ internal sealed class DiagnosisSearch(Scene scene, IReadOnlyList<Mistake> known,
         return trials;
     }
 
-    private List<WrongProgram> Measured(List<WrongProgram> trials, double share, Evidence? left = null)
+    private List<WrongProgram> Measured(List<WrongProgram> trials, double share, IReadOnlyList<Evidence>? left = null)
     {
         var measured = new WrongProgram[trials.Count];
         Parallel.For(0, trials.Count, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount },
-            i => measured[i] = trials[i] with { Misfit = (left ?? evidence).Misfit(trials[i].Draw(scene), share) });
+            i => measured[i] = trials[i] with { Misfit = Measure(trials[i], share, left) });
         return Sorted([.. measured]);
+    }
+
+    private Misfit Measure(WrongProgram trial, double share, IReadOnlyList<Evidence>? left = null)
+    {
+        var among = left ?? pictures;
+        return among is [var only] ? only.Misfit(trial.Draw(only.Scene), share)
+            : new(among.Sum(picture => picture.Loss(picture.Misfit(trial.Draw(picture.Scene), share))), 0);
     }
 }

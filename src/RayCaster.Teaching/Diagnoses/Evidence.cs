@@ -21,18 +21,24 @@ internal sealed class Evidence
     /// <summary>The share of pixels on outlines, at most; where more are wrong, these do not matter.</summary>
     private const double FewPixels = 0.03;
 
-    private readonly Picture picture, right;
+    /// <summary>
+    /// Unexplained shares of several pictures are compared by their logarithms: a tenth is to a hundredth as a hundredth is to a thousandth.
+    /// Shares below this one are taken as equal.
+    /// </summary>
+    private const double LeastShare = 0.002;
+
     private readonly int most;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
     /// <param name="scene">The scene.</param>
     /// <param name="right">Its own picture; may have another size, then everything is wrong.</param>
     /// <param name="picture">The picture to be diagnosed.</param>
-    /// <param name="most">How many pixels are looked at, at most.</param>
+    /// <param name="pixels">How many pixels are looked at, at most; fewer in a scene of many models.</param>
     /// <param name="forgiveOutlines">Whether the pixels of <see cref="OutlineCount"/> are left out.</param>
-    public Evidence(Scene scene, Picture right, Picture picture, int most, bool forgiveOutlines = true)
+    public Evidence(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true)
     {
-        (this.picture, this.right, this.most) = (picture, right, most / 2);
+        (Scene, Picture, Right) = (scene, picture, right);
+        most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // the time stays
         var sameSize = (right.Width, right.Height) == (picture.Width, picture.Height);
         var difference = sameSize ? new PictureDifference(picture, right) : null;
         List<int> wrong = [], other = [];
@@ -46,9 +52,9 @@ internal sealed class Evidence
             if (outlines.CanJudge(wrong.Count)) OutlineCount += wrong.RemoveAll(i => At(i) is var (x, y) && outlines.MayShow(picture[x, y], x, y));
         }
         WrongCount = wrong.Count;
-        IsOnlyOutlines = sameSize && WrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(i => ShowsNeighbour(right, i));
-        wrongPixels = Spread(wrong, this.most);
-        otherPixels = Spread(other, this.most);
+        IsOnlyOutlines = sameSize && WrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(ShowsNeighbour);
+        wrongPixels = Spread(wrong, most);
+        otherPixels = Spread(other, most);
     }
 
     /// <summary>The same pixels, seen by someone who knows of a mistake: wrong are those that it does not explain.</summary>
@@ -56,15 +62,24 @@ internal sealed class Evidence
     /// <param name="first">Draws with the mistake.</param>
     private Evidence(Evidence whole, Lab first)
     {
-        (picture, right, most) = (whole.picture, whole.right, whole.most);
+        (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
         ILookup<bool, int> isExplained = whole.wrongPixels.Take(Affordable(most, first)).Concat(whole.otherPixels.Take(Affordable(most, first)))
-            .ToLookup(pixel => At(pixel) is var (x, y) && IsNear(first[x, y], picture[x, y]));
+            .ToLookup(pixel => At(pixel) is var (x, y) && IsNear(first[x, y], Picture[x, y]));
         (wrongPixels, otherPixels) = ([.. isExplained[false]], [.. isExplained[true]]);
         WrongCount = (int)whole.Misfit(first).Unexplained;
     }
 
+    /// <summary>The scene that the picture is meant to show.</summary>
+    public Scene Scene { get; }
+
+    /// <summary>Its own picture.</summary>
+    public Picture Right { get; }
+
+    /// <summary>The picture to be diagnosed.</summary>
+    public Picture Picture { get; }
+
     /// <summary>How many pixels the picture has.</summary>
-    public int PixelCount => picture.Width * picture.Height;
+    public int PixelCount => Picture.Width * Picture.Height;
 
     /// <summary>In how many pixels the picture is wrong.</summary>
     public int WrongCount { get; }
@@ -80,6 +95,12 @@ internal sealed class Evidence
 
     /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
     public bool IsOnlyOutlines { get; }
+
+    /// <summary>Whether it is the scene's picture, but for rounding and single pixels on outlines.</summary>
+    public bool IsRight => WrongCount == 0 || IsOnlyOutlines;
+
+    /// <summary>The fewest pixels that count: those that a visible mistake changes at least, or about one that is looked at.</summary>
+    public double LeastPixels => Math.Max(SceneFitness.LeastPixels, (double)WrongCount / most);
 
     /// <summary>Draws the pixels of the evidence, to be compared with what several labs draw.</summary>
     public Drawn Draw(Lab lab)
@@ -113,13 +134,21 @@ internal sealed class Evidence
     /// <summary>What speaks for a second mistake beside a first one.</summary>
     public Evidence Beside(Lab first) => new(this, first);
 
+    /// <summary>What a misfit is beside those of other pictures: 0 for nothing, 1 for all that is wrong, or more.</summary>
+    public double Loss(Misfit misfit) => Math.Min(1,
+        Math.Log(1 + misfit.Weight / PixelCount / LeastShare) / Math.Log(1 + Math.Max((double)WrongCount / PixelCount, LeastShare) / LeastShare));
+
+    /// <summary>Whether a program explains the picture, but for pixels that last bits may change.</summary>
+    public bool IsExplainedBy(WrongProgram program) => Misfit(program.Draw(Scene)).Weight
+        <= Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LeastShare * PixelCount, 3 * LeastShare * PixelCount));
+
     /// <summary>The number of pixels that a mistake leaves unexplained, told from those that are looked at.</summary>
     /// <param name="lab">Draws with the mistake.</param>
     /// <param name="share">What share of as many pixels as are chosen at most is looked at; few are enough to see that a mistake is far off.</param>
     public Misfit Misfit(Lab lab, double share = 1)
     {
-        if ((lab.Width, lab.Height) != (picture.Width, picture.Height) || lab.TakesTooLong) return RayCaster.Teaching.Misfit.Complete(PixelCount);
-        if (lab.Scatters && (right.Width, right.Height) != (picture.Width, picture.Height)) return RayCaster.Teaching.Misfit.Complete(PixelCount);
+        if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong) return RayCaster.Teaching.Misfit.Complete(PixelCount);
+        if (lab.Scatters && (Right.Width, Right.Height) != (Picture.Width, Picture.Height)) return RayCaster.Teaching.Misfit.Complete(PixelCount);
         return Misfit(lab, wrongPixels, WrongCount, share) + Misfit(lab, otherPixels, PixelCount - WrongCount, share);
     }
 
@@ -131,10 +160,10 @@ internal sealed class Evidence
         for (var k = 0; k < count; k++)
         {
             var (x, y) = At(pixels[k]);
-            var difference = PictureDifference.Levels(lab[x, y], picture[x, y]);
+            var difference = PictureDifference.Levels(lab[x, y], Picture[x, y]);
             if (lab.Scatters)
             {
-                var toRight = PictureDifference.Levels(right[x, y], picture[x, y]);
+                var toRight = PictureDifference.Levels(Right[x, y], Picture[x, y]);
                 if (toRight > Tolerance && difference <= Tolerance) unexplained += Chance;
                 difference = Math.Min(difference, toRight);
             }
@@ -162,18 +191,11 @@ internal sealed class Evidence
     }
 
     /// <summary>Where a pixel is.</summary>
-    private (int X, int Y) At(int pixel) => (pixel % picture.Width, pixel / picture.Width);
+    private (int X, int Y) At(int pixel) => (pixel % Picture.Width, pixel / Picture.Width);
 
     private static bool IsNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) => PictureDifference.Levels(a, b) <= Tolerance;
 
-    private bool ShowsNeighbour(Picture right, int pixel)
-    {
-        var (x, y) = At(pixel);
-        for (var ny = Math.Max(0, y - 1); ny <= Math.Min(y + 1, right.Height - 1); ny++)
-            for (var nx = Math.Max(0, x - 1); nx <= Math.Min(x + 1, right.Width - 1); nx++)
-                if (IsNear(picture[x, y], right[nx, ny])) return true;
-        return false;
-    }
+    private bool ShowsNeighbour(int pixel) => At(pixel) is var (x, y) && Right.ShowsAround(x, y, Picture[x, y]);
 
     /// <summary>Takes so many of a list that any beginning of what is taken is spread over the whole: steps of the golden section.</summary>
     private static int[] Spread(List<int> all, int most)

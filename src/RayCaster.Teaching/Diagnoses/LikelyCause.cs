@@ -25,8 +25,9 @@ internal static class LikelyCause
     }
 
     /// <summary>What may be said besides.</summary>
-    public static IEnumerable<string> Hints(Scene scene, SceneDifference byModels, Picture picture, Picture right)
+    public static IEnumerable<string> Hints(SceneDifference byModels, Evidence evidence)
     {
+        var (scene, picture, right) = (evidence.Scene, evidence.Picture, evidence.Right);
         if (Unwritten(picture, right) is { } unwritten)
         {
             yield return unwritten;
@@ -34,7 +35,7 @@ internal static class LikelyCause
         }
         var meant = ModelsText.Meant(byModels);
         var kinds = meant.Where(model => model.Model >= 0).Select(model => scene.Models[model.Model].Kind).Distinct().ToArray();
-        if (HasSameOutlines(scene, byModels, picture, right))
+        if (InAnotherLight(evidence, byModels.ModelAt).Count > 0)
         {
             yield return meant is [{ } only] ? $"Only {only.Name}: the same outline, but another light. Is its t right?"
                 : kinds is [var kind] && scene.Models.Any(model => model.Kind != kind)
@@ -62,8 +63,9 @@ internal static class LikelyCause
     }
 
     /// <summary>What is wrong with a picture as a whole: its colours, its outlines, or where they are; null where nothing can be said.</summary>
-    public static string? OfTheWhole(Scene scene, Picture picture, Picture right, int wrong)
+    public static string? OfTheWhole(Evidence evidence)
     {
+        var (scene, picture) = (evidence.Scene, evidence.Picture);
         var background = scene.Background.ToBytes();
         var count = picture.Width * picture.Height;
         var (strange, looked) = (0, Math.Min(4000, count));
@@ -81,9 +83,9 @@ internal static class LikelyCause
                 $"This is another picture, or its colours were changed: {100.0 * strange / looked:0} % of its pixels have a colour " +
                 $"that no model of the scene has in any light.");
         }
-        if (IsWrongOnlyOnOutlines(picture, right))
+        if (IsWrongOnlyOnOutlines(picture, evidence.Right))
             return "Only outlines are wrong: look at where in its pixel a ray passes. Was the picture scaled or smoothed on its way?";
-        return strange > looked / 10 || wrong < count / 3 ? null
+        return strange > looked / 10 || evidence.WrongCount < count / 3 ? null
             : "Its colours are those of the scene, but the outlines are others: look at the camera (P, T, up), at h and w, uc and ur, " +
                 "and at which hit is the nearest.";
     }
@@ -107,25 +109,33 @@ internal static class LikelyCause
         return outlines > 0.5 * wrong;
     }
 
-    /// <summary>Whether every pixel shows the model that it should, in some light.</summary>
-    private static bool HasSameOutlines(Scene scene, SceneDifference byModels, Picture picture, Picture right)
+    /// <summary>
+    /// In how many wrong pixels each kind of shape and the background shows, if nearly all of them show what they should in another light; empty
+    /// if not. A clamped channel has lost the ratio of the colours, so such pixels do not count.
+    /// </summary>
+    /// <param name="models">The model that each pixel should show, by its place in reading order; −1 for the background.</param>
+    public static IReadOnlyDictionary<string, int> InAnotherLight(Evidence evidence, IReadOnlyList<int> models)
     {
-        var (wrong, same, edges) = (0, 0, 0);
-        for (var i = 0; i < right.Width * right.Height; i++)
+        var (scene, picture, right) = (evidence.Scene, evidence.Picture, evidence.Right);
+        var (wrong, edges, count, none) = (0, 0, new Dictionary<string, int>(), new Dictionary<string, int>());
+        if ((picture.Width, picture.Height) != (right.Width, right.Height)) return none;
+        for (var i = 0; i < models.Count; i++)
         {
-            var (x, y) = (i % right.Width, i / right.Width);
+            var (y, x) = Math.DivRem(i, right.Width);
             var shown = picture[x, y];
-            if (PictureDifference.Levels(shown, right[x, y]) <= Evidence.Tolerance) continue;
+            if (PictureDifference.Levels(shown, right[x, y]) <= Evidence.Tolerance || IsClamped(shown) || IsClamped(right[x, y])) continue;
             wrong++;
-            var model = byModels.ModelAt(i);
-            if (model >= 0 && Unfinished.IsShadeOf(shown, scene.Models[model].Color)) same++;
+            var (kind, color) = models[i] < 0 ? ("background", scene.Background) : (scene.Models[models[i]].Kind, scene.Models[models[i]].Color);
+            if (Unfinished.IsShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
             // Of two grey models each is a shade of the other, and black is a shade of all: there a new edge tells.
             if ((x > 0 && IsNewEdge(x - 1, y)) || (y > 0 && IsNewEdge(x, y - 1))) edges++;
 
             bool IsNewEdge(int nx, int ny) =>
                 PictureDifference.Levels(right[x, y], right[nx, ny]) <= 8 && PictureDifference.Levels(shown, picture[nx, ny]) > 40;
         }
-        return same >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong); // a cut through an area is about as long as its side
+        return count.Values.Sum() >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong) ? count : none; // a cut through an area is about as long as its side
+
+        static bool IsClamped((byte R, byte G, byte B) color) => Math.Max(color.R, Math.Max(color.G, color.B)) == byte.MaxValue;
     }
 
     /// <summary>Says so where the picture's upper or lower lines are black and should not be; null where not.</summary>

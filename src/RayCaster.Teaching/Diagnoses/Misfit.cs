@@ -9,7 +9,7 @@ internal readonly record struct Misfit(double Unexplained, double Error) : IComp
     public static Misfit Complete(int pixels) => new(pixels, pixels);
 
     /// <summary>One number to sort by: an unexplained pixel weighs most, how far it is off hardly.</summary>
-    private double Weight => Unexplained + 0.02 * Error;
+    public double Weight => Unexplained + 0.02 * Error;
 
     public static Misfit operator +(Misfit a, Misfit b) => new(a.Unexplained + b.Unexplained, a.Error + b.Error);
 

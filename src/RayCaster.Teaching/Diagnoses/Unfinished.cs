@@ -15,17 +15,6 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     /// <summary>A program that does all.</summary>
     public static Unfinished Nothing { get; } = new([]);
 
-    /// <summary>What is missing at each step of the lab, the last step first.</summary>
-    public static IReadOnlyList<Unfinished> InOrder { get; } =
-    [
-        new(["triangle", "mesh"]),
-        new(["triangle", "mesh", "circle"]),
-        new(["triangle", "mesh", "circle", "sphere"]),
-        new(["triangle", "mesh", "circle", "sphere", "aabb"]),
-        new(["triangle", "mesh", "circle", "sphere", "aabb", Clipping]),
-        new(["triangle", "mesh", "circle", "sphere", "aabb", Clipping, Attenuation]),
-    ];
-
     /// <summary>The kinds of shape that it does not draw.</summary>
     public IEnumerable<string> Kinds => NotYet.Where(part => part is not (Attenuation or Clipping));
 
@@ -45,11 +34,10 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
 
     /// <summary>Every way to be unfinished: each subset of the scene's kinds of shape but none and all, with and without attenuation and
     /// clipping.</summary>
-    /// <param name="models">The models of one scene, or of several.</param>
     /// <param name="done">What is surely there.</param>
-    public static IEnumerable<Unfinished> Ways(IEnumerable<Model> models, IReadOnlyCollection<string> done)
+    public static IEnumerable<Unfinished> Ways(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
-        var kinds = KindsOf(models);
+        var kinds = KindsOf(pictures);
         return from subset in Subsets([.. kinds.Except(done)])
                where subset.Length < kinds.Length
                from rest in Rest(done)
@@ -61,14 +49,17 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     /// The ways in which just those kinds are missing whose colours the picture does not show. A colour says what is drawn, wherever it is
     /// drawn; kinds that have no colour of their own may be there or not. Clipping may be missing by itself.
     /// </summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="right">Its picture: what is not seen there cannot be missed.</param>
-    /// <param name="picture">The picture in question.</param>
+    /// <param name="pictures">The pictures of one program; what is not seen in the scenes' own pictures cannot be missed.</param>
     /// <param name="done">What is surely there.</param>
-    public static IEnumerable<Unfinished> ByColors(Scene scene, Picture right, Picture picture, IReadOnlyCollection<string> done)
+    public static IEnumerable<Unfinished> ByColors(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
-        var kinds = KindsOf(scene.Models);
-        var (expected, seen) = (Seen(scene, right, kinds), Seen(scene, picture, kinds));
+        var kinds = KindsOf(pictures);
+        var (expected, seen) = (new int[kinds.Length], new int[kinds.Length]);
+        foreach (var picture in pictures)
+        {
+            Look(picture.Scene, picture.Right, kinds, expected);
+            Look(picture.Scene, picture.Picture, kinds, seen);
+        }
         string[] missing = [.. kinds.Where((kind, i) => expected[i] > 0 && seen[i] <= expected[i] / 500 && !done.Contains(kind))];
         string[] doubtful = [.. kinds.Where((kind, i) => expected[i] == 0 && !done.Contains(kind))];
         return from more in Subsets(doubtful)
@@ -78,17 +69,18 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
                select new Unfinished([.. missing, .. more, .. rest]);
     }
 
-    private static string[] KindsOf(IEnumerable<Model> models) => [.. models.Select(model => model.Kind).Distinct()];
+    /// <summary>The kinds of shape in the pictures' scenes.</summary>
+    public static string[] KindsOf(IReadOnlyList<Evidence> pictures) =>
+        [.. pictures.SelectMany(picture => picture.Scene.Models).Select(model => model.Kind).Distinct()];
 
     private static IEnumerable<string[]> Rest(IReadOnlyCollection<string> done) => Subsets([.. ((string[])[Attenuation, Clipping]).Except(done)]);
 
     private static IEnumerable<string[]> Subsets(string[] all) =>
         Enumerable.Range(0, 1 << all.Length).Select(bits => all.Where((_, i) => (bits >> i & 1) != 0).ToArray());
 
-    /// <summary>In how many pixels of some thousands each kind shows a colour that no other kind has.</summary>
-    private static int[] Seen(Scene scene, Picture picture, string[] kinds)
+    /// <summary>Counts in how many pixels of some thousands each kind shows a colour that no other kind has.</summary>
+    private static void Look(Scene scene, Picture picture, string[] kinds, int[] seen)
     {
-        var seen = new int[kinds.Length];
         var places = new GoldenSteps(picture.Width * picture.Height);
         for (var k = 0; k < Math.Min(8000, picture.Width * picture.Height); k++)
         {
@@ -105,7 +97,6 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
             }
             if (only >= 0 && !several) seen[only]++;
         }
-        return seen;
     }
 
     /// <summary>Whether bytes are a colour in some light.</summary>

@@ -12,6 +12,12 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>Equal for trials that differ in wordings and samples alone.</summary>
     public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id)).Order(StringComparer.Ordinal));
 
+    /// <summary>The ids of its mistakes; rays through the other place of each pixel are one.</summary>
+    public IEnumerable<string> MistakeIds => Wordings.Select(wording => wording.Id).Concat(OtherSample ? [center.Id] : []);
+
+    /// <summary>How many parts are missing, and how many mistakes there are.</summary>
+    public (int Missing, int Mistakes) Parts => (Base.NotYet.Count, MistakeIds.Count());
+
     /// <summary>The same without one of its mistakes, or with one thing written that was not, for each of them; nothing is measured yet.</summary>
     public IEnumerable<WrongProgram> Less =>
     [
@@ -25,16 +31,15 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>Draws the scene so.</summary>
     public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Wordings, .. OtherSample ? (Mistake[])[center] : []]));
 
-    /// <summary>The mistakes to be named: those of the catalogue, by their first wordings.</summary>
-    public IReadOnlyList<Mistake> Named =>
-        [.. Wordings.Concat(Base.Kinds.Any() ? [] : Base.AsMistakes).Select(wording => MistakeCatalog.Named(wording.Id)!)];
+    /// <summary>The mistakes to be named.</summary>
+    public IReadOnlyList<Mistake> Named => [.. Wordings, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
 
     /// <summary>
     /// What it leaves unexplained, the more the more it assumes: two mistakes explain any picture better than one, and that something is not
     /// written yet is the simplest of all.
     /// </summary>
-    /// <param name="wrong">How many pixels are wrong.</param>
-    public double Cost(int wrong) =>
+    /// <param name="wrong">All that is wrong, as <see cref="Misfit"/> counts it.</param>
+    public double Cost(double wrong) =>
         (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong)
         * Math.Pow(1 / 0.6, Wordings.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count);
 }

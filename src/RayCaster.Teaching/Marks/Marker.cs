@@ -9,17 +9,17 @@ internal sealed class Marker(Rubric rubric)
     {
         List<ScenePicture> pictures = [
             .. submitted.Where(picture => picture.CanBeJudged).Select(picture => new ScenePicture(picture.Scene, picture.Picture!))];
-        var diagnosis = JointDiagnosis.Of(pictures, rubric.Known);
+        var diagnosis = new JointDiagnosis(pictures, rubric.Known);
         SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
         var verdict = diagnosis.Verdict;
         return new(student, digest, Items(diagnosis, pictures), scenes,
-            [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.Wordings.Select(wording => wording.Id)],
+            [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.MistakeIds],
             [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
 
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
     private static List<MarkedScene> Told(List<ScenePicture> pictures, JointDiagnosis diagnosis) =>
-        [.. pictures.Except(diagnosis.Unexplained).Where(picture => picture.IsRight || !diagnosis.IsGuess).Select(picture => picture.Of)];
+        [.. pictures.Except(diagnosis.Unexplained).Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess).Select(picture => picture.Of)];
 
     private List<ItemMarks> Items(JointDiagnosis diagnosis, List<ScenePicture> pictures)
     {
@@ -59,14 +59,14 @@ internal sealed class Marker(Rubric rubric)
     {
         string[] undone = [.. program.Base.NotYet.Intersect(item.Undone)];
         if (undone.Length > 0) return (item.Points, undone);
-        string[] mistakes = [.. program.Wordings.Select(wording => wording.Id).Intersect(item.Mistakes)];
+        string[] mistakes = [.. program.MistakeIds.Intersect(item.Mistakes)];
         return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
     }
 
     private static SceneMarks Judge(SubmittedPicture submitted, ScenePicture? picture, JointDiagnosis diagnosis)
     {
         var verdict = picture is null ? SceneVerdict.NoPicture
-            : picture.IsRight ? SceneVerdict.Right
+            : picture.Evidence.IsRight ? SceneVerdict.Right
             : diagnosis.Unexplained.Contains(picture) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
         var isShown = submitted.Picture is not null && verdict != SceneVerdict.Right;
@@ -100,5 +100,5 @@ internal sealed class Marker(Rubric rubric)
         select string.Join(", ", same);
 
     private static string Names(WrongProgram program) => string.Join(" + ",
-        program.Base.NotYet.Select(part => $"no {part}").Concat(program.Wordings.Select(wording => wording.Id)));
+        program.Base.NotYet.Select(part => $"no {part}").Concat(program.MistakeIds));
 }
