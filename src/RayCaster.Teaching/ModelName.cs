@@ -12,9 +12,7 @@ internal static class ModelName
         if (model < 0) return Background;
         if (string.IsNullOrEmpty(scene.Models[model].Name)) return Typed(scene, model);
         var name = $"`{scene.Models[model].Name}`";
-        for (var i = 0; i < scene.Models.Count; i++)
-            if (i != model && scene.Models[i].Name == scene.Models[model].Name) return $"{name} (models[{model}])";
-        return name;
+        return scene.Models.Count(other => other.Name == scene.Models[model].Name) > 1 ? $"{name} (models[{model}])" : name;
     }
 
     /// <summary>For a table: the name, or path and type.</summary>

@@ -70,17 +70,16 @@ internal static class AxisMistakes
             "The picture is mirrored at its rising diagonal; in a wide picture it is stretched, too.",
             "Columns count to the right. Which of U and V points to the right?",
             "d = (uc U + ur V − W) normalised.")
-            .Or(from signs in ((string U, string V, int OfU, int OfV)[])[("", "−", 1, -1), ("−", "", -1, 1), ("−", "−", -1, -1)]
-                select ($"d = {signs.U}ur U + {signs.V}uc V − W", (Action<Lab>)(lab => lab.Towards.Becomes(towards => (uc, ur) =>
-                    towards(signs.OfU * ur, signs.OfV * uc)))))
             .Or("uc = w r / width − w / 2", lab => lab.Sample.Becomes(sample => (_, r) => sample(r, r)))
             .Or("ur = h c / height − h / 2", lab => lab.Sample.Becomes(sample => (c, _) => sample(c, c)))
-            .Or("d = uc U + uc V − W", lab => lab.Towards.Becomes(towards => (uc, _) => towards(uc, uc)))
-            .Or("d = ur U + ur V − W", lab => lab.Towards.Becomes(towards => (_, ur) => towards(ur, ur)))
-            .Or("d = uc U + ur U − W", lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc + ur, 0)))
-            .Or("d = uc V + ur V − W", lab => lab.Towards.Becomes(towards => (uc, ur) => towards(0, uc + ur)))
-            .Or("d = ur V − W", lab => lab.Towards.Becomes(towards => (_, ur) => towards(0, ur)))
-            .Or("d = uc U − W", lab => lab.Towards.Becomes(towards => (uc, _) => towards(uc, 0))),
+            .Or(from d in ((string Is, Func<double, double, (double U, double V)> Of)[])
+                [
+                    ("uc U + uc V", (uc, _) => (uc, uc)), ("ur U + ur V", (_, ur) => (ur, ur)), ("uc U + ur U", (uc, ur) => (uc + ur, 0)),
+                    ("uc V + ur V", (uc, ur) => (0, uc + ur)), ("ur V", (_, ur) => (0, ur)), ("uc U", (uc, _) => (uc, 0)),
+                    ("ur U − uc V", (uc, ur) => (ur, -uc)), ("−ur U + uc V", (uc, ur) => (-ur, uc)), ("−ur U − uc V", (uc, ur) => (-ur, -uc)),
+                ]
+                select ($"d = {d.Is} − W", (Action<Lab>)(lab => lab.Towards.Becomes(towards => (uc, ur) =>
+                    d.Of(uc, ur) is var (ofU, ofV) ? towards(ofU, ofV) : default)))),
     ];
 
     /// <summary>Another vector in the place of W where U is computed, in either order.</summary>

@@ -37,12 +37,9 @@ internal static class ColorMistakes
             "Everything is flat: each model has one colour.",
             "What makes a farther hit darker?",
             "colour = (1 − t / (2 |T − P|)) · the model's colour.")
-            .Or("only red is attenuated", Lit((light, own) => new(light.R, own.G, own.B)))
-            .Or("only green is attenuated", Lit((light, own) => new(own.R, light.G, own.B)))
-            .Or("only blue is attenuated", Lit((light, own) => new(own.R, own.G, light.B)))
-            .Or("red is not attenuated", Lit((light, own) => new(own.R, light.G, light.B)))
-            .Or("green is not attenuated", Lit((light, own) => new(light.R, own.G, light.B)))
-            .Or("blue is not attenuated", Lit((light, own) => new(light.R, light.G, own.B))),
+            .Or(from dark in (string[])["red", "green", "blue", "green and blue", "red and blue", "red and green"]
+                select ($"only {dark} attenuated", Lit((light, own) => new(
+                    dark.Contains("red") ? light.R : own.R, dark.Contains("green") ? light.G : own.G, dark.Contains("blue") ? light.B : own.B)))),
         new Mistake("att-origin", Concerns.Color, Slides.Shading, "attenuation by the hit's distance from the origin of the world",
             lab => lab.Distance.Is((t, d) => lab.Length.Do(lab.P + t * d)),
             "What is close to the point (0, 0, 0) is bright, wherever the camera is.",
@@ -122,10 +119,7 @@ internal static class ColorMistakes
             "The picture is too bright and pale; black and full light are right.",
             "Is there anything between the channel and × 255?",
             "No gamma: the channel between 0 and 1, times 255, rounded.")
-            .Or("a gamma of 2.2", Gamma(1 / 2.2))
-            .Or("a gamma of 1.8", Gamma(1 / 1.8))
-            .Or("a gamma of 2.4", Gamma(1 / 2.4))
-            .Or("a gamma of 3", Gamma(1 / 3.0))
+            .Or(from gamma in (double[])[2.2, 1.8, 2.4, 3] select (FormattableString.Invariant($"a gamma of {gamma}"), Gamma(1 / gamma)))
             .Or("the gamma of sRGB", lab => lab.Clamp.Becomes(clamp => channel =>
                 clamp(channel) is var c and <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(clamp(channel), 1 / 2.4) - 0.055))
             .Or("a gamma of 2 the wrong way: each channel squared", Gamma(2))

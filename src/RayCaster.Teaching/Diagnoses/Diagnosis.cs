@@ -165,9 +165,6 @@ public sealed class Diagnosis
     /// <summary>The share of pixels that are right but for a channel that is one level darker: rounding instead of truncating.</summary>
     public double DarkerShare { get; }
 
-    /// <summary>What share of the picture so many pixels are.</summary>
-    public double Share(double pixels) => pixels / PixelCount;
-
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
     /// <param name="scene">The scene that it is meant to show, at the picture's size.</param>
     /// <param name="picture">The picture; its size is the scene's, or that turned by a quarter.</param>

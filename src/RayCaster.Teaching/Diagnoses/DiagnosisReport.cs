@@ -21,8 +21,7 @@ public static class DiagnosisReport
             AppendMatch(text, diagnosis, picture, scene);
             return text.ToString();
         }
-        text.AppendLine($"{picture} is not the picture of {scene}: {Pixels(diagnosis.WrongCount)} of {diagnosis.PixelCount:N0} " +
-            $"({Percent(diagnosis.Share(diagnosis.WrongCount))}) differ.");
+        text.AppendLine($"{picture} is not the picture of {scene}: {ComparisonText.Part(diagnosis.WrongCount, diagnosis.PixelCount)} differ.");
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
             Wrap(text, "",
@@ -43,9 +42,9 @@ public static class DiagnosisReport
         if (diagnosis.ProvesNothing)
             text.AppendLine($"The picture of {scene} is of one colour, as that of an empty world: it proves nothing.");
         text.AppendLine($"{picture} matches: it is the picture of {scene}" +
-            $"{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {Pixels(outlines)} on outlines" : "")}.");
+            $"{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {ComparisonText.Count(outlines, "pixel")} on outlines" : "")}.");
         if (diagnosis.DarkerShare > 0.05)
-            text.AppendLine($"{Percent(diagnosis.DarkerShare)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, " +
+            text.AppendLine($"{ComparisonText.Share((int)(diagnosis.DarkerShare * diagnosis.PixelCount), diagnosis.PixelCount)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, " +
                 "where truncating takes 255 x.");
     }
 
@@ -201,13 +200,7 @@ public static class DiagnosisReport
 
     private static string Rest(Diagnosis diagnosis, Suspect suspect) => suspect.Unexplained < 0.5
         ? "nothing unexplained"
-        : $"{Percent(diagnosis.Share(suspect.Unexplained))} of the pixels unexplained";
-
-    private static string Pixels(int count) => count == 1 ? "1 pixel" : string.Create(CultureInfo.InvariantCulture, $"{count:N0} pixels");
-
-    private static string Percent(double share) => share is > 0 and < 0.0001
-        ? "less than 0.01 %"
-        : string.Create(CultureInfo.InvariantCulture, $"{100 * share:0.##} %");
+        : $"{ComparisonText.Share((int)Math.Round(suspect.Unexplained), diagnosis.PixelCount)} of the pixels unexplained";
 
     private static void Wrap(StringBuilder text, string head, string words)
     {

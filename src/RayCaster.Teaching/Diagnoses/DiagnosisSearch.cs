@@ -69,6 +69,8 @@ internal sealed class DiagnosisSearch(
 
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
+    private readonly string[] kinds = Unfinished.KindsOf(pictures);
+
     /// <summary>All that is wrong: the wrong pixels of one picture, or how many of several are wrong.</summary>
     public double Wrong { get; } = pictures is [var only] ? only.WrongCount : pictures.Count(picture => !picture.IsRight);
 
@@ -100,7 +102,7 @@ internal sealed class DiagnosisSearch(
         [
             .. from single in singles.DistinctBy(single => single.Id).Take(Besides)
                from way in unfinished
-               where way.Kinds.Any()
+               where way.Kinds.Any() && single.Wordings.All(wording => MayShow(wording, way))
                select single with { Base = way },
         ]);
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
@@ -150,18 +152,18 @@ internal sealed class DiagnosisSearch(
     private double Surprise(WrongProgram trial) =>
         likely is null ? 1 : Math.Pow(Unlikely, trial.Wordings.Count(wording => !likely(wording)) + (trial.OtherSample && !likely(center) ? 1 : 0));
 
-    private List<WrongProgram> Singles(Unfinished way, bool[] samples)
-    {
-        string[] drawn = [.. Unfinished.KindsOf(pictures).Except(way.Kinds)];
-        return
-        [
-            .. from mistake in known
-               where mistake.Touches(drawn) && !way.AsMistakes.Contains(mistake)
-               from wording in mistake.Wordings
-               from otherSample in mistake == center ? (bool[])[false] : samples
-               select new WrongProgram(way, [wording], otherSample),
-        ];
-    }
+    private List<WrongProgram> Singles(Unfinished way, bool[] samples) =>
+    [
+        .. from mistake in known
+           where MayShow(mistake, way)
+           from wording in mistake.Wordings
+           from otherSample in mistake == center ? (bool[])[false] : samples
+           select new WrongProgram(way, [wording], otherSample),
+    ];
+
+    /// <summary>Whether a program that is unfinished in a way may show a mistake besides.</summary>
+    private bool MayShow(Mistake mistake, Unfinished way) =>
+        !way.AsMistakes.Contains(mistake) && mistake.Touches(kinds.Where(kind => !way.NotYet.Contains(kind)));
 
     /// <summary>Without those that stand beside rays through the other place of each pixel and explain no more than these alone.</summary>
     private static List<WrongProgram> WithoutIdle(List<WrongProgram> singles)

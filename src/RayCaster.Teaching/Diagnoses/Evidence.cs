@@ -200,10 +200,7 @@ internal sealed class Evidence
     /// <summary>Takes so many of a list that any beginning of what is taken is spread over the whole: steps of the golden section.</summary>
     private static int[] Spread(List<int> all, int most)
     {
-        var taken = new int[Math.Min(all.Count, most)];
-        if (taken.Length == 0) return taken;
-        var place = new GoldenSteps(all.Count);
-        for (var k = 0; k < taken.Length; k++) taken[k] = all[place[k]];
-        return taken;
+        var place = new GoldenSteps(Math.Max(1, all.Count));
+        return [.. Enumerable.Range(0, Math.Min(all.Count, most)).Select(k => all[place[k]])];
     }
 }

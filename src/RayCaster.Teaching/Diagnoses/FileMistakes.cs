@@ -31,21 +31,12 @@ internal static class FileMistakes
             .Or("line y begins at y · height, where y · width is meant", Stride(fromTop: true))
             .Or("line y begins at y · height, and the lowest line is written first", Stride(fromTop: false)),
         new Mistake("bgr", Concerns.File, Slides.Template, "red and blue swapped",
-            Order((r, g, b) => (b, g, r)),
+            Order("bgr"),
             "Two colours are swapped: what should be red is blue, say.",
             "In which order does the file format want the three bytes?",
             "Red, green, blue.")
-            .Or("red and green swapped", Order((r, g, b) => (g, r, b)))
-            .Or("green and blue swapped", Order((r, g, b) => (r, b, g)))
-            .Or("green, blue, red", Order((r, g, b) => (g, b, r)))
-            .Or("blue, red, green", Order((r, g, b) => (b, r, g)))
-            .Or("red three times", Order((r, _, _) => (r, r, r)))
-            .Or("red twice, no green", Order((r, _, b) => (r, r, b)))
-            .Or("red twice, no blue", Order((r, g, _) => (r, g, r)))
-            .Or("green twice, no blue", Order((r, g, _) => (r, g, g)))
-            .Or("green twice, no red", Order((_, g, b) => (g, g, b)))
-            .Or("blue twice, no red", Order((_, g, b) => (b, g, b)))
-            .Or("blue twice, no green", Order((r, _, b) => (r, b, b))),
+            .Or(from order in (string[])["grb", "rbg", "gbr", "brg", "rrr", "rrb", "rgr", "rgg", "ggb", "bgb", "rbb"]
+                select ($"the bytes are {order[0]}, {order[1]} and {order[2]}", Order(order))),
         new("whswap", Concerns.File, Slides.Template, "width and height swapped in the file's header",
             Turned((x, y, width, height) => ((y * width + x) % height, (y * width + x) / height)),
             "The picture is sheared into stripes, and its sides are swapped.",
@@ -56,11 +47,8 @@ internal static class FileMistakes
             "The colours have moved on: what should be red is green, green is blue, blue is red.",
             "Which bytes follow the 255 of the header, and how many?",
             "Exactly one white-space byte, then the pixels: write \"\\n\", not WriteLine, which ends with \"\\r\\n\" on Windows.")
-            .Or("two bytes too many between the header and the pixels", Bytes(2))
-            .Or("three bytes too many between the header and the pixels", Bytes(3))
-            .Or("one byte too few between the header and the pixels", Bytes(-1))
-            .Or("two bytes too few between the header and the pixels", Bytes(-2))
-            .Or("three bytes too few between the header and the pixels", Bytes(-3)),
+            .Or(from many in (int[])[2, 3, -1, -2, -3]
+                select ($"{Math.Abs(many)} bytes too {(many > 0 ? "many" : "few")} between the header and the pixels", Bytes(many))),
         new Mistake("row-off", Concerns.File, Slides.Template, "line y shows row height − y, not height − 1 − y",
             lab => lab.Row.Becomes(row => y => row(y) + 1),
             "The picture is one line or one column off.",
@@ -77,12 +65,10 @@ internal static class FileMistakes
                 lab => lab.Row.Becomes(row => y => row(y) - 1)))
             .Or("column x shows column x − 1, column 0 none", Unwritten((x, y, width, height) => x == 0,
                 lab => lab.Column.Becomes(column => x => column(x) - 1)))
-            .Or("row 0 and column 0 are not drawn", Unwritten((x, y, width, height) => x == 0 || y == height - 1))
-            .Or("the last row and the last column are not drawn", Unwritten((x, y, width, height) => x == width - 1 || y == 0))
-            .Or("row 0 is not drawn", Unwritten((x, y, width, height) => y == height - 1))
-            .Or("the last row is not drawn", Unwritten((x, y, width, height) => y == 0))
-            .Or("column 0 is not drawn", Unwritten((x, y, width, height) => x == 0))
-            .Or("the last column is not drawn", Unwritten((x, y, width, height) => x == width - 1)),
+            .Or(from left in (string[])["first", "last"]
+                from sides in (string[])["row and column", "row", "column"]
+                select ($"the {left} {sides} are not drawn", Unwritten((x, y, width, height) =>
+                    (sides != "row" && x == (left == "first" ? 0 : width - 1)) || (sides != "column" && y == (left == "first" ? height - 1 : 0))))),
     ];
 
     /// <summary>Width and height swapped, and (x, y, width, height) of the file → the place in the picture that it shows.</summary>
@@ -117,11 +103,13 @@ internal static class FileMistakes
     private static Action<Lab> Unwritten(Func<int, int, int, int, bool> isLeftOut, Action<Lab>? besides = null) => besides + (lab =>
         lab.Shown.Becomes(shown => (x, y) => isLeftOut(x, y, lab.Width, lab.Height) ? default : shown(x, y)));
 
-    /// <summary>The three channels in another order.</summary>
-    private static Action<Lab> Order(Func<byte, byte, byte, (byte, byte, byte)> order) => lab => lab.Shown.Becomes(shown => (x, y) =>
+    /// <summary>The channels in another order, or one of them in the place of another.</summary>
+    private static Action<Lab> Order(string order) => lab => lab.Shown.Becomes(shown => (x, y) =>
     {
-        var (r, g, b) = shown(x, y);
-        return order(r, g, b);
+        var shows = shown(x, y);
+        return (Channel(0), Channel(1), Channel(2));
+
+        byte Channel(int place) => order[place] switch { 'r' => shows.R, 'g' => shows.G, _ => shows.B };
     });
 
     /// <summary>All bytes so many places farther on in the file; what is before the first is a line break.</summary>

@@ -1,3 +1,5 @@
+using System.Numerics;
+
 namespace RayCaster.Teaching;
 
 /// <summary>
@@ -14,15 +16,9 @@ internal readonly struct GoldenSteps
     {
         this.count = count;
         step = Math.Max(1, (long)(count * 0.618033988749895));
-        while (!AreCoprime(step, count)) step++;
+        while (!BigInteger.GreatestCommonDivisor(step, count).IsOne) step++;
     }
 
     /// <summary>The k-th place.</summary>
     public int this[int k] => (int)(k * step % count);
-
-    private static bool AreCoprime(long a, long b)
-    {
-        while (b != 0) (a, b) = (b, a % b);
-        return a == 1;
-    }
 }

@@ -15,63 +15,28 @@ internal sealed partial class Lab
         (Scene, models) = (scene, [.. scene.Models]);
         var camera = Camera;
         (P, T, Width, Height) = (camera.Position, camera.Target, camera.Width, camera.Height);
-        var clip = camera.ClipRange;
-        var isDepth = camera.Clip == Clip.Depth;
-        var half = camera.Sample == RayCaster.Sample.Center ? 0.5 : 0;
-
-        Unit = new(a => a / Length.Do(a));
-        AxisW = new((p, t) => -Unit.Do(t - p));
-        AxisU = new((up, w) => Unit.Do(Cross.Do(up, w)));
-        AxisV = new((w, u) => Cross.Do(w, u));
-        PlaneHeight = new(fovY => 2 * Tan.Do(fovY * Math.PI / 180 / 2));
-        PlaneWidth = new(h => h * camera.Width / camera.Height);
-        Sample = new((c, r) => (c + half, r + half));
-        Uc = new(c => w * c / camera.Width - w / 2);
-        Ur = new(r => h * r / camera.Height - h / 2);
-        Towards = new((uc, ur) => uc * U + ur * V - W);
-        Direction = new(a => Unit.Do(a));
-
-        Plane = new((plane, d) => plane.Intersect(RayOf(d)));
-        Sphere = new((sphere, d) => geometric ? Geometric(sphere, d) : sphere.Intersect(RayOf(d)));
-        Box = new((box, d) => slabs ? Slabs(box, d) : box.Intersect(RayOf(d)));
-        Circle = new((circle, d) => circle.Intersect(RayOf(d)));
-        Triangle = new((triangle, d) => triangle.Intersect(RayOf(d)));
-        Faces = new(FacesOf);
-        Slab = new((axis, box, d) => Faces.Do(axis, box, d) is var (t0, t1) ? Order.Do(axis, t0, t1, d) : default);
-        TriangleT = new((A, n, d) => (A - P) * n / (d * n));
-        TriangleX = new((t, d) => P + t * d);
-
-        Ahead = new(t => clip.IsAhead(t));
-        Near = new((t, depth) => clip.IsBeyondNear(isDepth ? depth : t));
-        Far = new((t, depth) => clip.IsWithinFar(isDepth ? depth : t));
-        Clipped = new((t, depth) => Near.Do(t, depth) && Far.Do(t, depth));
-        Depth = new((t, d) => t * -(d * W));
-        First = new((crossed, d) => Counts(crossed.Near, d) ? crossed.Near : Counts(crossed.Far, d) ? crossed.Far : null);
-        Hit = new(HitOf);
-
-        Replaces = new((t, best) => Better.Do(t, best));
-        Lights = new((t, best) => Replaces.Do(t, best));
-
-        Reach = new(() => Length.Do(2 * (T - P)));
-        Attenuation = new(t => 1 - t / reach);
-        Row = new(y => camera.Height - 1 - y);
-        Shown = new((x, y) => Cast(Column.Do(x), Row.Do(y)));
+        (clip, half) = (camera.ClipRange, camera.Sample == RayCaster.Sample.Center ? 0.5 : 0);
 
         foreach (var mistake in mistakes)
         {
             mistake.Deviate(this);
             if (mistake.Id != "center") made++;
         }
+        SetUp();
+    }
 
+    /// <summary>Computes what is the same for all rays.</summary>
+    private void SetUp()
+    {
         geometric = TakesUnitLength || D2.IsChanged || PassesBy.IsChanged || Thc.IsChanged || Roots.IsChanged;
         slabs = Faces.IsChanged || Order.IsChanged || Slab.IsChanged || LastIn.IsChanged || FirstOut.IsChanged || Overlap.IsChanged;
         if (TriangleT.IsChanged || TriangleX.IsChanged || Whole.IsChanged || Inside.IsChanged)
             TriangleIs(TriangleFormula ?? ((triangle, d) => TriangleByShares(triangle, d, Cross.Do)));
         if (TriangleFormula is { } formula) Triangle.Is(formula);
         W = AxisW.Do(P, T);
-        U = AxisU.Do(camera.Up, W);
+        U = AxisU.Do(Camera.Up, W);
         V = AxisV.Do(W, U);
-        h = PlaneHeight.Do(camera.FovY);
+        h = PlaneHeight.Do(Camera.FovY);
         w = PlaneWidth.Do(h);
         reach = Reach.Do();
     }
@@ -86,9 +51,11 @@ internal sealed partial class Lab
     private const int MostTrianglesBeside = 1000;
 
     private Model[] models;
-    private readonly double h, w, reach;
+    private readonly ClipRange clip;
+    private readonly double half;
+    private double h, w, reach;
     private readonly int made; // mistakes; that rays pass through the other place of each pixel is a manner, too
-    private readonly bool geometric, slabs;
+    private bool geometric, slabs;
 
     /// <summary>What is drawn.</summary>
     public Scene Scene { get; }
@@ -103,13 +70,13 @@ internal sealed partial class Lab
     public Vector3 T { get; private set; }
 
     /// <summary>To the right.</summary>
-    public Vector3 U { get; }
+    public Vector3 U { get; private set; }
 
     /// <summary>Upwards.</summary>
-    public Vector3 V { get; }
+    public Vector3 V { get; private set; }
 
     /// <summary>Backwards.</summary>
-    public Vector3 W { get; }
+    public Vector3 W { get; private set; }
 
     /// <summary>width / height of the picture.</summary>
     public double Wide => (double)Camera.Width / Camera.Height;
@@ -153,13 +120,7 @@ internal sealed partial class Lab
     public (byte R, byte G, byte B) this[int x, int y] => Shown.Do(x, y);
 
     /// <summary>The whole file.</summary>
-    public Picture Render()
-    {
-        var picture = new Picture(Width, Height);
-        for (var y = 0; y < Height; y++)
-            for (var x = 0; x < Width; x++) picture[x, y] = this[x, y];
-        return picture;
-    }
+    public Picture Render() => Picture.Of(Width, Height, (x, y) => this[x, y]);
 
     /// <summary>Whether a crossing counts.</summary>
     public bool Counts(double t, Vector3 d) => Ahead.Do(t) && Clipped.Do(t, Depth.Do(t, d));

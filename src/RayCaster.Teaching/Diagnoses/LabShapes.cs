@@ -11,16 +11,16 @@ internal sealed partial class Lab
     // ---- Slide "Sphere – Geometric Solution", for d·d = 1 ----
 
     /// <summary>(L², tca) → D².</summary>
-    public Step<Func<double, double, double>> D2 { get; } = new((L2, tca) => L2 - tca * tca);
+    public Step<Func<double, double, double>> D2 => field ??= new((L2, tca) => L2 - tca * tca);
 
     /// <summary>(R, D²) → whether the ray passes the sphere by.</summary>
-    public Step<Func<double, double, bool>> PassesBy { get; } = new((R, D2) => D2 > R * R);
+    public Step<Func<double, double, bool>> PassesBy => field ??= new((R, D2) => D2 > R * R);
 
     /// <summary>(R, D²) → thc.</summary>
-    public Step<Func<double, double, double>> Thc { get; } = new((R, D2) => Math.Sqrt(R * R - D2));
+    public Step<Func<double, double, double>> Thc => field ??= new((R, D2) => Math.Sqrt(R * R - D2));
 
     /// <summary>(tca, thc) → the crossings.</summary>
-    public Step<Func<double, double, Crossed>> Roots { get; } = new((tca, thc) => new(tca - thc, tca + thc));
+    public Step<Func<double, double, Crossed>> Roots => field ??= new((tca, thc) => new(tca - thc, tca + thc));
 
     /// <summary>Whether spheres are drawn by these steps with any d, of length 1 or not.</summary>
     public bool TakesUnitLength { get; set; }
@@ -28,37 +28,38 @@ internal sealed partial class Lab
     // ---- Slides "AABB …" ----
 
     /// <summary>(axis, box, d) → t0 and t1, where the ray crosses the two faces across an axis: 0 is x, 1 is y, 2 is z.</summary>
-    public Step<Func<int, Aabb, Vector3, (double T0, double T1)>> Faces { get; }
+    public Step<Func<int, Aabb, Vector3, (double T0, double T1)>> Faces => field ??= new(FacesOf);
 
     /// <summary>(axis, t0, t1, d) → the way into that slab and the way out.</summary>
-    public Step<Func<int, double, double, Vector3, (double In, double Out)>> Order { get; } =
+    public Step<Func<int, double, double, Vector3, (double In, double Out)>> Order => field ??=
         new((_, t0, t1, _) => SlideFormulas.Sorted(t0, t1));
 
     /// <summary>(axis, box, d) → the same.</summary>
-    public Step<Func<int, Aabb, Vector3, (double In, double Out)>> Slab { get; }
+    public Step<Func<int, Aabb, Vector3, (double In, double Out)>> Slab => field ??= new((axis, box, d) =>
+        Faces.Do(axis, box, d) is var (t0, t1) ? Order.Do(axis, t0, t1, d) : default);
 
     /// <summary>The ways into x, y and z → the one that counts.</summary>
-    public Step<Func<double, double, double, double>> LastIn { get; } = new(SlideFormulas.Greatest);
+    public Step<Func<double, double, double, double>> LastIn => field ??= new(SlideFormulas.Greatest);
 
     /// <summary>The ways out of x, y and z → the one that counts.</summary>
-    public Step<Func<double, double, double, double>> FirstOut { get; } = new(SlideFormulas.Least);
+    public Step<Func<double, double, double, double>> FirstOut => field ??= new(SlideFormulas.Least);
 
     /// <summary>(t_min, t_max) → whether the ray hits the box.</summary>
-    public Step<Func<double, double, bool>> Overlap { get; } = new((tMin, tMax) => tMin <= tMax);
+    public Step<Func<double, double, bool>> Overlap => field ??= new((tMin, tMax) => tMin <= tMax);
 
     // ---- Slide "Triangle" ----
 
     /// <summary>(A, n, d) → the t where the ray crosses the triangle's plane.</summary>
-    public Step<Func<Vector3, Vector3, Vector3, double>> TriangleT { get; }
+    public Step<Func<Vector3, Vector3, Vector3, double>> TriangleT => field ??= new((A, n, d) => (A - P) * n / (d * n));
 
     /// <summary>(t, d) → X, whose u and v are asked.</summary>
-    public Step<Func<double, Vector3, Vector3>> TriangleX { get; }
+    public Step<Func<double, Vector3, Vector3>> TriangleX => field ??= new((t, d) => P + t * d);
 
     /// <summary>n → what u and v are divided by.</summary>
-    public Step<Func<Vector3, double>> Whole { get; } = new(n => n * n);
+    public Step<Func<Vector3, double>> Whole => field ??= new(n => n * n);
 
     /// <summary>(u, v) → whether X is in the triangle.</summary>
-    public Step<Func<double, double, bool>> Inside { get; } = new(SlideFormulas.IsInside);
+    public Step<Func<double, double, bool>> Inside => field ??= new(SlideFormulas.IsInside);
 
     /// <summary>The way a triangle is hit; the definition's if null.</summary>
     public Func<Triangle, Vector3, Crossed>? TriangleFormula { get; set; }

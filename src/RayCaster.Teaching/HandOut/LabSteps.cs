@@ -29,7 +29,8 @@ public static class LabSteps
 
     /// <summary>Whether a mistake is one of the code of a step: of its slide or of the shape that is written in it.</summary>
     /// <param name="step">The step, from 1.</param>
-    public static bool IsOf(Mistake mistake, int step) => StepOf(mistake.Slide) == step || (mistake.Concerns & ShapeOf(step)) != 0;
+    public static bool IsOf(Mistake mistake, int step) => StepOf(mistake.Slide) == step
+        || Diagnosis.Parts.Any(part => (mistake.Concerns & Mistake.KindOf(part)) != 0 && StepOfShape(part) == step);
 
     /// <summary>
     /// The part of a scene that the lab can draw after a step: the models whose formulas are written. Before the step of zNear, zFar and bias,
@@ -70,17 +71,9 @@ public static class LabSteps
     internal static IEnumerable<string> KindsOf(Scene scene, int step) =>
         scene.Models.Where(model => StepOf(model) == step).Select(model => model.Kind).Distinct();
 
-    private static Concerns ShapeOf(int step) => step switch
-    {
-        3 => Concerns.Planes,
-        7 => Concerns.Boxes,
-        8 => Concerns.Spheres,
-        9 => Concerns.Circles,
-        10 => Concerns.Triangles,
-        _ => 0,
-    };
+    private static int StepOf(Model model) => StepOfShape(model.Kind);
 
-    private static int StepOf(Model model) => model.Kind switch
+    private static int StepOfShape(string kind) => kind switch
     {
         "plane" => 3,
         "aabb" => 7,
