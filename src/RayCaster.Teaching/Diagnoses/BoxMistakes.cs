@@ -15,6 +15,8 @@ internal static class BoxMistakes
             "Where d is negative, which face of a slab comes first?",
             "If t0 > t1, swap them, for each of x, y and z.")
             .Or(from axes in (string[])["x", "y", "z", "xy", "xz", "yz"] select ($"box: t0 and t1 not sorted for {axes}", Unsorted(axes)))
+            .Or(from axes in (string[])["xyz", "x", "y", "z"]
+                select ($"box: asked axis by axis, t0 and t1 not sorted for {axes}", Unsorted(axes) + AxisByAxis()))
             .Or("box: t0 and t1 always swapped", Ordered("xyz", (t0, t1) => (t1, t0)))
             .Or("box: t0 and t1 swapped where t0 < t1", Ordered("xyz", (t0, t1) => (Math.Max(t0, t1), Math.Min(t0, t1))))
             .Or(from axis in (string[])["x", "y", "z"]
@@ -33,6 +35,8 @@ internal static class BoxMistakes
             .Or("box: t_min is the least way out, t_max the last way in",
                 Ordered("xyz", (t0, t1) => (Math.Max(t0, t1), Math.Min(t0, t1))) + Folded(Least, Greatest))
             .Or(Folds())
+            .Or(from turned in (int[])[4, 8, 12, 16, 32, 48]
+                select ($"box: asked axis by axis, with the other of min and max for {Names(turned)}", AxisByAxis(turned: turned)))
             .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten",
@@ -67,6 +71,8 @@ internal static class BoxMistakes
             "Boxes have a wrong size or place, or are gone.",
             "The scene's \"max\": is it a corner, or how far it is from corner to corner?",
             "B0 = min and B1 = max, as the scene has them.")
+            .Or("box: asked axis by axis, the second corner taken for its size", AxisByAxis() + Corners(box => new(box.Min, box.Min + box.Max))
+                + (lab => lab.Order.Is((axis, t0, t1, d) => d.At(axis) < 0 ? (t1, t0) : (t0, t1))))
             .Or("box: the first corner taken for its middle, the second for its size",
                 Corners(box => new(box.Min - 0.5 * box.Max, box.Min + 0.5 * box.Max)))
             .Or("box: the first corner taken for its middle, the second for half its size",
@@ -147,16 +153,17 @@ internal static class BoxMistakes
 
     /// <summary>The slide's way to ask: x first, then for y and for z whether they overlap with what there is, and what is left of it.</summary>
     /// <param name="left">Of these six steps those that are left out: bits 0 and 1 are the questions, 2 and 3 t_min, 4 and 5 t_max.</param>
-    private static Action<Lab> AxisByAxis(int left) => lab => lab.Box.Is((box, d) =>
+    /// <param name="turned">Those of the last four that take the lesser for the greater, or the greater for the lesser.</param>
+    private static Action<Lab> AxisByAxis(int left = 0, int turned = 0) => lab => lab.Box.Is((box, d) =>
     {
         var (tMin, tMax) = lab.Slab.Do(0, box, d);
         for (var axis = 1; axis < 3; axis++)
         {
             var (t0, t1) = lab.Slab.Do(axis, box, d);
-            var steps = left >> axis - 1;
+            var (steps, others) = (left >> axis - 1, turned >> axis - 1);
             if ((steps & 1) == 0 && (tMin > t1 || t0 > tMax)) return None;
-            if ((steps & 4) == 0) tMin = Math.Max(tMin, t0);
-            if ((steps & 16) == 0) tMax = Math.Min(tMax, t1);
+            if ((steps & 4) == 0) tMin = (others & 4) == 0 ? Math.Max(tMin, t0) : Math.Min(tMin, t0);
+            if ((steps & 16) == 0) tMax = (others & 16) == 0 ? Math.Min(tMax, t1) : Math.Max(tMax, t1);
         }
         return new(tMin, tMax);
     });

@@ -5,11 +5,12 @@ internal static class FileMistakes
 {
     public static Mistake[] All =>
     [
-        new("rows", Concerns.File, Slides.Template, "row r written as line r, not as line height − 1 − r",
+        new Mistake("rows", Concerns.File, Slides.Template, "row r written as line r, not as line height − 1 − r",
             lab => lab.Row.Becomes(row => y => row(lab.Camera.Height - 1 - y)),
             "The picture is upside down.",
             "Row 0 of the slide is at the bottom. Where is line 0 of a picture?",
-            "Line y = height − 1 − r."),
+            "Line y = height − 1 − r.")
+            .Or("row r written as line r + 1", lab => lab.Row.Becomes(row => y => row(lab.Camera.Height - y))),
         new("cols", Concerns.File, Slides.Template, "columns written from the right",
             lab => lab.Column.Becomes(column => x => column(lab.Camera.Width - 1 - x)),
             "The picture is mirrored left to right.",
@@ -57,6 +58,9 @@ internal static class FileMistakes
             .Or("line y shows row height − 2 − y", lab => lab.Row.Becomes(row => y => row(y) - 1))
             .Or("column x shows column x + 1", lab => lab.Column.Becomes(column => x => column(x) + 1))
             .Or("column x shows column x − 1", lab => lab.Column.Becomes(column => x => column(x) - 1))
+            .Or(from many in (int[])[1, -1]
+                select ($"the picture's columns are moved round by {many}", (Action<Lab>)(lab => lab.Column.Becomes(column =>
+                    x => (column(x) + many + lab.Camera.Width) % lab.Camera.Width))))
             .Or("rows and columns counted from 1", lab => lab.Sample.Becomes(sample => (c, r) => sample(c + 1, r + 1)))
             .Or("line y shows row height − y, line 0 row 0", lab => lab.Row.Becomes(row => y => (row(y) + 1) % lab.Camera.Height))
             .Or("line y shows row height − y, line 0 none", Unwritten((x, y, width, height) => y == 0,

@@ -10,6 +10,9 @@ internal static class ImagePlaneMistakes
             "Everything has a wrong size, and may be turned by 180 degrees.",
             "In which unit is fovY, and in which unit does Math.Tan take its angle?",
             "h = 2 · Math.Tan(fovY · Math.PI / 180 / 2).")
+            .Or("degrees, in −W / tan(fovY / 2)", VectorMistakes.Zoom + (lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180 / Math.PI))))
+            .Or("fovY · 180 / π, in −W / tan(fovY / 2)",
+                VectorMistakes.Zoom + (lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * (180 / Math.PI) * (180 / Math.PI)))))
             .Or("degrees, and the half is missing, too: 2 tan(fovY)", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY * 180 / Math.PI)))
             .Or("degrees, and tan(fovY)", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY * 180 / Math.PI) / 2))
             .Or("fovY · 180 / π", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * (180 / Math.PI) * (180 / Math.PI))))

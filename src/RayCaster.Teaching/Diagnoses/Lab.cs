@@ -84,6 +84,9 @@ internal sealed partial class Lab
     /// <summary>height / width of the picture.</summary>
     public double Tall => (double)Camera.Height / Camera.Width;
 
+    /// <summary>h / 2.</summary>
+    public double HalfHeight => h / 2;
+
     /// <summary>h / w.</summary>
     public double PlaneTall => h / w;
 

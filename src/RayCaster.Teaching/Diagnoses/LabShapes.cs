@@ -127,13 +127,29 @@ internal sealed partial class Lab
     }
 
     /// <summary>The areas of the triangles that X makes with the sides add up to the triangle's, where X is in it.</summary>
-    public Crossed TriangleByAreas(Triangle triangle, Vector3 d)
+    /// <param name="slack">By how much the sum may be greater, as a share; null for not at all, nor less.</param>
+    public Crossed TriangleByAreas(Triangle triangle, Vector3 d, double? slack)
     {
         var ((A, B, C), n) = ((triangle.A, triangle.B, triangle.C), NormalOf(triangle));
         var t = TriangleT.Do(A, n, d);
+        if (slack is not null && !Counts(t, d)) return SlideFormulas.None;
         var X = TriangleX.Do(t, d);
+        var (sum, whole) = (Area(C - B, X - B) + Area(A - C, X - C) + Area(B - A, X - A), Length.Do(n));
+        return (slack is null ? sum == whole : sum <= (1 + slack) * whole) ? new(t) : SlideFormulas.None;
+
         double Area(Vector3 a, Vector3 b) => Length.Do(Cross.Do(a, b));
-        return Area(C - B, X - B) + Area(A - C, X - C) + Area(B - A, X - A) == Length.Do(n) ? new(t) : SlideFormulas.None;
+    }
+
+    /// <summary>X lies on the same side of each of the triangle's sides as the corner that is opposite to it.</summary>
+    public Crossed TriangleBySides(Triangle triangle, Vector3 d)
+    {
+        var (A, B, C) = (triangle.A, triangle.B, triangle.C);
+        var t = TriangleT.Do(A, NormalOf(triangle), d);
+        if (!Counts(t, d)) return SlideFormulas.None;
+        var X = TriangleX.Do(t, d);
+        return IsBeside(A, B, C) && IsBeside(B, C, A) && IsBeside(C, A, B) ? new(t) : SlideFormulas.None;
+
+        bool IsBeside(Vector3 a, Vector3 b, Vector3 c) => Cross.Do(b - a, X - a) * Cross.Do(b - a, c - a) >= 0;
     }
 
     /// <summary>(B − A) × (C − A).</summary>

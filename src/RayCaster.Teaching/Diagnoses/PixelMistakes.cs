@@ -14,7 +14,10 @@ internal static class PixelMistakes
             .Or("only r / height is divided in integers", WholeRows(1))
             .Or("2 c / width − 1 and 2 r / height − 1, divided in integers", WholeColumns(2) + WholeRows(2))
             .Or("2 c / width − 1, divided in integers", WholeColumns(2))
-            .Or("2 r / height − 1, divided in integers", WholeRows(2)),
+            .Or("2 r / height − 1, divided in integers", WholeRows(2))
+            .Or("(2 c − width) / height and (2 r − height) / height, divided in integers", WholeUc + WholeUr)
+            .Or("(2 c − width) / height, divided in integers", WholeUc)
+            .Or("(2 r − height) / height, divided in integers", WholeUr),
         new Mistake("no-center", Concerns.Camera, Slides.PixelTranslation, "uc and ur without − w / 2 and − h / 2",
             lab => Shift(lab, 0, 0),
             "What should be in the middle is at a corner or at an edge.",
@@ -72,6 +75,11 @@ internal static class PixelMistakes
     private static Action<Lab> WholeRows(int steps) =>
         lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(steps * r / lab.Camera.Height) / steps));
 
+    /// <summary>uc in whole halves of h.</summary>
+    private static Action<Lab> WholeUc => lab => lab.Uc.Becomes(uc => c => Math.Truncate(uc(c) / lab.HalfHeight) * lab.HalfHeight);
+
+    private static Action<Lab> WholeUr => lab => lab.Ur.Becomes(ur => r => Math.Truncate(ur(r) / lab.HalfHeight) * lab.HalfHeight);
+
     /// <summary>Each place where a letter of the picture's other side may stand in uc and in ur; first both divided by the other side.</summary>
     private static IEnumerable<(string Cause, Action<Lab> Deviate)> SidesMixed()
     {
@@ -88,6 +96,7 @@ internal static class PixelMistakes
             yield return ($"uc = {ofUc}, ur = {ofUr}", mixUc + mixUr);
             yield return ($"only uc = {ofUc}", mixUc);
             yield return ($"only ur = {ofUr}", mixUr);
+            yield return ($"only ur = {ofUr}, counted from the top", mixUr + (lab => lab.Ur.Becomes(ur => r => -ur(lab.Camera.Height - r))));
         }
     }
 

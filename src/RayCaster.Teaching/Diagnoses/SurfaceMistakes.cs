@@ -131,7 +131,7 @@ internal static class SurfaceMistakes
             .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
             .Or("triangle: |u| ≤ 1, |v| ≤ 1, u + v ≤ 1", TriangleWhere((u, v) => Math.Abs(u) <= 1 && Math.Abs(v) <= 1 && u + v <= 1)),
         new Mistake("tri-area", Concerns.Triangles, Slides.Triangle, "triangle: the sum of the three areas compared with ==",
-            lab => lab.TriangleFormula = lab.TriangleByAreas,
+            lab => lab.TriangleFormula = (triangle, d) => lab.TriangleByAreas(triangle, d, null),
             "Triangles are full of holes, like lace.",
             "Is 0.1 + 0.2 equal to 0.3 in doubles?",
             "u ≥ 0, v ≥ 0, u + v ≤ 1: no sums that must be equal to the last bit.")

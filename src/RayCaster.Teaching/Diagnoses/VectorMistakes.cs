@@ -66,6 +66,12 @@ internal static class VectorMistakes
             "|a| = √(x² + y² + z²).")
             .Or(Readers("the length without its square root", SquareLength).Skip(1))
             .Or(Readers("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach))
+            .Or(Readers("the same, with t = |X − P|",
+                SquareLength + DoubleReach + (lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d)))))
+            .Or(Readers("the same, with d = ux U + uy V − W / tan(fovY / 2) before it is normalised", SquareLength + DoubleReach + Zoom))
+            .Or(Readers("the same, with t = |X − P| and d = ux U + uy V − W / tan(fovY / 2)",
+                SquareLength + DoubleReach + Zoom + (lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d)))))
+            .Or(Readers("the same, and triangles compare areas", SquareLength + DoubleReach + ByAreas))
             .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
             .Or(from part in Parts
                 from wording in Lengths($"{part.Name} forgotten in the length", a => part.Of(Vector3.Zero, a).Length) select wording)
@@ -112,24 +118,18 @@ internal static class VectorMistakes
             .Or(Crosses("x and z are swapped", (_, _, n) => new(n.Z, n.Y, n.X)))
             .Or(Crosses("z is 0", (_, _, n) => n with { Z = 0 }))
             .Or(Crosses("x and z have the wrong sign", (_, _, n) => new(-n.X, n.Y, -n.Z))),
-        new("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
-            lab =>
-            {
-                lab.Direction.Is(d => d);
-                AllowAnyLength(lab);
-            },
+        new Mistake("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
+            LeaveDirection + AllowAnyLength,
             "The borders of the picture are too bright; all places are right.",
             "t is a distance only if d has a certain length. Which?",
-            "d = (uc U + ur V − W) normalised."),
-        new("dir-unnorm-a1", Concerns.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
-            lab =>
-            {
-                lab.Direction.Is(d => d);
-                AssumeUnitLength(lab);
-            },
+            "d = (uc U + ur V − W) normalised.")
+            .Or("d = ux U + uy V − W / tan(fovY / 2), not normalised", LeaveDirection + AllowAnyLength + Zoom),
+        new Mistake("dir-unnorm-a1", Concerns.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
+            LeaveDirection + AssumeUnitLength,
             "Spheres bleed into wedges towards the borders, which are too bright.",
             "The sphere's formula left out a = d·d. When is that allowed?",
-            "d = (uc U + ur V − W) normalised."),
+            "d = (uc U + ur V − W) normalised.")
+            .Or("d = ux U + uy V − W / tan(fovY / 2), not normalised", LeaveDirection + AssumeUnitLength + Zoom),
         new Mistake("cross-x", Concerns.Camera, Slides.Vectors, "the cross product's x has the wrong sign",
             lab => MistakeCross(lab, (_, _, n) => n with { X = -n.X }),
             "The picture is mirrored, turned or skewed, and triangles are torn.",
@@ -161,7 +161,12 @@ internal static class VectorMistakes
         return length * towards(uc / length, ur / length);
     }
 
-    private static Action<Lab> LeaveAll => LeaveAxes + (Action<Lab>)(lab => lab.Direction.Is(d => d));
+    private static Action<Lab> LeaveAll => LeaveAxes + LeaveDirection;
+
+    private static Action<Lab> LeaveDirection => lab => lab.Direction.Is(d => d);
+
+    /// <summary>d for a plane of the height 2 at the distance 1 / tan(fovY / 2), before it is normalised; backwards where that is negative.</summary>
+    internal static Action<Lab> Zoom => lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc, ur) / lab.HalfHeight);
 
     private static void LeaveAxes(Lab lab)
     {
@@ -256,9 +261,13 @@ internal static class VectorMistakes
             ($"the cross product's {which}, and triangles compare volumes",
                 inCamera + (lab => lab.TriangleIs((triangle, d) => lab.TriangleByVolumes(triangle, d)))),
             ($"the cross product's {which}, and triangles compare determinants", inCamera + (lab => lab.TriangleIs(lab.TriangleByDeterminants))),
+            ($"the cross product's {which}, and triangles compare areas", inCamera + ByAreas),
+            ($"the cross product's {which}, and triangles compare sides", inCamera + (lab => lab.TriangleIs(lab.TriangleBySides))),
             ($"the cross product's {which}, but triangles do without it", inCamera),
         ];
     }
+
+    private static Action<Lab> ByAreas => lab => lab.TriangleIs((triangle, d) => lab.TriangleByAreas(triangle, d, 1e-9));
 
     /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
     private static void MistakeCross(Lab lab, Func<Vector3, Vector3, Vector3, Vector3> other)

@@ -224,7 +224,7 @@ public class DiagnosisTests
         Assert.True(Diagnosis.Of(clipped, WrongPicture.Draw(clipped, [mistake])).Suspects[0].HasSymptoms);
         var other = mistake.Wordings.First(wording => wording.Cause.StartsWith("z =", StringComparison.Ordinal));
         var suspect = Diagnosis.Of(clipped, WrongPicture.Draw(clipped, [other])).Suspects[0];
-        Assert.Equal((mistake, false), (suspect.Mistakes[0], suspect.HasSymptoms));
+        Assert.Equal((other, false), (suspect.Mistakes[0], suspect.HasSymptoms));
     }
 
     [Fact]
