@@ -101,12 +101,7 @@ public sealed class Diagnosis
             var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false);
             if (prepared.Known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
         }
-        ProvesNothing = right.IsOneColor;
-        PixelCount = evidence.PixelCount;
-        WrongCount = evidence.WrongCount;
-        OutlineCount = evidence.OutlineCount;
-        DarkerShare = evidence.DarkerShare;
-        if (WrongCount == 0 || (TooManyModels && evidence.IsOnlyOutlines))
+                if (WrongCount == 0 || (TooManyModels && evidence.IsOnlyOutlines))
         {
             Finding = Finding.Matches;
             return;
@@ -142,7 +137,7 @@ public sealed class Diagnosis
     public string? MissingModel { get; }
 
     /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches says little.</summary>
-    public bool ProvesNothing { get; }
+    public bool ProvesNothing => prepared.Right.IsOneColor;
 
     /// <summary>What it comes to.</summary>
     public Finding Finding { get; private set; }
@@ -154,16 +149,16 @@ public sealed class Diagnosis
     public IReadOnlyList<Suspect> Nearest { get; private set; } = [];
 
     /// <summary>How many pixels the picture has.</summary>
-    public int PixelCount { get; }
+    public int PixelCount => evidence.PixelCount;
 
     /// <summary>In how many pixels it differs from the scene's picture by more than rounding.</summary>
-    public int WrongCount { get; }
+    public int WrongCount => evidence.WrongCount;
 
     /// <summary>In how many pixels more it shows what the scene shows a thousandth of a pixel away, where the last bits decide.</summary>
-    public int OutlineCount { get; }
+    public int OutlineCount => evidence.OutlineCount;
 
     /// <summary>The share of pixels that are right but for a channel that is one level darker: rounding instead of truncating.</summary>
-    public double DarkerShare { get; }
+    public double DarkerShare => evidence.DarkerShare;
 
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
     /// <param name="scene">The scene that it is meant to show, at the picture's size.</param>

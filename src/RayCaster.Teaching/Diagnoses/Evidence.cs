@@ -175,7 +175,7 @@ internal sealed class Evidence
 
     /// <summary>How many of some pixels are drawn: fewer where each ray must try every triangle of a mesh.</summary>
     private static int Affordable(int pixels, Lab lab, double share = 1) =>
-        lab.TrianglesTried == 0 ? pixels : (int)Math.Min(pixels, (LeastTests + share * MostTests) / lab.TrianglesTried);
+        lab.RaysWithin(LeastTests + share * MostTests, pixels);
 
     /// <summary>The definition, its rays moved by a thousandth of a pixel towards each corner.</summary>
     private static Lab[] Nudged(Scene scene)

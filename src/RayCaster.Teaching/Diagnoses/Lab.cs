@@ -122,6 +122,9 @@ internal sealed partial class Lab
     /// <summary>The pixel at column x, line y (0 = top) of the file.</summary>
     public (byte R, byte G, byte B) this[int x, int y] => Shown.Do(x, y);
 
+    /// <summary>The same by its place in reading order.</summary>
+    public (byte R, byte G, byte B) this[int place] => Math.DivRem(place, Width) is var (y, x) ? this[x, y] : default;
+
     /// <summary>The whole file.</summary>
     public Picture Render() => Picture.Of(Width, Height, (x, y) => this[x, y]);
 
@@ -130,6 +133,9 @@ internal sealed partial class Lab
 
     /// <summary>How many triangles of meshes each ray must try, one by one.</summary>
     public long TrianglesTried => TrianglesReachOut ? models.OfType<Mesh>().Sum(mesh => (long)mesh.TriangleCount) : 0;
+
+    /// <summary>How many of some rays are cast within so many tries.</summary>
+    public int RaysWithin(double tries, int rays) => TrianglesTried == 0 ? rays : (int)Math.Min(rays, tries / TrianglesTried);
 
     /// <summary>Whether that takes too long for a search.</summary>
     public bool TakesTooLong => TrianglesTried > (made > 1 ? MostTrianglesBeside : MostTriangles);

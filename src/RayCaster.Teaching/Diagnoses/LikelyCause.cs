@@ -67,13 +67,12 @@ internal static class LikelyCause
     {
         var (scene, picture) = (evidence.Scene, evidence.Picture);
         var background = scene.Background.ToBytes();
-        var count = picture.Width * picture.Height;
+        var count = picture.Count;
         var (strange, looked) = (0, Math.Min(4000, count));
         var places = new GoldenSteps(count);
         for (var k = 0; k < looked; k++)
         {
-            var (y, x) = Math.DivRem(places[k], picture.Width);
-            var shown = picture[x, y];
+            var shown = picture.At(places[k]);
             if (PictureDifference.Levels(shown, background) > Evidence.Tolerance
                 && !scene.Models.Any(model => Unfinished.IsShadeOf(shown, model.Color))) strange++;
         }

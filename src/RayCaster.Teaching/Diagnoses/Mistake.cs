@@ -46,17 +46,7 @@ public sealed class Mistake
 {
     private readonly List<Mistake> wordings = [];
 
-    /// <summary>States a mistake.</summary>
-    /// <param name="id">Its name, for ever.</param>
-    /// <param name="concerns">What it touches.</param>
-    /// <param name="slide">The slide that has the right formula.</param>
-    /// <param name="cause">What is wrong in the program.</param>
-    /// <param name="deviate">Plants it.</param>
-    /// <param name="symptom">What is to be seen.</param>
-    /// <param name="question">What to ask oneself.</param>
-    /// <param name="answer">What to write instead.</param>
-    /// <param name="isWithinRounding">Whether it moves no channel by more than a level, as rounding does, so that no wrong pixel can be its
-    /// work.</param>
+    /// <summary>States a mistake, and its hint.</summary>
     internal Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate,
         string symptom, string question, string answer, bool isWithinRounding = false)
         : this(id, concerns, slide, cause, deviate, new Hint(symptom, question, answer)) => IsWithinRounding = isWithinRounding;

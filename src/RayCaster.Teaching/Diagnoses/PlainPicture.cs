@@ -13,8 +13,8 @@ internal static class PlainPicture
     public static string? Says(Scene scene, Picture picture, Picture right)
     {
         var background = scene.Background.ToBytes();
-        if (!picture.IsOneColor && Count(right, IsColored) < Enough * right.Width * right.Height) return null;
-        var most = Hardly * picture.Width * picture.Height;
+        if (!picture.IsOneColor && Count(right, IsColored) < Enough * right.Count) return null;
+        var most = Hardly * picture.Count;
         if (Count(picture, IsColored) > most)
         {
             return picture.IsOneColor ? $"Every pixel has the same colour, {picture[0, 0]}: do the rays of two pixels differ?"
@@ -38,12 +38,6 @@ internal static class PlainPicture
     private static bool IsGrey((byte R, byte G, byte B) shown) =>
         Math.Max(shown.R, Math.Max(shown.G, shown.B)) - Math.Min(shown.R, Math.Min(shown.G, shown.B)) <= Evidence.Tolerance;
 
-    private static int Count(Picture picture, Func<(byte, byte, byte), bool> isSo)
-    {
-        var count = 0;
-        for (var y = 0; y < picture.Height; y++)
-            for (var x = 0; x < picture.Width; x++)
-                if (isSo(picture[x, y])) count++;
-        return count;
-    }
+    private static int Count(Picture picture, Func<(byte, byte, byte), bool> isSo) =>
+        Enumerable.Range(0, picture.Count).Count(place => isSo(picture.At(place)));
 }

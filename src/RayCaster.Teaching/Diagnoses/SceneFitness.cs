@@ -132,8 +132,8 @@ public sealed class SceneFitness
         private readonly int count = scene.Camera.Width * scene.Camera.Height;
         private readonly GoldenSteps places = new(scene.Camera.Width * scene.Camera.Height); // of samples
         private readonly Picture right = Renderer.Render(scene);
-        private readonly ConcurrentDictionary<Mistake, byte[]> samples = [];
-        private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [], byALevel = [];
+        private readonly ConcurrentDictionary<Mistake, (byte R, byte G, byte B)[]> samples = [];
+        private readonly ConcurrentDictionary<Mistake, bool> shown = [], shownFirst = [];
 
         public Scene Scene => scene;
 
@@ -145,20 +145,28 @@ public sealed class SceneFitness
         /// <summary>The same for its first wording.</summary>
         public bool ShowsFirst(Mistake mistake) => shownFirst.GetValueOrDefault(mistake);
 
-        public bool ShowsByALevel(Mistake mistake) => byALevel.GetValueOrDefault(mistake);
+        /// <summary>Whether a mistake changes any byte of the samples.</summary>
+        public bool ShowsByALevel(Mistake mistake) => samples[mistake].Index().Any(sample => sample.Item != right.At(places[sample.Index]));
 
         /// <summary>Draws samples of the picture, and more of it where they do not show the mistake.</summary>
         public void Look(Mistake mistake)
         {
             var lab = new Lab(scene, mistake);
-            var most = lab.TrianglesTried == 0 ? Samples : Math.Min(Samples, MostTests / lab.TrianglesTried);
-            var pixels = new byte[3 * Math.Min(most, count)];
-            for (var k = 0; k < pixels.Length / 3; k++) Put(lab, places[k], pixels, 3 * k);
-            samples[mistake] = pixels;
-            shownFirst[mistake] = SizeOf(lab) != (right.Width, right.Height) || CountSamples(pixels) >= LeastPixels
+            var drawn = samples[mistake] = [.. Enumerable.Range(0, Math.Min(lab.RaysWithin(MostTests, Samples), count)).Select(k => lab[places[k]])];
+            shownFirst[mistake] = HasOtherSize(lab) || Differ(drawn.Length, LeastPixels, k => (drawn[k], right.At(places[k])))
                 || (mistake.Touches(scene) && Changes(mistake, SecondLook));
             shown[mistake] = shownFirst[mistake]
                 || (mistake.Touches(scene) && mistake.Wordings.Skip(1).Any(wording => Changes(wording, ThirdLook)));
+        }
+
+        /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
+        public bool AreAlike(Mistake a, Mistake b)
+        {
+            var (one, other) = (new Lab(scene, a), new Lab(scene, b));
+            if ((one.Width, one.Height) != (other.Width, other.Height)) return false;
+            var (first, second, isSlow) = (samples[a], samples[b], one.TrianglesTried + other.TrianglesTried > 0);
+            return !Differ(Math.Min(first.Length, second.Length), isSlow ? 1 : LeastPixels, k => (first[k], second[k]))
+                && (isSlow || !Differ(count, LeastPixels, i => (one[i], other[i])));
         }
 
         /// <summary>Whether a wording changes enough pixels of a part of the picture.</summary>
@@ -166,60 +174,20 @@ public sealed class SceneFitness
         {
             var lab = new Lab(scene, wording);
             // Triangles that reach out of themselves change large parts of a picture: the samples would have shown it.
-            if (SizeOf(lab) != (right.Width, right.Height)) return true;
-            if (lab.TrianglesTried > 0) return false;
+            if (HasOtherSize(lab) || lab.TrianglesTried > 0) return HasOtherSize(lab);
             most = Math.Min(most, count);
-            var least = (int)Math.Ceiling((double)LeastPixels * most / count);
-            var (changed, pixel) = (0, new byte[3]);
-            for (var k = 0; k < most && changed < least; k++)
-            {
-                Put(lab, places[k], pixel, 0);
-                var difference = Difference(pixel, 0, right.Rgb, 3 * places[k]);
-                if (difference > Evidence.Tolerance) changed++;
-                if (difference > 0) byALevel[wording] = true;
-            }
-            return changed >= least;
+            return Differ(most, (int)Math.Ceiling((double)LeastPixels * most / count), k => (lab[places[k]], right.At(places[k])));
         }
 
-        /// <summary>Whether the pictures of two mistakes differ in fewer pixels than matter.</summary>
-        public bool AreAlike(Mistake a, Mistake b)
+        private bool HasOtherSize(Lab lab) => (lab.Width, lab.Height) != (right.Width, right.Height);
+
+        /// <summary>Whether at least so many pairs of colours differ by more than rounding.</summary>
+        private static bool Differ(int pairs, int least, Func<int, ((byte, byte, byte) A, (byte, byte, byte) B)> pair)
         {
-            var (one, other) = (new Lab(scene, a), new Lab(scene, b));
-            if (SizeOf(one) != SizeOf(other)) return false;
-            var different = 0;
-            for (var k = 0; k < Math.Min(samples[a].Length, samples[b].Length) && different < LeastPixels; k += 3)
-                if (Difference(samples[a], k, samples[b], k) > Evidence.Tolerance) different++;
-            if (different >= LeastPixels) return false;
-            if (one.TrianglesTried + other.TrianglesTried > 0) return different == 0;
-            different = 0;
-            var (p, q) = (new byte[3], new byte[3]);
-            for (var i = 0; i < count && different < LeastPixels; i++)
-            {
-                Put(one, i, p, 0);
-                Put(other, i, q, 0);
-                if (Difference(p, 0, q, 0) > Evidence.Tolerance) different++;
-            }
-            return different < LeastPixels;
+            for (var k = 0; k < pairs && least > 0; k++)
+                if (pair(k) is var (a, b) && PictureDifference.Levels(a, b) > Evidence.Tolerance) least--;
+            return least <= 0;
         }
-
-        private int CountSamples(byte[] pixels)
-        {
-            var different = 0;
-            for (var k = 0; k < pixels.Length / 3; k++)
-                if (Difference(pixels, 3 * k, right.Rgb, 3 * places[k]) > Evidence.Tolerance) different++;
-            return different;
-        }
-
-        private static (int, int) SizeOf(Lab lab) => (lab.Width, lab.Height);
-
-        private static void Put(Lab lab, int i, byte[] pixels, int at)
-        {
-            var (y, x) = Math.DivRem(i, lab.Width);
-            (pixels[at], pixels[at + 1], pixels[at + 2]) = lab[x, y];
-        }
-
-        private static int Difference(byte[] a, int i, byte[] b, int j) =>
-            PictureDifference.Levels((a[i], a[i + 1], a[i + 2]), (b[j], b[j + 1], b[j + 2]));
     }
 
     /// <summary>Moves each number of the camera by its last bit, up and down, and counts the pixels that ever show another model.</summary>

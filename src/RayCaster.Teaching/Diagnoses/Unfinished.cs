@@ -81,11 +81,10 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     /// <summary>Counts in how many pixels of some thousands each kind shows a colour that no other kind has.</summary>
     private static void Look(Scene scene, Picture picture, string[] kinds, int[] seen)
     {
-        var places = new GoldenSteps(picture.Width * picture.Height);
-        for (var k = 0; k < Math.Min(8000, picture.Width * picture.Height); k++)
+        var places = new GoldenSteps(picture.Count);
+        for (var k = 0; k < Math.Min(8000, picture.Count); k++)
         {
-            var (y, x) = Math.DivRem(places[k], picture.Width);
-            var (r, g, b) = picture[x, y];
+            var (r, g, b) = picture.At(places[k]);
             if (Math.Max(r, Math.Max(g, b)) < Dark || (r, g, b) == scene.Background.ToBytes()) continue;
             var (only, several) = (-1, false);
             foreach (var model in scene.Models)
