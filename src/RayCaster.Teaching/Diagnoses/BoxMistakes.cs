@@ -56,11 +56,13 @@ internal static class BoxMistakes
             .Or("box: t is the middle of t_min and t_max",
                 lab => lab.Box.Becomes(cross => (box, d) => cross(box, d) is var crossed ? new(0.5 * (crossed.Near + crossed.Far)) : default))
             .Or("box: t_max is tried first, then t_min", lab => lab.Box.Becomes(cross => (box, d) => Turned(cross(box, d)))),
-        new("slab-inv-nan", Concerns.Boxes, Slides.BoxParameters, "box: (B − P) · (1 / d) with d = 0 gives 0 · ∞, NaN, which loses the box",
+        new Mistake("slab-inv-nan", Concerns.Boxes, Slides.BoxParameters, "box: (B − P) · (1 / d) with d = 0 gives 0 · ∞, NaN, which loses the box",
             Crossed("xyz", (lo, hi, origin, d) => ((lo - origin) * (1 / d), (hi - origin) * (1 / d))),
             "A box lacks a line one pixel wide, at its edge or right through it.",
             "What is 0 · (1 / 0) in doubles?",
-            "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0."),
+            "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0.")
+            .Or("box: a ray along a slab, d = 0, misses it", AlongASlab((double.NaN, double.NaN)))
+            .Or("box: a ray along a slab, d = 0, is always in it", AlongASlab((double.NegativeInfinity, double.PositiveInfinity))),
         new("slab-inside", Concerns.Boxes, Slides.BoxTest, "box: t_min or none, so that it is not seen from inside",
             lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Near)),
             "A box that the camera is in, or that is cut open, is not there.",
@@ -83,6 +85,10 @@ internal static class BoxMistakes
     ];
 
     /// <summary>What may be forgotten of one axis, or stay of another one where its line was copied.</summary>
+    /// <summary>The ways into a slab and out of it, for a ray along it.</summary>
+    private static Action<Lab> AlongASlab((double, double) ways) =>
+        lab => lab.Faces.Becomes(faces => (axis, box, d) => d.At(axis) == 0 ? ways : faces(axis, box, d));
+
     private static IEnumerable<(string, Action<Lab>)> AxisSlips()
     {
         const string axes = "xyz";

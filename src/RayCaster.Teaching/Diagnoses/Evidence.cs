@@ -138,9 +138,9 @@ internal sealed class Evidence
     public double Loss(Misfit misfit) => Math.Min(1,
         Math.Log(1 + misfit.Weight / PixelCount / LeastShare) / Math.Log(1 + Math.Max((double)WrongCount / PixelCount, LeastShare) / LeastShare));
 
-    /// <summary>Whether a program explains the picture, but for pixels that last bits may change.</summary>
-    public bool IsExplainedBy(WrongProgram program) => Misfit(program.Draw(Scene)).Weight
-        <= Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LeastShare * PixelCount, 3 * LeastShare * PixelCount));
+    /// <summary>Whether a program explains the picture, but for pixels that last bits may change: at most half of those that are wrong.</summary>
+    public bool IsExplainedBy(WrongProgram program) => Misfit(program.Draw(Scene)).Weight <= Math.Min(0.5 * WrongCount,
+        Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LeastShare * PixelCount, 3 * LeastShare * PixelCount)));
 
     /// <summary>The number of pixels that a mistake leaves unexplained, told from those that are looked at.</summary>
     /// <param name="lab">Draws with the mistake.</param>
@@ -148,7 +148,6 @@ internal sealed class Evidence
     public Misfit Misfit(Lab lab, double share = 1)
     {
         if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong) return RayCaster.Teaching.Misfit.Complete(PixelCount);
-        if (lab.Scatters && (Right.Width, Right.Height) != (Picture.Width, Picture.Height)) return RayCaster.Teaching.Misfit.Complete(PixelCount);
         return Misfit(lab, wrongPixels, WrongCount, share) + Misfit(lab, otherPixels, PixelCount - WrongCount, share);
     }
 
@@ -163,9 +162,11 @@ internal sealed class Evidence
             var difference = PictureDifference.Levels(lab[x, y], Picture[x, y]);
             if (lab.Scatters)
             {
-                var toRight = PictureDifference.Levels(Right[x, y], Picture[x, y]);
-                if (toRight > Tolerance && difference <= Tolerance) unexplained += Chance;
-                difference = Math.Min(difference, toRight);
+                lab.IsSpared = true;
+                var spared = PictureDifference.Levels(lab[x, y], Picture[x, y]);
+                lab.IsSpared = false;
+                if (spared > Tolerance && difference <= Tolerance) unexplained += Chance;
+                difference = Math.Min(difference, spared);
             }
             if (difference > Tolerance) unexplained++;
             error += difference / 255.0;

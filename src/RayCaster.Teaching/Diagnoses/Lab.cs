@@ -41,6 +41,12 @@ internal sealed partial class Lab
         reach = Reach.Do();
     }
 
+    /// <summary>The shapes whose own formulas its mistakes change.</summary>
+    public Concerns ChangedShapes =>
+        (Plane.IsChanged ? Concerns.Planes : 0) | (Sphere.IsChanged || geometric ? Concerns.Spheres : 0)
+        | (Box.IsChanged || slabs ? Concerns.Boxes : 0) | (Circle.IsChanged ? Concerns.Circles : 0)
+        | (Triangle.IsChanged ? Concerns.Triangles : 0);
+
     /// <summary>As many models as a ray may try; with more a scene's mistakes are not tried at all.</summary>
     public const int MostModels = 10_000;
 
@@ -99,9 +105,11 @@ internal sealed partial class Lab
     /// <summary>Whether triangles are hit outside of themselves, so that nothing can be said about a mesh by its bounds.</summary>
     public bool TrianglesReachOut { get; set; }
 
-    /// <summary>Whether the last bits decide for each pixel if the mistake shows there: some pixels are the lab's, the others the
-    /// definition's.</summary>
+    /// <summary>Whether the last bits decide for each pixel if the mistake shows there: some pixels may look otherwise, as if it were spared.</summary>
     public bool Scatters { get; set; }
+
+    /// <summary>Whether the pixel that is drawn now is one where a mistake that scatters does not show.</summary>
+    public bool IsSpared { get; set; }
 
     /// <summary>Whether both crossings of a sphere or a box are offered one after the other, as Ray.Hit of the hand-out has it, not only
     /// the first that counts.</summary>

@@ -137,7 +137,7 @@ internal static class SurfaceMistakes
             "u ≥ 0, v ≥ 0, u + v ≤ 1: no sums that must be equal to the last bit.")
             .Or("triangle: the sum of the three areas compared with ==, in other numbers or another order, which loses other pixels", lab =>
             {
-                lab.TriangleFormula = (_, _) => None;
+                lab.Triangle.Becomes(cross => (triangle, d) => lab.IsSpared ? cross(triangle, d) : None);
                 lab.Scatters = true;
             }),
     ];

@@ -12,8 +12,11 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>Equal for trials that differ in wordings and samples alone.</summary>
     public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id)).Order(StringComparer.Ordinal));
 
-    /// <summary>The ids of its mistakes; rays through the other place of each pixel are one.</summary>
-    public IEnumerable<string> MistakeIds => Wordings.Select(wording => wording.Id).Concat(OtherSample ? [center.Id] : []);
+    /// <summary>Its mistakes; rays through the other place of each pixel are one.</summary>
+    public IEnumerable<Mistake> Mistakes => Wordings.Concat(OtherSample ? [center] : []);
+
+    /// <summary>Their ids.</summary>
+    public IEnumerable<string> MistakeIds => Mistakes.Select(mistake => mistake.Id);
 
     /// <summary>How many parts are missing, and how many mistakes there are.</summary>
     public (int Missing, int Mistakes) Parts => (Base.NotYet.Count, MistakeIds.Count());
@@ -29,7 +32,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     public int Unusual => Wordings.Count(wording => wording != MistakeCatalog.Named(wording.Id));
 
     /// <summary>Draws the scene so.</summary>
-    public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Wordings, .. OtherSample ? (Mistake[])[center] : []]));
+    public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Mistakes]));
 
     /// <summary>The mistakes to be named.</summary>
     public IReadOnlyList<Mistake> Named => [.. Wordings, .. Base.Kinds.Any() ? [] : Base.AsMistakes];

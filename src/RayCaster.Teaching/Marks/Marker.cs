@@ -55,11 +55,11 @@ internal sealed class Marker(Rubric rubric)
         || item.Mistakes.Any(mistake => (MistakeCatalog.Named(mistake)!.Concerns & Concerns.Color) != 0);
 
     /// <summary>How many points an item loses if a program is the student's, and for which mistakes or missing parts.</summary>
-    private static (double Lost, string[] Because) Cost(RubricItem item, WrongProgram program)
+    private (double Lost, string[] Because) Cost(RubricItem item, WrongProgram program)
     {
         string[] undone = [.. program.Base.NotYet.Intersect(item.Undone)];
         if (undone.Length > 0) return (item.Points, undone);
-        string[] mistakes = [.. program.MistakeIds.Intersect(item.Mistakes)];
+        string[] mistakes = [.. program.Mistakes.Where(mistake => rubric.ItemOf(mistake) == item).Select(mistake => mistake.Id)];
         return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
     }
 

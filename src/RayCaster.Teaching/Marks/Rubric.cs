@@ -40,6 +40,16 @@ public sealed class Rubric
 
     /// <summary>The item whose points a mistake costs; null if it costs none.</summary>
     internal RubricItem? ItemOf(string mistake) => Items.FirstOrDefault(item => item.Mistakes.Contains(mistake));
+
+    /// <summary>The same for a mistake in a certain wording: if it changes only the formulas of shapes that another item has, it costs that one.</summary>
+    internal RubricItem? ItemOf(Mistake wording)
+    {
+        if (ItemOf(wording.Id) is not { } item || ShapesOf(item) is not (> 0 and var own)) return ItemOf(wording.Id);
+        var changed = new Lab(Scenes[0].Scene, wording).ChangedShapes;
+        return changed == 0 || (own & changed) != 0 ? item : Items.FirstOrDefault(other => (ShapesOf(other) & changed) != 0) ?? item;
+    }
+
+    private static Concerns ShapesOf(RubricItem item) => item.Undone.Aggregate((Concerns)0, (shapes, part) => shapes | Mistake.KindOf(part));
 }
 
 /// <summary>A part of the lab that has points.</summary>
