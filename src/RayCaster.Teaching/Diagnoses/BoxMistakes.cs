@@ -84,11 +84,11 @@ internal static class BoxMistakes
             .Or("box: from its middle on as large as it is", Corners(box => new(0.5 * (box.Min + box.Max), 1.5 * box.Max - 0.5 * box.Min))),
     ];
 
-    /// <summary>What may be forgotten of one axis, or stay of another one where its line was copied.</summary>
     /// <summary>The ways into a slab and out of it, for a ray along it.</summary>
     private static Action<Lab> AlongASlab((double, double) ways) =>
         lab => lab.Faces.Becomes(faces => (axis, box, d) => d.At(axis) == 0 ? ways : faces(axis, box, d));
 
+    /// <summary>What may be forgotten of one axis, or stay of another one where its line was copied.</summary>
     private static IEnumerable<(string, Action<Lab>)> AxisSlips()
     {
         const string axes = "xyz";
