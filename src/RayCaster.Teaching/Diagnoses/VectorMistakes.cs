@@ -97,7 +97,8 @@ internal static class VectorMistakes
             .Or("U is divided by x² + y² + z²",
                 lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
             .Or(WithBothSpheres("d is divided by x² + y² + z²", lab => lab.Direction.Is(d => d / (d * d))))
-            .Or(WithBothSpheres("d = ux U + uy V − W / tan(fovY / 2) is divided by x² + y² + z²", Zoom + (lab => lab.Direction.Is(d => d / (d * d)))))
+            .Or(WithBothSpheres("d = ux U + uy V − W / tan(fovY / 2) is divided by x² + y² + z²",
+                Zoom + (lab => lab.Direction.Is(d => d / (d * d)))))
             .Or("the light reaches (T − P)²", lab => lab.Reach.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
             .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
             .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
@@ -167,7 +168,7 @@ internal static class VectorMistakes
 
     private static Action<Lab> LeaveDirection => lab => lab.Direction.Is(d => d);
 
-    /// <summary>d for a plane of the height 2 at the distance 1 / tan(fovY / 2), before it is normalised; backwards where that is negative.</summary>
+    /// <summary>d for a plane of the height 2 at the distance 1 / tan(fovY / 2), not normalised yet; backwards where that is negative.</summary>
     internal static Action<Lab> Zoom => lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc, ur) / lab.HalfHeight);
 
     private static void LeaveAxes(Lab lab)
