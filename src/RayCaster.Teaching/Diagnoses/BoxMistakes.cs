@@ -37,6 +37,8 @@ internal static class BoxMistakes
             .Or(Folds())
             .Or(from turned in (int[])[4, 8, 12, 16, 32, 48]
                 select ($"box: asked axis by axis, with the other of min and max for {Names(turned)}", AxisByAxis(turned: turned)))
+            .Or("box: t_min stays −∞", lab => lab.LastIn.Is((_, _, _) => -endless))
+            .Or("box: t_max stays +∞", lab => lab.FirstOut.Is((_, _, _) => endless))
             .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten",

@@ -41,11 +41,12 @@ public static class DiagnosisReport
     {
         if (diagnosis.ProvesNothing)
             text.AppendLine($"The picture of {scene} is of one colour, as that of an empty world: it proves nothing.");
+        var outlines = diagnosis.WrongCount + diagnosis.OutlineCount;
         text.AppendLine($"{picture} matches: it is the picture of {scene}" +
-            $"{(diagnosis.WrongCount + diagnosis.OutlineCount is var outlines and > 0 ? $", but for {ComparisonText.Count(outlines, "pixel")} on outlines" : "")}.");
+            $"{(outlines > 0 ? $", but for {ComparisonText.Count(outlines, "pixel")} on outlines" : "")}.");
         if (diagnosis.DarkerShare > 0.05)
-            text.AppendLine($"{ComparisonText.Share((int)(diagnosis.DarkerShare * diagnosis.PixelCount), diagnosis.PixelCount)} of the pixels are a level darker: the slide rounds a channel, 255 x + 0.5, " +
-                "where truncating takes 255 x.");
+            text.AppendLine($"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker: the slide rounds " +
+                "a channel, 255 x + 0.5, where truncating takes 255 x.");
     }
 
     /// <summary>After "matches": the mistakes that the scene would not show, so that a right picture is not taken for a right program.</summary>
@@ -200,7 +201,9 @@ public static class DiagnosisReport
 
     private static string Rest(Diagnosis diagnosis, Suspect suspect) => suspect.Unexplained < 0.5
         ? "nothing unexplained"
-        : $"{ComparisonText.Share((int)Math.Round(suspect.Unexplained), diagnosis.PixelCount)} of the pixels unexplained";
+        : $"{Share(suspect.Unexplained, diagnosis)} of the pixels unexplained";
+
+    private static string Share(double pixels, Diagnosis diagnosis) => ComparisonText.Share((int)Math.Round(pixels), diagnosis.PixelCount);
 
     private static void Wrap(StringBuilder text, string head, string words)
     {

@@ -11,6 +11,8 @@ internal static class HitMistakes
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
             .Or(from kind in Kinds select ($"no least t for {kind.Name}", (Action<Lab>)(lab => BackToo(lab, kind.Shapes))))
+            .Or(from kind in Kinds.Skip(1).Take(2)
+                select ($"no least t for the far crossing of {kind.Name}", (Action<Lab>)(lab => BackToo(lab, kind.Shapes, far: true))))
             .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
             {
                 lab.Ahead.Is(t => t > double.NegativeInfinity);
@@ -80,16 +82,18 @@ internal static class HitMistakes
             .Or("the best t starts at 1", lab => lab.Start.Is(() => 1))
             .Or("the best t starts at 10", lab => lab.Start.Is(() => 10))
             .Or("the best t starts at |T − P|", lab => lab.Start.Is(() => lab.Length.Do(lab.T - lab.P))),
-        new("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
+        new Mistake("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)),
             "What the near plane cuts is cut along a wrong line.",
             "What does the scene's \"clip\" say that zNear measures?",
-            "For \"depth\": zNear ≤ t · (−d·W); for \"distance\": zNear ≤ t."),
-        new("zfar-t", Concerns.Hit, Slides.ClipPlanes, "zFar compared with t where depth is meant (with depth where t is meant)",
+            "For \"depth\": zNear ≤ t · (−d·W); for \"distance\": zNear ≤ t.")
+            .Or("zNear compared with t / (−d·W)", lab => lab.Near.Becomes(near => (t, depth) => near(t, t * t / depth))),
+        new Mistake("zfar-t", Concerns.Hit, Slides.ClipPlanes, "zFar compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Far.Becomes(far => (t, depth) => far(depth, t)),
             "What the far plane cuts is cut along a wrong line: round for straight, or straight for round.",
             "What does the scene's \"clip\" say that zFar measures?",
-            "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar."),
+            "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar.")
+            .Or("zFar compared with t / (−d·W)", lab => lab.Far.Becomes(far => (t, depth) => far(t, t * t / depth))),
         new Mistake("zboth-t", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
             lab =>
             {
@@ -194,11 +198,11 @@ internal static class HitMistakes
     private static Crossings<Scalar> Closest(Crossings<Scalar> crossed) =>
         new(Math.Abs(crossed.Far) < Math.Abs(crossed.Near) ? crossed.Far : crossed.Near);
 
-    /// <summary>The first crossing of such shapes counts, behind the camera too.</summary>
-    private static void BackToo(Lab lab, Concerns shapes) => lab.Hit.Becomes(hit => (model, d) =>
+    /// <summary>The first crossing of such shapes counts, behind the camera too; or the far one where the near one does not count.</summary>
+    private static void BackToo(Lab lab, Concerns shapes, bool far = false) => lab.Hit.Becomes(hit => (model, d) =>
     {
         if ((Mistake.KindOf(model) & shapes) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);
-        double t = crossed.Near;
+        double t = far && !lab.Counts(crossed.Near, d) ? crossed.Far : crossed.Near;
         return t <= double.MaxValue && lab.Far.Do(t, lab.Depth.Do(t, d)) ? t : null;
     });
 }

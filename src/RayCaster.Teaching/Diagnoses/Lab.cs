@@ -29,6 +29,7 @@ internal sealed partial class Lab
     private void SetUp()
     {
         geometric = TakesUnitLength || D2.IsChanged || PassesBy.IsChanged || Thc.IsChanged || Roots.IsChanged;
+        analytical = InB.IsChanged || InC.IsChanged || R2.IsChanged || Discriminant.IsChanged || Solution.IsChanged;
         slabs = Faces.IsChanged || Order.IsChanged || Slab.IsChanged || LastIn.IsChanged || FirstOut.IsChanged || Overlap.IsChanged;
         if (TriangleT.IsChanged || TriangleX.IsChanged || Whole.IsChanged || Inside.IsChanged)
             TriangleIs(TriangleFormula ?? ((triangle, d) => TriangleByShares(triangle, d, Cross.Do)));
@@ -61,7 +62,7 @@ internal sealed partial class Lab
     private readonly double half;
     private double h, w, reach;
     private readonly int made; // mistakes; that rays pass through the other place of each pixel is a manner, too
-    private bool geometric, slabs;
+    private bool geometric, analytical, slabs;
 
     /// <summary>What is drawn.</summary>
     public Scene Scene { get; }

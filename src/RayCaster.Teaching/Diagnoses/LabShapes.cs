@@ -25,6 +25,24 @@ internal sealed partial class Lab
     /// <summary>Whether spheres are drawn by these steps with any d, of length 1 or not.</summary>
     public bool TakesUnitLength { get; set; }
 
+    // ---- Slide "Sphere – Analytical Solution": a t² + b t + c = 0 ----
+
+    /// <summary>(P, C) → the vector in b = 2 d·(P − C).</summary>
+    public Step<Func<Vector3, Vector3, Vector3>> InB => field ??= new((P, C) => P - C);
+
+    /// <summary>(P, C) → the vector in c = |P − C|² − R².</summary>
+    public Step<Func<Vector3, Vector3, Vector3>> InC => field ??= new((P, C) => P - C);
+
+    /// <summary>R → what is taken off in c.</summary>
+    public Step<Func<double, double>> R2 => field ??= new(R => R * R);
+
+    /// <summary>(a, b, c) → b² − 4ac.</summary>
+    public Step<Func<double, double, double, double>> Discriminant => field ??= new((a, b, c) => b * b - 4 * a * c);
+
+    /// <summary>(a, b, the discriminant) → the crossings.</summary>
+    public Step<Func<double, double, double, Crossed>> Solution => field ??= new((a, b, D) =>
+        new((-b - Math.Sqrt(D)) / (2 * a), (-b + Math.Sqrt(D)) / (2 * a)));
+
     // ---- Slides "AABB …" ----
 
     /// <summary>(axis, box, d) → t0 and t1, where the ray crosses the two faces across an axis: 0 is x, 1 is y, 2 is z.</summary>
@@ -74,6 +92,13 @@ internal sealed partial class Lab
         var tca = L * d;
         var distance = D2.Do(L * L, tca);
         return PassesBy.Do(s.Radius, distance) ? SlideFormulas.None : Roots.Do(tca, Thc.Do(s.Radius, distance));
+    }
+
+    /// <summary>a, b, c, the discriminant.</summary>
+    private Crossed Analytical(Sphere s, Vector3 d)
+    {
+        var (a, b, toC) = (d * d, 2 * (d * InB.Do(P, s.Center)), InC.Do(P, s.Center));
+        return Solution.Do(a, b, Discriminant.Do(a, b, toC * toC - R2.Do(s.Radius)));
     }
 
     /// <summary>t_min = the last way in, t_max = the first way out.</summary>

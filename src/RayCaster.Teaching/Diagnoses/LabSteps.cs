@@ -59,7 +59,7 @@ internal sealed partial class Lab
 
     /// <summary>(sphere, d) → its crossings.</summary>
     public Step<Func<Sphere, Vector3, Crossed>> Sphere => field ??= new((sphere, d) =>
-        geometric ? Geometric(sphere, d) : sphere.Intersect(RayOf(d)));
+        geometric ? Geometric(sphere, d) : analytical ? Analytical(sphere, d) : sphere.Intersect(RayOf(d)));
 
     /// <summary>(box, d) → its crossings.</summary>
     public Step<Func<Aabb, Vector3, Crossed>> Box => field ??= new((box, d) => slabs ? Slabs(box, d) : box.Intersect(RayOf(d)));

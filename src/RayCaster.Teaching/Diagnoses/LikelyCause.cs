@@ -132,7 +132,8 @@ internal static class LikelyCause
             bool IsNewEdge(int nx, int ny) =>
                 PictureDifference.Levels(right[x, y], right[nx, ny]) <= 8 && PictureDifference.Levels(shown, picture[nx, ny]) > 40;
         }
-        return count.Values.Sum() >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong) ? count : none; // a cut through an area is about as long as its side
+        // A cut through an area is about as long as its side.
+        return count.Values.Sum() >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong) ? count : none;
 
         static bool IsClamped((byte R, byte G, byte B) color) => Math.Max(color.R, Math.Max(color.G, color.B)) == byte.MaxValue;
     }

@@ -89,6 +89,7 @@ internal static class PixelMistakes
             ("w c / width − h / 2", "h r / height − w / 2", 0, -1),
             ("h c / width − w / 2", "w r / height − h / 2", -1, 0),
             ("w c / height − h / 2", "h r / width − w / 2", 1, -1),
+            ("w (c − width / 2) / height", "h (r − height / 2) / width", 1, 1),
         ];
         foreach (var (ofUc, ofUr, step, start) in slips)
         {

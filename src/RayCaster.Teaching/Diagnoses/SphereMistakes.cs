@@ -46,17 +46,16 @@ internal static class SphereMistakes
             .Or("sphere: L = −P, without C", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = Vector3.Zero }, d)))
             .Or("sphere: thc − tca where tca − thc is meant", lab => lab.Roots.Is((tca, thc) => new(thc - tca, thc + tca))),
         new Mistake("disc-2", Concerns.Spheres, Slides.SphereAnalytical, "sphere: discriminant b² − a c, while b = 2 d·(P − C) has its 2",
-            Quadratic((a, b, c) => Roots(a, b, b * b - a * c)),
+            lab => lab.Discriminant.Is((a, b, c) => b * b - a * c),
             "Spheres bleed over the picture, or have a wrong size or depth.",
             "Is the discriminant b² − 4ac or (b/2)² − ac? Which one fits your b?",
             "With b = 2 d·(P − C): b² − 4ac and t = (−b ∓ √…) / 2a.")
             .Or(OtherFactors())
-            .Or("sphere: discriminant 2 b − 4 a c", Quadratic((a, b, c) => Roots(a, b, 2 * b - 4 * a * c)))
-            .Or("sphere: b = d·(P − C) without its 2, and √(b² − c) / 2", Quadratic((a, b, c) => Roots(a, b / 2, b * b / 4 - c)))
-            .Or("sphere: discriminant b − 4 a c", Quadratic((a, b, c) => Roots(a, b, b - 4 * a * c)))
-            .Or("sphere: −b − √… / 2a without brackets", Quadratic((a, b, c) => Around(-b, Math.Sqrt(b * b - 4 * a * c) / (2 * a))))
-            .Or("sphere: c = (P − C)² + R²",
-                lab => lab.Sphere.Is((s, d) => QuadraticOf(lab, s, d, s.Radius * s.Radius, (a, b, c) => Roots(a, b, b * b - 4 * a * c)))),
+            .Or("sphere: discriminant 2 b − 4 a c", lab => lab.Discriminant.Is((a, b, c) => 2 * b - 4 * a * c))
+            .Or("sphere: b = d·(P − C) without its 2, and √(b² − c) / 2", HalfB + (lab => lab.Discriminant.Is((a, b, c) => b * b - c)))
+            .Or("sphere: discriminant b − 4 a c", lab => lab.Discriminant.Is((a, b, c) => b - 4 * a * c))
+            .Or("sphere: −b − √… / 2a without brackets", lab => lab.Solution.Is((a, b, D) => Around(-b, Math.Sqrt(D) / (2 * a))))
+            .Or("sphere: c = (P − C)² + R²", lab => lab.R2.Is(R => -R * R)),
         new Mistake("tca-positive", Concerns.Spheres, Slides.Sphere, "sphere: no hit where tca < 0, the slide's sentence taken literally",
             lab => lab.Sphere.Becomes(cross => (s, d) => (s.Center - lab.P) * d < 0 ? None : cross(s, d)),
             "From inside a sphere a part of it is missing: there the background shows.",
@@ -87,7 +86,7 @@ internal static class SphereMistakes
             .Or("sphere: thc doubled", lab => lab.Thc.Becomes(thc => (R, D2) => thc(R, D2) * 2))
             .Or("sphere: thc = R − D", lab => lab.Thc.Is((R, D2) => R - Math.Sqrt(D2)))
             .Or("sphere: (−b ∓ (b² − 4ac)) / 2a",
-                Quadratic((a, b, c) => b * b - 4 * a * c < 0 ? None : Around(-b / (2 * a), (b * b - 4 * a * c) / (2 * a)))),
+                lab => lab.Solution.Is((a, b, D) => D < 0 ? None : Around(-b / (2 * a), D / (2 * a)))),
         new Mistake("tca-only", Concerns.Spheres, Slides.Sphere, "sphere: t = tca, where the ray is nearest to the centre",
             lab => lab.Roots.Is((tca, _) => new(tca)),
             "Spheres look like flat discs, and stand too deep in what they touch.",
@@ -129,12 +128,14 @@ internal static class SphereMistakes
     /// <summary>Another D², from L² and tca.</summary>
     private static Action<Lab> Distance(Func<double, double, double> D2) => lab => lab.D2.Is(D2);
 
-    /// <summary>Other vectors, from P and C, in b = 2 d·(P − C) and in c = |P − C|² − R².</summary>
-    internal static Action<Lab> Quadratic(Func<Vector3, Vector3, Vector3> inB, Func<Vector3, Vector3, Vector3> inC) => lab => lab.Sphere.Is((s, d) =>
+    /// <summary>Other vectors, from P and C, in b = 2 d·(P − C) and in c = |P − C|² − R²; the right ones if null.</summary>
+    internal static Action<Lab> Quadratic(Func<Vector3, Vector3, Vector3>? inB = null, Func<Vector3, Vector3, Vector3>? inC = null) => lab =>
     {
-        var (a, b, C) = (d * d, 2 * (d * inB(lab.P, s.Center)), inC(lab.P, s.Center));
-        return Roots(a, b, b * b - 4 * a * (C * C - s.Radius * s.Radius));
-    });
+        if (inB is not null) lab.InB.Is(inB);
+        if (inC is not null) lab.InC.Is(inC);
+    };
+
+    private static Action<Lab> HalfB => lab => lab.InB.Becomes(inB => (P, C) => 0.5 * inB(P, C));
 
     /// <summary>Other numbers for the 2 in b, the 4 in b² − 4ac and the 2 in / 2a, at most two of them wrong.</summary>
     private static IEnumerable<(string, Action<Lab>)> OtherFactors() =>
@@ -142,23 +143,13 @@ internal static class SphereMistakes
         from inRoot in (int[])[1, 2, 4, -4]
         from under in (int[])[1, 2, 4]
         where (inB, inRoot, under) is not ((2, 4, 2) or (2, 1, 2) or (1, 1, 1)) && (inB, inRoot, under) is (2, _, _) or (_, 4, 2) or (1, 4, 1)
-        select ($"sphere: b = {inB} d·(P − C), b² − {inRoot} a c, divided by {under} a", Quadratic((a, b, c) =>
-            Roots(under * a / 2.0, inB * b / 2.0, inB * inB * b * b / 4 - inRoot * a * c)));
-
-    /// <summary>The roots of a t² + b t + c = 0, from its discriminant.</summary>
-    private static Crossings<Scalar> Roots(double a, double b, double discriminant) =>
-        new((-b - Math.Sqrt(discriminant)) / (2 * a), (-b + Math.Sqrt(discriminant)) / (2 * a));
+        select ($"sphere: b = {inB} d·(P − C), b² − {inRoot} a c, divided by {under} a", (Action<Lab>)(lab =>
+        {
+            if (inB != 2) lab.InB.Becomes(vector => (P, C) => inB / 2.0 * vector(P, C));
+            if (inRoot != 4) lab.Discriminant.Is((a, b, c) => b * b - inRoot * a * c);
+            if (under != 2) lab.Solution.Becomes(solution => (a, b, D) => solution(under / 2.0 * a, b, D));
+        }));
 
     /// <summary>−b / 2a and what is taken from it and added to it → both crossings.</summary>
     private static Crossings<Scalar> Around(double middle, double half) => new(middle - half, middle + half);
-
-    /// <summary>Slide "Sphere – Analytical Solution", from a, b = 2 d·(P − C) and c = |P − C|² − R² on.</summary>
-    private static Action<Lab> Quadratic(Func<double, double, double, Crossings<Scalar>> roots) =>
-        lab => lab.Sphere.Is((s, d) => QuadraticOf(lab, s, d, -s.Radius * s.Radius, roots));
-
-    private static Crossings<Scalar> QuadraticOf(Lab lab, Sphere s, Vector3 d, double square, Func<double, double, double, Crossings<Scalar>> roots)
-    {
-        var CP = lab.P - s.Center;
-        return roots(d * d, 2 * (d * CP), CP * CP + square);
-    }
 }

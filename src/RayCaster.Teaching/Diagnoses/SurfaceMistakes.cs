@@ -96,6 +96,8 @@ internal static class SurfaceMistakes
                 lab.TriangleByVolumes(triangle, d, inside: (u, v, sum) => u / sum >= 0 && v / sum >= 0 && u + v <= 1)))
             .Or("triangle: u and v are volumes that are not divided by their sum", lab => lab.TriangleIs((triangle, d) =>
                 lab.TriangleByVolumes(triangle, d, inside: (u, v, _) => IsInside(u, v))))
+            .Or("triangle: the three areas compared with twice the triangle's",
+                lab => lab.TriangleIs((triangle, d) => lab.TriangleByAreas(triangle, d, slack: 1)))
             .Or(ThirdSide("u² + v² ≤ 1", (u, v) => u * u + v * v <= 1))
             .Or(ThirdSide("u + v ≤ 1/2", (u, v) => u + v <= 0.5))
             .Or(ThirdSide("u + v ≤ 2", (u, v) => u + v <= 2))

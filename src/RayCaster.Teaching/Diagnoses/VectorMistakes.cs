@@ -45,6 +45,7 @@ internal static class VectorMistakes
             "Print |W|, |U| and |d|. What should they be?",
             "A vector's method returns a new vector: d = d.Normalized.")
             .Or("W, U and d are not normalised, and the sphere takes d·d = 1", LeaveAll + AssumeUnitLength)
+            .Or(WithBothSpheres("W, U and d = ux U + uy V − W / tan(fovY / 2) are not normalised", LeaveAll + Zoom))
             .Or("W and U are not normalised", LeaveAxes)
             .Or(from part in Parts
                 from unit in (Func<Vector3, Vector3>[])[a => part.Of(a / a.Length, a), a => part.Of(a, a / a.Length)]
@@ -96,6 +97,8 @@ internal static class VectorMistakes
             .Or("U is divided by x² + y² + z²",
                 lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
             .Or(WithBothSpheres("d is divided by x² + y² + z²", lab => lab.Direction.Is(d => d / (d * d))))
+            .Or(WithBothSpheres("d = ux U + uy V − W / tan(fovY / 2) is divided by x² + y² + z²",
+                Zoom + (lab => lab.Direction.Is(d => d / (d * d)))))
             .Or("the light reaches (T − P)²", lab => lab.Reach.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
             .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
             .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
@@ -165,7 +168,7 @@ internal static class VectorMistakes
 
     private static Action<Lab> LeaveDirection => lab => lab.Direction.Is(d => d);
 
-    /// <summary>d for a plane of the height 2 at the distance 1 / tan(fovY / 2), before it is normalised; backwards where that is negative.</summary>
+    /// <summary>d for a plane of the height 2 at the distance 1 / tan(fovY / 2), not normalised yet; backwards where that is negative.</summary>
     internal static Action<Lab> Zoom => lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc, ur) / lab.HalfHeight);
 
     private static void LeaveAxes(Lab lab)
