@@ -58,7 +58,8 @@ internal static class BoxMistakes
             .Or("box: t is the middle of t_min and t_max",
                 lab => lab.Box.Becomes(cross => (box, d) => cross(box, d) is var crossed ? new(0.5 * (crossed.Near + crossed.Far)) : default))
             .Or("box: t_max is tried first, then t_min", lab => lab.Box.Becomes(cross => (box, d) => Turned(cross(box, d)))),
-        new Mistake("slab-inv-nan", Concerns.Boxes, Slides.BoxParameters, "box: (B − P) · (1 / d) with d = 0 gives 0 · ∞, NaN, which loses the box",
+        new Mistake("slab-inv-nan", Concerns.Boxes, Slides.BoxParameters,
+            "box: (B − P) · (1 / d) with d = 0 gives 0 · ∞, NaN, which loses the box",
             Crossed("xyz", (lo, hi, origin, d) => ((lo - origin) * (1 / d), (hi - origin) * (1 / d))),
             "A box lacks a line one pixel wide, at its edge or right through it.",
             "What is 0 · (1 / 0) in doubles?",

@@ -106,7 +106,7 @@ internal sealed partial class Lab
     /// <summary>Whether triangles are hit outside of themselves, so that nothing can be said about a mesh by its bounds.</summary>
     public bool TrianglesReachOut { get; set; }
 
-    /// <summary>Whether the last bits decide for each pixel if the mistake shows there: some pixels may look otherwise, as if it were spared.</summary>
+    /// <summary>Whether the last bits decide for each pixel if the mistake shows there. Some pixels look as without it: they are spared.</summary>
     public bool Scatters { get; set; }
 
     /// <summary>Whether the pixel that is drawn now is one where a mistake that scatters does not show.</summary>

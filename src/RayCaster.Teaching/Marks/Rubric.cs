@@ -41,7 +41,7 @@ public sealed class Rubric
     /// <summary>The item whose points a mistake costs; null if it costs none.</summary>
     internal RubricItem? ItemOf(string mistake) => Items.FirstOrDefault(item => item.Mistakes.Contains(mistake));
 
-    /// <summary>The same for a mistake in a certain wording: if it changes only the formulas of shapes that another item has, it costs that one.</summary>
+    /// <summary>The same for a mistake in a certain wording: one that changes only the formulas of another item's shapes costs that item.</summary>
     internal RubricItem? ItemOf(Mistake wording)
     {
         if (ItemOf(wording.Id) is not { } item || ShapesOf(item) is not (> 0 and var own)) return ItemOf(wording.Id);

@@ -3,7 +3,7 @@ using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
 
 namespace RayCaster.Teaching.Tests.Marks;
 
-/// <summary>Points for pictures that <see cref="SlideCaster"/> draws, which shares no formula with the library.</summary>
+/// <summary>Points for pictures that <see cref="EditedLab"/> draws, which shares no formula with the library.</summary>
 public class MarkerTests
 {
     private static readonly Rubric whole = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
@@ -39,12 +39,12 @@ public class MarkerTests
             scene => draw(scene.Scene) is { } picture ? new SubmittedPicture(scene, picture, null) : new(scene, null, "no picture"))]);
 
     private static StudentMarks Mark(string mistake, string second = "ok", string undone = "") => Mark(scene =>
-        SlideCaster.Render(Without(scene, undone), Manner.OfTheSlides, Named(mistake), Named(second)));
+        EditedLab.Render(Without(scene, undone), Manner.OfTheSlides, Named(mistake), Named(second)));
 
     private static Scene Without(Scene scene, string kinds) =>
         scene with { Models = [.. scene.Models.Where(model => !kinds.Split(' ').Contains(model.Kind))] };
 
-    private static Planted Named(string id) => id == "ok" ? Planted.None : Planted.Named(id);
+    private static Planted Named(string id) => Planted.Named(id);
 
     private static string[] Lost(StudentMarks marks) =>
         [.. marks.Items.Where(item => item.Points < item.Of).Select(item => item.Name.Split(' ')[0])];
@@ -65,11 +65,30 @@ public class MarkerTests
         Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
     }
 
+    [Theory]
+    [InlineData("Circle", "C - ray.Origin", "ray.Origin - C", "9")] // the sign is the plane's mistake, but planes are right
+    [InlineData("Aabb", "P <= B1", "P <= B0", "7")] // a ray along a slab misses it
+    public void ASlipInAShapesOwnFormulaCostsThatShape(string file, string old, string @new, string lost)
+    {
+        var slip = new Planted($"{file}: {@new}", "", new Edit(file, old, @new));
+        var marks = Mark(With(whole.Items, Scenes("1-planes", "3-boxes", "4-flat").Select(Small)), scene => EditedLab.Render(scene, slip));
+        Assert.Equal(lost, string.Join(' ', Lost(marks)));
+    }
+
+    [Fact]
+    public void AFewWrongPixelsThatNothingExplainsLeaveTheirItemOpen()
+    {
+        var slip = new Planted("never along a slab", "", new Edit("Aabb", "B0 <= P", "B0 >= P"));
+        var marks = Mark(With(whole.Items, Scenes("1-planes", "3-boxes", "3-spheres", "4-all")), scene => EditedLab.Render(scene, slip));
+        Assert.Empty(Lost(marks).Except(["7"]));
+        Assert.Equal(["7 AABB"], marks.Items.Where(item => item.Open > 0).Select(item => item.Name));
+    }
+
     [Theory] // each of the two changes a whole picture, so neither is near by itself
     [InlineData("rows", "nohalf", "4")]
     public void TwoMistakesThatChangeWholePicturesCostTheirItems(string mistake, string second, string lost)
     {
-        var marks = Mark(two, scene => SlideCaster.Render(scene, Manner.OfTheSlides, Named(mistake), Named(second)));
+        var marks = Mark(two, scene => EditedLab.Render(scene, Manner.OfTheSlides, Named(mistake), Named(second)));
         Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
     }
 
