@@ -47,7 +47,8 @@ internal static partial class EditedLab
         var text = new Dictionary<string, string>(source);
         foreach (var (file, old, @new) in mistake.Edits.Concat(second.Edits).Concat(manner.Edits))
         {
-            if (source[file].Split(old).Length != 2) throw new InvalidOperationException($"the lab's {file}.cs must have \"{old}\" once: Mistake.cs edits it");
+            if (source[file].Split(old).Length != 2)
+                throw new InvalidOperationException($"the lab's {file}.cs must have \"{old}\" once: Mistake.cs edits it");
             text[file] = text[file].Replace(old, @new, StringComparison.Ordinal);
         }
         return manner.Float ? text.Select(file => InFloats(file.Key, file.Value)) : text.Values;
