@@ -168,9 +168,9 @@ internal static class VectorMistakes
         return length * towards(uc / length, ur / length);
     }
 
-    private static Action<Lab> LeaveAll => LeaveAxes + LeaveDirection;
-
     private static Action<Lab> LeaveDirection => lab => lab.Direction.Is(d => d);
+
+    private static Action<Lab> LeaveAll => LeaveAxes + LeaveDirection;
 
     /// <summary>d for a plane of the height 2 at the distance 1 / tan(fovY / 2), not normalised yet; backwards where that is negative.</summary>
     internal static Action<Lab> Zoom => lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc, ur) / lab.HalfHeight);
