@@ -19,7 +19,6 @@ internal sealed class PngReader : IDisposable
     private readonly byte[] palette = [];
     private readonly long firstData;
     private ZLibStream? data;
-    private PngData? compressed;
     private PngLines? lines;
     private int linesRead;
 
@@ -164,7 +163,7 @@ internal sealed class PngReader : IDisposable
     private PngLines OpenLines()
     {
         chunks.Return(firstData);
-        data = new ZLibStream(compressed = new PngData(chunks), CompressionMode.Decompress);
+        data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
         return lines = new(data, Header);
     }
 
@@ -176,12 +175,18 @@ internal sealed class PngReader : IDisposable
         return Encoding.Latin1.GetString(chunk[..end]) == PartFacts.Keyword ? Encoding.Latin1.GetString(chunk[(end + 1)..]) : null;
     }
 
-    /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a wrong checksum, but not a missing one.</summary>
+    /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a missing one only with its switch UseStrictValidation
+    /// (Directory.Build.props).</summary>
     private void CheckEnd()
     {
-        if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
-        data.BaseStream.CopyTo(Stream.Null);
-        if (compressed!.LastFour != lines!.CheckSum) throw new PictureFileException("its compressed data do not end with their checksum");
+        try
+        {
+            if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
+        }
+        catch (InvalidDataException e)
+        {
+            throw new PictureFileException("its compressed data do not end with their checksum", e);
+        }
     }
 
     /// <summary>Reads something from the data. Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>
@@ -193,8 +198,10 @@ internal sealed class PngReader : IDisposable
         }
         catch (Exception e) when (e is InvalidDataException or IOException)
         {
+            var isCut = e is EndOfStreamException || chunks.Type == "IEND";
             chunks.Check();
-            throw new PictureFileException("its compressed data are damaged", e);
+            throw new PictureFileException(
+                isCut ? $"the file is cut short: its data end in line {lines!.Line} of {Header.Height}" : "its compressed data are damaged", e);
         }
         catch (PictureFileException)
         {
