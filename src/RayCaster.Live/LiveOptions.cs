@@ -10,26 +10,6 @@ namespace RayCaster.Live;
 /// <param name="WantsHelp">Whether the user asked for the help only.</param>
 internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser, bool WantsHelp = false)
 {
-    public const string Help = """
-        Description:
-          Opens a page on this machine that shows a scene's picture and draws it again when you
-          save the scene file. Drag to turn the camera; click a pixel to read how it got its colour.
-
-        Usage:
-          dotnet run --project src/RayCaster.Live -- <scene> [options]
-
-        Options:
-              --mine <file>  Compares with a picture (PNG or PPM) of your own program, each time
-                             that your program writes it.
-              --port <n>     The page's port, 1 to 65535. [default: any that is free]
-              --no-browser   Prints the address and opens no browser.
-          -?, --help         Shows this help. Under "dotnet run", write it after "--".
-
-        Exit codes:
-          2 failed, 130 interrupted (Ctrl-C), 143 terminated.
-
-        """;
-
     /// <exception cref="ProblemException">The command line cannot be understood.</exception>
     public static LiveOptions Parse(string[] arguments)
     {

@@ -50,10 +50,10 @@ public sealed class MeshFileTests : IDisposable
     [Fact]
     public void PlaceIsALineOfTextOrAByteOfBinaryData()
     {
-        var text = Assert.Throws<MeshFileException>(() => MeshFile.Parse("a/box.obj", "v 0 0 0\nf 1 1"u8.ToArray()));
+        var text = Assert.Throws<MeshFileException>(() => MeshBytes.Read("a/box.obj", "v 0 0 0\nf 1 1"u8.ToArray()));
         Assert.Equal(("a/box.obj", 2, null), (text.Path, text.Line, text.Offset));
         Assert.Equal($"a/box.obj(2): {text.Reason}", text.Message);
-        var binary = Assert.Throws<MeshFileException>(() => MeshFile.Parse("a/box.stl", new byte[85]));
+        var binary = Assert.Throws<MeshFileException>(() => MeshBytes.Read("a/box.stl", new byte[85]));
         Assert.Equal(("a/box.stl", null, 80), (binary.Path, binary.Line, binary.Offset));
         Assert.Equal($"a/box.stl(byte 80): {binary.Reason}", binary.Message);
     }
