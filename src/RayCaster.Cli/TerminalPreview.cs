@@ -30,7 +30,6 @@ internal sealed class TerminalPreview
     }
 
     /// <summary>Adds the next lines of the picture.</summary>
-    /// <param name="rgb">Whole lines of red, green and blue.</param>
     public void Take(ReadOnlySpan<byte> rgb)
     {
         for (; rgb.Length > 0; rgb = rgb[(3 * width)..])

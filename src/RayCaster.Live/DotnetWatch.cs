@@ -31,8 +31,6 @@ internal static partial class DotnetWatch
         int.TryParse(Environment.GetEnvironmentVariable("DOTNET_WATCH_ITERATION"), CultureInfo.InvariantCulture, out var count) && count > 1;
 
     /// <summary>Reports the compiler's errors after each build that fails, and an empty list when the code compiles again.</summary>
-    /// <param name="report">Takes the errors.</param>
-    /// <param name="cancellation">Ends the connection.</param>
     public static async Task FollowAsync(Action<IReadOnlyList<Problem>> report, CancellationToken cancellation)
     {
         if (address is null || key is null) return;

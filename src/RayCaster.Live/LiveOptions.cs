@@ -3,11 +3,8 @@ using System.Globalization;
 namespace RayCaster.Live;
 
 /// <summary>The options of the command line.</summary>
-/// <param name="Scene">The scene file.</param>
 /// <param name="Mine">The file of a picture by the user's own program to compare with; null for none.</param>
 /// <param name="Port">The page's port; 0 for any that is free.</param>
-/// <param name="OpensBrowser">Whether the program opens a browser.</param>
-/// <param name="WantsHelp">Whether the user asked for the help only.</param>
 internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser, bool WantsHelp = false)
 {
     /// <exception cref="ProblemException">The command line cannot be understood.</exception>

@@ -60,7 +60,6 @@ internal sealed class LiveServer : IAsyncDisposable
     public string Address => gate.Address;
 
     /// <summary>Starts to serve.</summary>
-    /// <param name="options">What the command line says.</param>
     /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>
     public static async Task<LiveServer> StartAsync(LiveOptions options)
     {

@@ -114,8 +114,6 @@ internal static class Messages
     /// <summary>A colour for a style sheet: "#rrggbb".</summary>
     public static string Hex((byte R, byte G, byte B) color) => $"#{color.R:x2}{color.G:x2}{color.B:x2}";
 
-    /// <param name="problem">A mistake in a file.</param>
-    /// <param name="path">The file, from the root of the file system.</param>
     private static object Shown(Problem problem, string path) => new
     {
         problem.IsError,

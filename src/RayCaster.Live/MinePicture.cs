@@ -39,8 +39,6 @@ internal sealed class MinePicture : IDisposable
     }
 
     /// <summary>Takes a picture that was dropped on the page.</summary>
-    /// <param name="name">The file's name.</param>
-    /// <param name="bytes">The file.</param>
     /// <param name="mostPixels">The most pixels that its header may promise.</param>
     /// <exception cref="PictureFileException">The file is no picture, or too large.</exception>
     public void Take(string name, Stream bytes, long mostPixels) => Put(name, (PictureFile.Read(bytes, 3 * mostPixels), null));

@@ -7,9 +7,6 @@ namespace RayCaster.Live;
 /// The connection to one page in a browser. Of each kind of request only the newest is kept, and a frame is sent only after the page has shown the
 /// one before the last, so a slow or stopped browser costs nothing.
 /// </summary>
-/// <param name="socket">The connection.</param>
-/// <param name="server">What all pages share.</param>
-/// <param name="cancellation">Ends the connection.</param>
 internal sealed partial class Tab(WebSocket socket, LiveServer server, CancellationToken cancellation)
 {
     private const int MostUnseen = 2;

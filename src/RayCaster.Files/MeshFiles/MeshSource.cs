@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>The bytes of a mesh file, which need not fit into memory, and the errors that name a place in it.</summary>
-/// <param name="path">The file, as the caller named it.</param>
 /// <param name="stream">The file's bytes; it must be able to seek.</param>
 /// <param name="blockSize">How many bytes are read at once, unless a line or row is longer.</param>
 /// <param name="threads">How many blocks are read at the same time, at most.</param>

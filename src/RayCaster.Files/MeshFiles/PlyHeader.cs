@@ -32,7 +32,6 @@ internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType?
 
 /// <summary>A table of the file.</summary>
 /// <param name="Name">What its rows are: <c>vertex</c>, <c>face</c>, or anything else, which is skipped.</param>
-/// <param name="Count">The rows that the header promises.</param>
 /// <param name="At">The place of the header's line, for a message.</param>
 internal sealed record PlyElement(string Name, long Count, int At)
 {

@@ -13,7 +13,6 @@ namespace RayCaster.Files;
 /// </code>
 /// </summary>
 /// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
-/// <param name="Version">The version of the program that drew it.</param>
 public sealed record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
 {
     /// <summary>The keyword of the text in the file.</summary>

@@ -20,9 +20,6 @@ public sealed class PartFile : IDisposable
     /// <exception cref="PictureFileException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
     public static PartFile? Open(string path) => PictureFile.Open(path, file =>
     {
-        if (!file.CanSeek) throw new PictureFileException("it is a pipe or a device; a part is a file");
-        if (file.ReadByte() is var first && first != PngChunk.Signature[0])
-            throw new PictureFileException(first < 0 ? "the file is empty" : "it is not a PNG, so it is not a part of a picture");
         var reader = new PngReader(file, 3 * Camera.MaxPixels);
         if (reader.PartText is not { } text) return null;
         if (PartFacts.Parse(text) is not { } facts)

@@ -8,7 +8,6 @@ public sealed class PartSet
     private readonly List<string> problems = [];
 
     /// <summary>Reads the facts of the files.</summary>
-    /// <param name="paths">At least one file.</param>
     /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
     /// none.</param>
     /// <exception cref="PictureFileException">A file cannot be read.</exception>
@@ -46,8 +45,6 @@ public sealed class PartSet
 
     /// <summary>Writes the picture, a line at a time.</summary>
     /// <param name="writer">Receives the lines; it is not finished.</param>
-    /// <param name="linesDone">Called with the number of lines just written.</param>
-    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="InvalidOperationException">There are problems, or lines are missing.</exception>
     /// <exception cref="PictureFileException">A part is damaged, or was replaced.</exception>
     public void Write(PictureWriter writer, Action<int>? linesDone = null, CancellationToken cancellation = default)

@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>The compressed data of a PNG: the data of all its chunks IDAT as one stream, which can be read once.</summary>
-/// <param name="chunks">The chunks, at the first IDAT.</param>
 internal sealed class PngData(PngChunkReader chunks) : Stream
 {
     public override bool CanRead => true;

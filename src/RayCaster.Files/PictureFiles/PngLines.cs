@@ -3,7 +3,6 @@ using System.Buffers.Binary;
 namespace RayCaster.Files;
 
 /// <summary>Reads the lines of a PNG, pass by pass, with one byte for each sample.</summary>
-/// <param name="data">The decompressed data.</param>
 internal sealed class PngLines(Stream data, PngHeader header)
 {
     // The left neighbours of a line's first pixel are zeros, which stand before each line. The last of these bytes first receives the number of

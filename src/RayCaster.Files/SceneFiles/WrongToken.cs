@@ -52,8 +52,6 @@ internal readonly ref struct WrongToken(SourceText text)
     }
 
     /// <summary>A text in double quotes.</summary>
-    /// <param name="at">The place of the first quote.</param>
-    /// <param name="end">The place after the last quote.</param>
     public JsonMistake? Text(int at, out int end)
     {
         for (end = at + 1; end < utf8.Length; end++)

@@ -1,8 +1,6 @@
 namespace RayCaster;
 
 /// <summary>Triangles that share their corners, as one model.</summary>
-/// <param name="vertices">The corners.</param>
-/// <param name="indices">Three places in <paramref name="vertices"/> for each triangle, in file order.</param>
 public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
 {
     /// <summary>The corners. This is the mesh's own array: do not change it.</summary>

@@ -32,8 +32,6 @@ public abstract class Model
 
     /// <summary>Where rays over any kind of number cross the shape; null for models without such a formula: meshes, and plain doubles and
     /// ifs.</summary>
-    /// <param name="ray">The ray; its direction has length 1.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     public virtual Crossings<N>? Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
 
     /// <summary>Calls the visitor's method for this kind of model.</summary>
@@ -44,8 +42,6 @@ public abstract class Model
 }
 
 /// <summary>A model with a primitive, whose formula runs over any kind of number.</summary>
-/// <typeparam name="P">The kind of shape.</typeparam>
-/// <param name="primitive">The shape.</param>
 public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 {
     /// <summary>The shape.</summary>

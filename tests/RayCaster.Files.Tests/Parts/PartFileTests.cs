@@ -63,7 +63,7 @@ public sealed class PartFileTests : IDisposable
     public void AnythingElseIsNoPng()
     {
         var path = folder.Write("a.png", "P6 1 1 255 abc");
-        Assert.Equal($"cannot read {path}: it is not a PNG, so it is not a part of a picture",
+        Assert.Equal($"cannot read {path}: it is not a PNG",
             Assert.Throws<PictureFileException>(() => PartFile.Open(path)).Message);
     }
 
