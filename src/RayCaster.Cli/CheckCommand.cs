@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Finds errors in scene files, and mistakes that their pictures cannot show.</summary>
 internal sealed class CheckCommand : Command
 {
     public override Option[] Options { get; } = [Option.For, Option.Require, Option.Json, Option.Threads, Option.Quiet];

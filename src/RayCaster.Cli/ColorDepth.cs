@@ -3,14 +3,9 @@ namespace RayCaster.Cli;
 /// <summary>The colours that a terminal can show.</summary>
 internal enum ColorDepth
 {
-    /// <summary>None: plain characters and no escape codes.</summary>
-    None,
-
-    /// <summary>xterm's 256 colours.</summary>
-    Palette,
-
-    /// <summary>24-bit colours.</summary>
-    Full,
+    None, // plain characters and no escape codes
+    Palette, // xterm's 256 colours
+    Full, // 24 bits
 }
 
 /// <summary>Decides which colours to use.</summary>

@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Writes the lab as a folder for students.</summary>
 internal sealed class HandOutCommand : Command
 {
     public override Option[] Options { get; } = [Option.Open, Option.Solution, Option.Quiet];

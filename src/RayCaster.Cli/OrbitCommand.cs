@@ -3,7 +3,6 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Draws frames with a moving camera.</summary>
 internal sealed class OrbitCommand : Command
 {
     private const int MostFrames = 1_000_000;

@@ -5,20 +5,11 @@ namespace RayCaster.Live;
 /// <summary>What a frame shows; the page uses the same numbers.</summary>
 internal enum Layer
 {
-    /// <summary>The scene's picture.</summary>
     Picture,
-
-    /// <summary>A map that lies over the picture.</summary>
     Map,
-
-    /// <summary>The user's own picture.</summary>
-    Mine,
-
-    /// <summary>How much the two pictures differ.</summary>
-    Difference,
-
-    /// <summary>How much they differ, in one colour for each object.</summary>
-    ByObject,
+    Mine, // the user's own picture
+    Difference, // of the two pictures
+    ByObject, // the difference, in one colour for each object
 }
 
 /// <summary>A picture in the format of a canvas, four bytes for each pixel, so that the page copies nothing.</summary>
@@ -35,7 +26,6 @@ internal sealed class Frame(int width, int height)
     public byte[] Header(Layer layer, int version, int number, bool isFinal) =>
         MemoryMarshal.AsBytes<int>([(int)layer, version, number, isFinal ? 1 : 0, width, height]).ToArray();
 
-    /// <summary>Sets the pixels of some lines.</summary>
     public Frame Fill(ReadOnlySpan<byte> rgb, int firstPixel = 0)
     {
         var to = MemoryMarshal.Cast<byte, uint>(pixels.AsSpan(4 * firstPixel, rgb.Length / 3 * 4));
@@ -43,6 +33,5 @@ internal sealed class Frame(int width, int height)
         return this;
     }
 
-    /// <summary>A frame of a whole picture.</summary>
     public static Frame Of(Picture picture) => new Frame(picture.Width, picture.Height).Fill(picture.Rgb);
 }

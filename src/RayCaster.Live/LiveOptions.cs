@@ -2,7 +2,6 @@ using System.Globalization;
 
 namespace RayCaster.Live;
 
-/// <summary>The options of the command line.</summary>
 /// <param name="Mine">The file of a picture by the user's own program to compare with; null for none.</param>
 /// <param name="Port">The page's port; 0 for any that is free.</param>
 internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser, bool WantsHelp = false)
@@ -50,7 +49,6 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
 /// <summary>A problem that the user can solve. The program prints the message and nothing else.</summary>
 internal sealed class ProblemException(string message) : Exception(message)
 {
-    /// <summary>A mistake on the command line.</summary>
     public static ProblemException Usage(string problem) =>
         new($"raycaster-live: {problem}\nTry dotnet run --project src/RayCaster.Live -- --help.");
 }

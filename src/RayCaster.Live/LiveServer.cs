@@ -46,7 +46,6 @@ internal sealed class LiveServer : IAsyncDisposable
         Mine.Changed += () => ForEachTab(tab => tab.CompareAgain());
     }
 
-    /// <summary>The scene that the pages show.</summary>
     public LiveScene Scene { get; }
 
     /// <summary>The picture that the scene's picture is compared with.</summary>
@@ -59,7 +58,6 @@ internal sealed class LiveServer : IAsyncDisposable
     /// <summary>The page's address, with its secret.</summary>
     public string Address => gate.Address;
 
-    /// <summary>Starts to serve.</summary>
     /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>
     public static async Task<LiveServer> StartAsync(LiveOptions options)
     {

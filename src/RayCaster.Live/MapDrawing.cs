@@ -6,7 +6,6 @@ internal sealed record MapDrawing(MapKind Kind, Frame Frame, (float Least, float
 {
     private const int Steps = 33; // colours of the legend
 
-    /// <summary>Makes the map of a scene.</summary>
     public static MapDrawing Of(Scene scene, MapKind kind)
     {
         var map = MapMaker.Make(scene, kind);

@@ -43,7 +43,6 @@ internal sealed class MinePicture : IDisposable
     /// <exception cref="PictureFileException">The file is no picture, or too large.</exception>
     public void Take(string name, Stream bytes, long mostPixels) => Put(name, (PictureFile.Read(bytes, 3 * mostPixels), null));
 
-    /// <summary>Ends the comparison.</summary>
     public void Forget() => Put(null, default);
 
     /// <summary>The picture, if it has a camera's size; otherwise null.</summary>

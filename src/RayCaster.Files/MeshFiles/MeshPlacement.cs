@@ -99,7 +99,6 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
         return count;
     }
 
-    /// <summary>Whether a triangle has no area.</summary>
     /// <remarks>
     /// Almost all triangles pass a test without roots: squared, and with twice the limit of <see cref="Triangle.IsOnOneLine"/>. A triangle that
     /// passes it has an area by that definition too, because the roots round by only a few parts in 10¹⁶. The bounds 1e-100 and 1e100 keep all

@@ -52,10 +52,8 @@ internal sealed class MeshSource(string path, Stream stream, int blockSize = Mes
         return null;
     }
 
-    /// <summary>A mistake of the whole file.</summary>
     public MeshFileException Error(string reason) => new(path, reason);
 
-    /// <summary>A mistake in a binary part of the file.</summary>
     public MeshFileException ErrorAtByte(long offset, string reason) => new(path, reason, offset: offset);
 
     /// <summary>A mistake in a text part of the file. Lines are counted only here, so that readers need not count them.</summary>

@@ -2,7 +2,6 @@ using System.Formats.Tar;
 
 namespace RayCaster.Files;
 
-/// <summary>Tells what lies at a path.</summary>
 internal static class FileKind
 {
     private const int TypeInHeader = 156; // the place of an archive's byte that says what an entry is

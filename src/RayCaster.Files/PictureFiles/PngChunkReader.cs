@@ -29,7 +29,6 @@ internal sealed class PngChunkReader
     /// <summary>How many of its bytes are not read yet.</summary>
     public long Left { get; private set; }
 
-    /// <summary>Goes to the next chunk.</summary>
     /// <exception cref="PictureFileException">The file is cut short.</exception>
     public void Next()
     {
@@ -57,7 +56,6 @@ internal sealed class PngChunkReader
         Next();
     }
 
-    /// <summary>Where in the file the chunk begins.</summary>
     public long Place => start;
 
     /// <summary>Reads the next bytes of the chunk's data, and checks the checksum after the last of them.</summary>

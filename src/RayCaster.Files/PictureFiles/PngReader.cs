@@ -90,7 +90,6 @@ internal sealed class PngReader : IDisposable
     /// <summary>The text of <see cref="PartFacts"/>, if the picture is a part of one.</summary>
     public string? PartText { get; }
 
-    /// <summary>Reads a whole picture.</summary>
     /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
     public static Picture Read(Stream file, long mostBytes)
     {
@@ -210,7 +209,6 @@ internal sealed class PngReader : IDisposable
         }
     }
 
-    /// <summary>Copies a line of a pass into the picture.</summary>
     private void Place(ReadOnlySpan<byte> samples, int y, PngPass pass, Picture picture)
     {
         if (Header.ColorType == PngHeader.Rgb && pass.StepX == 1)
