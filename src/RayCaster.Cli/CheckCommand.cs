@@ -7,7 +7,7 @@ internal sealed class CheckCommand : Command
     public override string Help => """
         Description:
           Finds errors in scene files without casting a ray. Then says how good the scenes are as
-          tests: which mistakes of a ray caster their pictures cannot show or cannot tell apart,
+          tests: which mistakes of a ray caster their pictures cannot show or cannot distinguish,
           how many pixels depend on the last bits, and what to change. Several scenes are judged
           as a set.
 

@@ -23,7 +23,7 @@ internal static class ColorDepths
             "always" => true,
             "never" => false,
             null or "auto" => !Has("NO_COLOR") && (Has("FORCE_COLOR") || (!isRedirected && variable("TERM") != "dumb")),
-            _ => throw ProblemException.Usage($"'{when}' is not when to use colours: choose auto, always or never"),
+            _ => throw ProblemException.Usage($"'{when}' is not a value of --color: choose auto, always or never"),
         };
         if (!isWanted) return ColorDepth.None;
         var isFull = variable("COLORTERM") is "truecolor" or "24bit" || Has("WT_SESSION") // Windows' terminal

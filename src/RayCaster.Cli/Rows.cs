@@ -13,7 +13,7 @@ internal static class Rows
         var whole = LineRange.Whole(height);
         if (text.Split('/') is [var k, var n] && CommandLine.ParseCount(k) is { } part && CommandLine.ParseCount(n) is { } parts && part <= parts)
         {
-            if (parts > height) throw new ProblemException($"raycaster: {of} of {height} {what} has no {parts} parts");
+            if (parts > height) throw new ProblemException($"raycaster: {of} of {height} {what} cannot be divided into {parts} parts");
             return new((int)((part - 1L) * height / parts), (int)((long)part * height / parts) - 1);
         }
         if (LineRange.Parse(text) is not { } lines)

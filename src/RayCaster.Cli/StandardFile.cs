@@ -18,7 +18,8 @@ internal static class StandardFile
     /// some.</summary>
     /// <param name="text">Whole lines.</param>
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>
-    public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(PrintableText.Of(text, ofLines: true))));
+    public static void WriteOutput(string text) =>
+        WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(PrintableText.Of(text, ofLines: true))));
 
     /// <summary>Writes to standard output.</summary>
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>

@@ -66,7 +66,7 @@ internal sealed class MeshSource(string path, Stream stream, int blockSize = Mes
         var previous = (byte)0;
         for (var start = 0L; start <= offset && start < Length; start += buffer.Length)
         {
-            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Math.Min(offset + 1, Length) - start)); // one more tells CR from CRLF
+            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Math.Min(offset + 1, Length) - start)); // one more: CR or CRLF?
             Read(start, bytes);
             for (var i = 0; i < bytes.Length; i++)
             {

@@ -34,7 +34,7 @@ public sealed class PartSet
     /// <summary>The files that are parts, from the top.</summary>
     public IEnumerable<string> Files => parts.Select(part => part.Path);
 
-    /// <summary>Why these files are not the parts of one picture, a line of text for each reason. Missing parts are no problem here.</summary>
+    /// <summary>Why these files are not the parts of one picture, a line of text for each reason. Missing parts do not count here.</summary>
     public IReadOnlyList<string> Problems => problems;
 
     /// <summary>The lines that no part holds, from the top.</summary>

@@ -14,7 +14,7 @@ internal static class FileKind
         return IsRegular(link.LinkTarget is null ? link : (FileInfo)link.ResolveLinkTarget(returnFinalTarget: true)!);
     }
 
-    /// <summary>Whether it is a file, not a device, pipe or socket. In the runtime only the class that makes archives can tell, without opening
+    /// <summary>Whether it is a file, not a device, pipe or socket. In the runtime only the class that makes archives finds this out without opening
     /// it.</summary>
     private static bool IsRegular(FileInfo file)
     {

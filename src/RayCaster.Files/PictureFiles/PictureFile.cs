@@ -9,7 +9,7 @@ public static class PictureFile
     internal static long MostBytes => Array.MaxLength;
 
     /// <summary>
-    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), told apart by their first bytes.
+    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), recognised by its first bytes.
     /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
     /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
@@ -32,7 +32,7 @@ public static class PictureFile
     {
         try
         {
-            // The first bytes tell the format. A pipe cannot seek back, so they are passed on with the rest.
+            // The first bytes show the format. A pipe cannot seek back, so they are passed on with the rest.
             var start = new byte[8];
             var begun = start.AsSpan(0, stream.Read(start));
             if (begun.IsEmpty) throw new PictureFileException("the file is empty");

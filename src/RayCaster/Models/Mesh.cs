@@ -29,7 +29,7 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
         return nearest;
     }
 
-    /// <summary>A box around all corners, computed anew at each call.</summary>
+    /// <summary>A box around all corners, computed again at each call.</summary>
     public override Bounds? Bounds
     {
         get

@@ -16,8 +16,8 @@ public abstract class Model
     public abstract double? Intersect(Ray ray);
 
     /// <summary>
-    /// All numbers that <see cref="Intersect"/> depends on; null for a class that does not tell them. Parts of a picture are joined only if
-    /// these numbers are equal, so a picture with a model that does not tell them cannot be drawn in parts.
+    /// All numbers that <see cref="Intersect"/> depends on; null for a class that does not list them. Parts of a picture are joined only if
+    /// these numbers are equal, so a picture with a model that does not list them cannot be drawn in parts.
     /// </summary>
     public virtual IReadOnlyList<double>? Numbers => null;
 
