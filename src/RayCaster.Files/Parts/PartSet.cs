@@ -15,8 +15,7 @@ public sealed class PartSet
     {
         foreach (var path in paths)
         {
-            using var part = PartFile.Open(path);
-            if (part is not null) parts.Add((path, part.Facts));
+            if (PartFile.FactsOf(path) is { } facts) parts.Add((path, facts));
             else if (isChosen is null || isChosen(path))
                 problems.Add($"{path} is a picture, but does not say which part of which; --rows draws parts");
         }
@@ -53,15 +52,18 @@ public sealed class PartSet
         var line = new byte[3 * Size.Width];
         foreach (var (path, facts) in parts)
         {
-            using var part = PartFile.Open(path);
-            if (part?.Facts != facts) throw new PictureFileException($"cannot read {path}: it was replaced in the meantime");
-            for (var i = 0; i < facts.Lines.Count; i++)
+            PartFile.Open(path, (png, found) =>
             {
-                cancellation.ThrowIfCancellationRequested();
-                part.ReadLine(line);
-                writer.WriteRows(line);
-                linesDone?.Invoke(1);
-            }
+                if (found != facts) throw new PictureFileException("it was replaced in the meantime");
+                for (var i = 0; i < facts.Lines.Count; i++)
+                {
+                    cancellation.ThrowIfCancellationRequested();
+                    png.ReadLine(line);
+                    writer.WriteRows(line);
+                    linesDone?.Invoke(1);
+                }
+                return true;
+            });
         }
     }
 

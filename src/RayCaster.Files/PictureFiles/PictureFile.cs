@@ -16,7 +16,14 @@ public static class PictureFile
     /// <exception cref="PictureFileException">The file cannot be read, is damaged, of another kind, or too large.</exception>
     public static Picture Read(string path) => Open(path, file =>
     {
-        using (file) return Read(file);
+        try
+        {
+            return Read(file);
+        }
+        catch (IOException e)
+        {
+            throw new PictureFileException(PictureFileException.Reason(e), e);
+        }
     });
 
     /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string)"/> does; the messages name no file.</summary>
@@ -65,40 +72,40 @@ public static class PictureFile
         writer.Finish();
     }
 
-    /// <summary>Opens a file for reading; errors name the file.</summary>
-    /// <param name="read">Reads, and closes the file or keeps it. If it throws or returns null, the file is closed here.</param>
+    /// <summary>Opens a file, reads it and closes it; errors name the file.</summary>
     /// <exception cref="PictureFileException">The file cannot be read.</exception>
     internal static T Open<T>(string path, Func<FileStream, T> read)
     {
-        FileStream? file = null;
-        var isKept = false;
         try
         {
             if (Directory.Exists(path)) throw new PictureFileException("it is a folder, not a picture");
-            file = File.OpenRead(path);
-            var result = read(file);
-            isKept = result is not null;
-            return result;
+            using var file = OpenToRead(path);
+            return read(file);
         }
         catch (PictureFileException e) when (!e.NamesFile)
         {
             throw new PictureFileException($"cannot read {path}: {e.Message}", e) { NamesFile = true };
         }
+    }
+
+    private static FileStream OpenToRead(string path)
+    {
+        try
+        {
+            return File.OpenRead(path);
+        }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new PictureFileException($"picture file not found: {path}\n  looked for {PrintableText.Of(Path.GetFullPath(path))}", e);
+            var place = PrintableText.Of(Path.GetFullPath(path));
+            throw new PictureFileException($"picture file not found: {path}\n  looked for {place}", e) { NamesFile = true };
         }
         catch (ArgumentException e) // empty, or with a zero in it
         {
-            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e);
+            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e) { NamesFile = true };
         }
         catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
-            throw new PictureFileException($"cannot read {path}: {PictureFileException.Reason(e)}", e);
-        }
-        finally
-        {
-            if (!isKept) file?.Dispose();
+            throw new PictureFileException(PictureFileException.Reason(e), e);
         }
     }
 

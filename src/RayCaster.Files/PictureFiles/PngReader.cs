@@ -101,9 +101,8 @@ internal sealed class PngReader : IDisposable
     /// <exception cref="PictureFileException">The file cannot be read; the message names it.</exception>
     public static T OpenFile<T>(string path, Func<PngReader, T> read) => PictureFile.Open(path, file =>
     {
-        using (file)
-        using (var png = new PngReader(file, 3 * Camera.MaxPixels))
-            return read(png);
+        using var png = new PngReader(file, 3 * Camera.MaxPixels);
+        return read(png);
     });
 
     /// <exception cref="PictureFileException">The picture is interlaced, so that its lines do not follow each other.</exception>
