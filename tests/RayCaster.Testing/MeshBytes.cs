@@ -1,5 +1,3 @@
-using RayCaster.Files;
-
 namespace RayCaster.Testing;
 
 /// <summary>Reads mesh files that are in memory.</summary>
