@@ -31,7 +31,7 @@ internal sealed class MinePicture : IDisposable
         if (path is null) return;
         while (!end.IsCancellationRequested)
         {
-            await watch.WaitAsync(end.Token);
+            await watch.WaitAsync(Timeout.Infinite, end.Token);
             var read = Read(path);
             while (read.Picture is null && await watch.WaitAsync(PatienceMilliseconds, end.Token)) read = Read(path);
             Put(path, read);

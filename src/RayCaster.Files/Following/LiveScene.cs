@@ -51,7 +51,7 @@ public sealed class LiveScene : IDisposable
     {
         while (!end.IsCancellationRequested)
         {
-            await watch.WaitAsync(end.Token);
+            await watch.WaitAsync(Timeout.Infinite, end.Token);
             await Task.Delay(1, end.Token); // most editors cause a second notice within this time
             var (reading, text) = await ReadPatiently();
             var isSame = text.AsSpan().SequenceEqual(State.Text) && reading.Scene is not null == State.IsGood;
