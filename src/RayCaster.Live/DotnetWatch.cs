@@ -62,7 +62,7 @@ internal static partial class DotnetWatch
             ? [.. from line in root.GetProperty("diagnostics").EnumerateArray()
                   let match = CompilerError().Match(line.GetString()!)
                   where match.Success
-                  select new Problem(true, match.Groups[1].Value, Number(match, 2), Number(match, 3), "", match.Groups[4].Value, "")]
+                  select new Problem(true, match.Groups[1].Value, Number(match, 2), Number(match, 3), match.Groups[4].Value, "")]
             : null;
     }
 

@@ -71,11 +71,11 @@ public static class SceneReader
     {
         if (Encodings.MistakeIn(document.Text.Utf8) is { } encoding)
         {
-            document.Add(true, encoding.Start, encoding.End, "", encoding.Message);
+            document.Add(true, encoding.Start, encoding.End, encoding.Message);
             return null;
         }
         if (JsonTree.Parse(document.Text, out var mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name: name);
-        document.Add(true, mistake.Start, mistake.End, "", mistake.Message);
+        document.Add(true, mistake.Start, mistake.End, mistake.Message);
         return null;
     }
 
@@ -193,5 +193,5 @@ public static class SceneReader
         $"the scene file has more than {MostBytes:N0} bytes, which is the limit; put large meshes into mesh files"));
 
     private static SceneReading Unreadable(string path, string message) =>
-        new(null, [new Problem(true, path, 0, 0, "", message, "")]);
+        new(null, [new Problem(true, path, 0, 0, message, "")]);
 }
