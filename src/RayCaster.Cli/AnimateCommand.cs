@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Joins frames into an animated PNG.</summary>
 internal sealed class AnimateCommand : Command
 {
     public override Option[] Options { get; } = [Option.Output, Option.Fps, Option.Quiet];

@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Finds errors in scene files, and mistakes that their pictures cannot show.</summary>
 internal sealed class CheckCommand : Command
 {
     public override Option[] Options { get; } = [Option.For, Option.Require, Option.Json, Option.Threads, Option.Quiet];
@@ -8,7 +7,7 @@ internal sealed class CheckCommand : Command
     public override string Help => """
         Description:
           Finds errors in scene files without casting a ray. Then says how good the scenes are as
-          tests: which mistakes of a ray caster their pictures cannot show or cannot tell apart,
+          tests: which mistakes of a ray caster their pictures cannot show or cannot distinguish,
           how many pixels depend on the last bits, and what to change. Several scenes are judged
           as a set.
 

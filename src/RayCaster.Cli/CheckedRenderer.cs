@@ -4,8 +4,6 @@ namespace RayCaster.Cli;
 /// Draws with the engine. If the course's library was changed, compares some pixels with the definition, and draws by the definition as soon as
 /// one differs. With <c>--plain</c>, draws by the definition from the start.
 /// </summary>
-/// <param name="threads">How many threads cast rays; null for one per core.</param>
-/// <param name="plain">Whether the definition draws from the start.</param>
 internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
 {
     /// <summary>The definition draws a picture of up to so many pixels in one call. It draws a larger one in strips, which need less
@@ -20,7 +18,6 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
     public bool ManyFrames { get; init; }
 
     /// <summary>Draws lines of the picture.</summary>
-    /// <param name="write">Gets whole lines, in order.</param>
     /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
     /// <exception cref="FastWayDisagreesException">All lines were drawn, but some differ from the definition. A message was shown; the next call
     /// draws by the definition.</exception>

@@ -3,14 +3,9 @@ namespace RayCaster.Cli;
 /// <summary>The colours that a terminal can show.</summary>
 internal enum ColorDepth
 {
-    /// <summary>None: plain characters and no escape codes.</summary>
-    None,
-
-    /// <summary>xterm's 256 colours.</summary>
-    Palette,
-
-    /// <summary>24-bit colours.</summary>
-    Full,
+    None, // plain characters and no escape codes
+    Palette, // xterm's 256 colours
+    Full, // 24 bits
 }
 
 /// <summary>Decides which colours to use.</summary>
@@ -28,7 +23,7 @@ internal static class ColorDepths
             "always" => true,
             "never" => false,
             null or "auto" => !Has("NO_COLOR") && (Has("FORCE_COLOR") || (!isRedirected && variable("TERM") != "dumb")),
-            _ => throw ProblemException.Usage($"'{when}' is not when to use colours: choose auto, always or never"),
+            _ => throw ProblemException.Usage($"'{when}' is not a value of --color: choose auto, always or never"),
         };
         if (!isWanted) return ColorDepth.None;
         var isFull = variable("COLORTERM") is "truecolor" or "24bit" || Has("WT_SESSION") // Windows' terminal

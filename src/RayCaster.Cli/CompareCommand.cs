@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Compares a picture with the one that it should be.</summary>
 internal sealed class CompareCommand : Command
 {
     public override Option[] Options { get; } =

@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Names the mistake that makes a wrong picture.</summary>
 internal sealed class DiagnoseCommand : Command
 {
     public override Option[] Options { get; } = [Option.Hint, Option.Done, Option.Json, Option.Threads];

@@ -3,7 +3,6 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Reads a scene, draws it or a part of it, and writes the picture.</summary>
 internal sealed class DrawCommand : Command
 {
     public override Option[] Options { get; } =

@@ -1,7 +1,7 @@
 namespace RayCaster.Cli;
 
 /// <summary>
-/// Exit codes of the process. 1 means only "the answer is no", so scripts can tell a wrong picture from a failed run. A signal gives 128 plus
+/// Exit codes of the process. 1 means only "the answer is no", so scripts can distinguish a wrong picture from a failed run. A signal gives 128 plus
 /// its number, as in a shell.
 /// </summary>
 internal static class ExitCode

@@ -2,7 +2,6 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Explains how one pixel gets its colour.</summary>
 internal sealed class ExplainCommand : Command
 {
     public override Option[] Options { get; } = [Option.Size, Option.Reference, Option.Json, Option.Quiet];

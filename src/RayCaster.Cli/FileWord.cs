@@ -18,7 +18,7 @@ internal static class FileWord
             if (PrintableText.IsPrintable(c)) continue;
             throw new ProblemException(
                 $"raycaster: '{PrintableText.Of(word)}' holds the invisible character U+{(int)c:X4}: rename the file, " +
-                    "or type the name anew if it was copied");
+                    "or type the name again if it was copied");
         }
     }
 }

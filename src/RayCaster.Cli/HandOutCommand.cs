@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Writes the lab as a folder for students.</summary>
 internal sealed class HandOutCommand : Command
 {
     public override Option[] Options { get; } = [Option.Open, Option.Solution, Option.Quiet];
@@ -48,6 +47,7 @@ internal sealed class HandOutCommand : Command
         if (ends.Length <= 2 && CommandLine.ParseCount(ends[0]) is { } first && CommandLine.ParseCount(ends[^1]) is { } last
             && first <= last && last <= Teaching.LabSteps.Count)
             return (first, last);
-        throw ProblemException.Usage($"'{text}' are no steps: write one from 1 to {Teaching.LabSteps.Count}, or the first and the last as in 1..4");
+        throw ProblemException.Usage(
+            $"'{text}' names no steps: write one from 1 to {Teaching.LabSteps.Count}, or the first and the last as in 1..4");
     }
 }

@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Shows the help of the app or of a command.</summary>
 internal sealed class HelpCommand : Command
 {
     public override Option[] Options => [];

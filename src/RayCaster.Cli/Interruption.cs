@@ -5,7 +5,7 @@ internal static class Interruption
 {
     private const int Patience = 500; // milliseconds
 
-    /// <summary>Deletes unfinished files, and says in one line what was finished. Does not wait if standard error is a pipe that nobody
+    /// <summary>Deletes unfinished files, and says in one line what was finished. Does not wait if standard error is a pipe that no program
     /// reads.</summary>
     public static void Tell()
     {

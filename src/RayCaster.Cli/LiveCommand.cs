@@ -10,28 +10,7 @@ internal sealed class LiveCommand : Command
 
     public override Option[] Options { get; } = [Option.Mine, Option.Port, Option.NoBrowser];
 
-    public override string Help => """
-        Description:
-          Opens a page on this machine that shows a scene's picture and draws it again when you
-          save the scene file. Drag to turn the camera; click a pixel to read how it got its
-          colour.
-
-        Usage:
-          raycaster live <scene> [options]
-
-        Options:
-              --mine <file>  Compares with a picture (PNG or PPM) of your own program, each time
-                             that your program writes it.
-              --port <n>     The page's port, 1 to 65535. [default: any that is free]
-              --no-browser   Prints the address and opens no browser.
-
-        Example:
-          dotnet run --project src/RayCaster.Cli -- live scenes/first.json
-
-        Exit codes:
-          2 failed, 130 interrupted (Ctrl-C), 143 terminated.
-
-        """;
+    public override string Help => Live.LiveHelp.Text;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {

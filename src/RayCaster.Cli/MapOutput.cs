@@ -12,7 +12,8 @@ internal static class MapOutput
         if (line.Has(Option.Format)) throw ProblemException.Usage("a map is a PFM and a PNG; --format is for the picture");
         var numbers = line[Option.Output] ?? DrawCommand.NameOf(path) + $".{kind.Name()}.pfm";
         if (!numbers.EndsWith(".pfm", StringComparison.OrdinalIgnoreCase))
-            throw ProblemException.Usage($"a map's numbers go to a file that ends in .pfm, but '{numbers}' is given; its picture is called alike");
+            throw ProblemException.Usage(
+                $"a map's numbers go to a file that ends in .pfm, but '{numbers}' is given; its picture gets the same name with .png");
         var colors = TerminalScreen.Colors(line);
         // A name of its own, so "-o room.pfm" does not replace the picture room.png.
         var ending = $".{kind.Name()}";

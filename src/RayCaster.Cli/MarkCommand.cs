@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace RayCaster.Cli;
 
-/// <summary>Gives points for the pictures of a class.</summary>
 internal sealed class MarkCommand : Command
 {
     public override Option[] Options { get; } =

@@ -1,9 +1,7 @@
 namespace RayCaster.Cli;
 
 /// <summary>An option of the command line. It has the same meaning for all commands.</summary>
-/// <param name="name">With two dashes.</param>
 /// <param name="shortName">With one dash; empty if there is none. Not -c, -f, -r, -a, -p, -v or -e: "dotnet run" uses these itself.</param>
-/// <param name="takesValue">Whether a value follows; otherwise it is a switch.</param>
 internal sealed class Option(string name, string shortName = "", bool takesValue = true)
 {
     public static readonly Option Output = new("--output", "-o");

@@ -3,7 +3,6 @@ using System.Globalization;
 
 namespace RayCaster.Cli;
 
-/// <summary>Draws frames with a moving camera.</summary>
 internal sealed class OrbitCommand : Command
 {
     private const int MostFrames = 1_000_000;
@@ -75,7 +74,7 @@ internal sealed class OrbitCommand : Command
             var whole = LineRange.Whole(camera.Height);
             var output = Path.Combine(folder, $"{name}-{frame.ToString(digits, CultureInfo.InvariantCulture)}.png");
             var part = PictureOutput.Facts(view, whole); // the file contains what it shows, so --resume can skip it
-            // The reason to draw a frame anew is printed for the first one only.
+            // The reason to draw a frame again is printed for the first one only.
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue;
             PictureOutput.Draw(
                 output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, line.ShowsProgress, cancellation,

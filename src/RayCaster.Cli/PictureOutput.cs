@@ -16,7 +16,7 @@ internal static class PictureOutput
     /// <summary>Its name in messages.</summary>
     public static string NameOf(string output) => output == SceneInput.Standard ? "standard output" : output;
 
-    /// <summary>The format that is asked for, or that of the file's extension.</summary>
+    /// <summary>The format of --format, or that of the file's extension.</summary>
     public static PictureFormat FormatOf(CommandLine line, string output) =>
         line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
 
@@ -81,7 +81,7 @@ internal static class PictureOutput
     public static bool IsThere(string output, PartFacts part, bool quiet)
     {
         if (PartFile.Holds(output, part, out var reason)) return true;
-        if (reason is not null && !quiet) StandardFile.WriteError($"{output} is drawn anew: {reason}\n");
+        if (reason is not null && !quiet) StandardFile.WriteError($"{output} is drawn again: {reason}\n");
         return false;
     }
 

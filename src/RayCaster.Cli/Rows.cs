@@ -5,7 +5,6 @@ internal static class Rows
 {
     /// <summary>The lines of a picture that a value stands for.</summary>
     /// <param name="text"><c>0..249</c>: the lines 0 to 249, both included; <c>3/8</c>: the third of eight parts.</param>
-    /// <param name="height">Lines of the whole picture.</param>
     /// <param name="what">Their name in messages: lines or frames.</param>
     /// <param name="of">What has them, in messages: a picture or a film.</param>
     /// <exception cref="ProblemException">The value has another form, or the picture has no such lines.</exception>
@@ -14,7 +13,7 @@ internal static class Rows
         var whole = LineRange.Whole(height);
         if (text.Split('/') is [var k, var n] && CommandLine.ParseCount(k) is { } part && CommandLine.ParseCount(n) is { } parts && part <= parts)
         {
-            if (parts > height) throw new ProblemException($"raycaster: {of} of {height} {what} has no {parts} parts");
+            if (parts > height) throw new ProblemException($"raycaster: {of} of {height} {what} cannot be divided into {parts} parts");
             return new((int)((part - 1L) * height / parts), (int)((long)part * height / parts) - 1);
         }
         if (LineRange.Parse(text) is not { } lines)

@@ -8,7 +8,6 @@ internal static class SceneInput
 
     /// <summary>Reads a scene and prints its errors and warnings.</summary>
     /// <param name="path">The file, or "-".</param>
-    /// <param name="line">Has the picture's size and the number of threads.</param>
     /// <returns>The scene; null if it has errors.</returns>
     public static Scene? Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true)
     {

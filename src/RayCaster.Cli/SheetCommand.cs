@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Draws small copies of many pictures on one sheet.</summary>
 internal sealed class SheetCommand : Command
 {
     public override Option[] Options { get; } = [Option.Output, Option.Columns, Option.Size, Option.Quiet];

@@ -14,10 +14,12 @@ internal static class StandardFile
     /// <summary>Whether a write to standard output was begun.</summary>
     public static bool HasTakenBytes { get; private set; }
 
-    /// <summary>Writes a command's answer to standard output.</summary>
+    /// <summary>Writes a command's answer to standard output, without control characters: even the name of the current folder may contain
+    /// some.</summary>
     /// <param name="text">Whole lines.</param>
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>
-    public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(WithoutControls(text))));
+    public static void WriteOutput(string text) =>
+        WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(PrintableText.Of(text, ofLines: true))));
 
     /// <summary>Writes to standard output.</summary>
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>
@@ -57,7 +59,7 @@ internal static class StandardFile
     public static void WriteError(string text)
     {
         if (text.Length == 0) return;
-        text = WithoutControls(text);
+        text = PrintableText.Of(text, ofLines: true);
         if (OperatingSystem.IsWindows())
         {
             Console.Error.Write(text);
@@ -73,15 +75,6 @@ internal static class StandardFile
         {
         }
     }
-
-    /// <summary>Replaces control characters: for example, the name of the current folder may contain some that move the cursor.</summary>
-    private static string WithoutControls(string text) => string.Create(text.Length, text, (span, from) =>
-    {
-        for (var i = 0; i < span.Length; i++)
-            span[i] = from[i] is '\n' or '\t' || (from[i] == '\r' && from.AsSpan(i).StartsWith("\r\n")) || PrintableText.IsPrintable(from[i])
-                ? from[i]
-                : '\uFFFD';
-    });
 
     /// <summary>A closed file gives the second kind of exception, a file that is larger than the system allows the third.</summary>
     private static bool IsRefusal(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException;

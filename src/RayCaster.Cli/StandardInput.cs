@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Standard input, which may be closed.</summary>
 internal static class StandardInput
 {
     private const string Descriptors = "/proc/self/fd", Facts = "/proc/self/fdinfo";

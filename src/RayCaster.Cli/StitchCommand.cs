@@ -2,7 +2,6 @@ using System.Diagnostics;
 
 namespace RayCaster.Cli;
 
-/// <summary>Joins parts drawn with --rows into one picture, or lists the missing lines.</summary>
 internal sealed class StitchCommand : Command
 {
     /// <summary>How many problems are listed at most.</summary>

@@ -12,40 +12,20 @@ internal sealed class TerminalPreview
     /// <summary>Characters for terminals without colours, from dark to bright.</summary>
     private const string Ramp = " .:-=+*#%@";
 
-    private readonly int width, height, across, down;
-    private readonly int[] cellOfColumn;
-    private readonly long[] sums; // red, green, blue and the number of pixels for each cell
-    private int linesTaken;
+    private readonly int across, down;
+    private readonly SmallPicture cells;
 
     /// <param name="columns">Characters in a line of the terminal.</param>
     /// <param name="lines">Lines that may be used.</param>
     public TerminalPreview(int width, int height, int columns, int lines)
     {
         var scale = Math.Min(1, Math.Min((double)columns / width, 2.0 * lines / height)); // a small picture is not enlarged
-        (this.width, this.height) = (width, height);
         (across, down) = (Math.Max(1, (int)Math.Round(width * scale)), Math.Max(1, (int)Math.Round(height * scale)));
-        cellOfColumn = new int[width];
-        for (var x = 0; x < width; x++) cellOfColumn[x] = (int)((long)x * across / width);
-        sums = new long[4 * across * down];
+        cells = new(width, height, across, down);
     }
 
     /// <summary>Adds the next lines of the picture.</summary>
-    /// <param name="rgb">Whole lines of red, green and blue.</param>
-    public void Take(ReadOnlySpan<byte> rgb)
-    {
-        for (; rgb.Length > 0; rgb = rgb[(3 * width)..])
-        {
-            var line = sums.AsSpan(4 * across * (int)((long)linesTaken++ * down / height));
-            for (var x = 0; x < width; x++)
-            {
-                var cell = line[(4 * cellOfColumn[x])..];
-                cell[0] += rgb[3 * x];
-                cell[1] += rgb[3 * x + 1];
-                cell[2] += rgb[3 * x + 2];
-                cell[3]++;
-            }
-        }
-    }
+    public void Take(ReadOnlySpan<byte> rgb) => cells.Take(rgb);
 
     /// <summary>The characters, in whole lines.</summary>
     public string Text(ColorDepth depth)
@@ -65,7 +45,7 @@ internal sealed class TerminalPreview
         var start = text.Length;
         for (var x = 0; x < across; x++)
         {
-            var light = y + 1 < down ? (Light(Cell(x, y)) + Light(Cell(x, y + 1))) / 2 : Light(Cell(x, y));
+            var light = y + 1 < down ? (Light(cells.Picture[x, y]) + Light(cells.Picture[x, y + 1])) / 2 : Light(cells.Picture[x, y]);
             text.Append(Ramp[Math.Min((int)(light / 256 * Ramp.Length), Ramp.Length - 1)]);
         }
         while (text.Length > start && text[^1] == ' ') text.Length--;
@@ -76,26 +56,18 @@ internal sealed class TerminalPreview
         (byte, byte, byte)? upperBefore = null, lowerBefore = null;
         for (var x = 0; x < across; x++)
         {
-            var upper = Cell(x, y);
+            var upper = cells.Picture[x, y];
             if (upper != upperBefore) AddColor(text, 38, upper, depth);
             upperBefore = upper;
             if (y + 1 < down)
             {
-                var lower = Cell(x, y + 1);
+                var lower = cells.Picture[x, y + 1];
                 if (lower != lowerBefore) AddColor(text, 48, lower, depth);
                 lowerBefore = lower;
             }
             text.Append('\u2580');
         }
         text.Append("\e[0m");
-    }
-
-    private (byte R, byte G, byte B) Cell(int x, int y)
-    {
-        var cell = sums.AsSpan(4 * (y * across + x), 4);
-        return (Mean(cell[0], cell[3]), Mean(cell[1], cell[3]), Mean(cell[2], cell[3]));
-
-        static byte Mean(long sum, long count) => (byte)((sum + count / 2) / Math.Max(1, count));
     }
 
     private static void AddColor(StringBuilder text, int ground, (byte R, byte G, byte B) color, ColorDepth depth)

@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>Makes a similar scene, one for each student.</summary>
 internal sealed class VaryCommand : Command
 {
     public override Option[] Options { get; } = [Option.Seed, Option.Output, Option.Quiet];

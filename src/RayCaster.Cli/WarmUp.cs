@@ -79,7 +79,6 @@ internal static class WarmUp
     internal static byte[] Beginning(ReadOnlySpan<byte> text) =>
         text.IndexOf("\"mesh\""u8) < 0 && text.LastIndexOf("},"u8) is >= 0 and var end ? [.. text[..(end + 1)], .. "]}"u8] : [];
 
-    /// <summary>Draws models to nowhere.</summary>
     internal static void Draw(List<Model> models, bool isPlain)
     {
         var scene = new Scene(new Camera(new(new(0, -2, 0.5), new(0.5, 0, 0)) { Width = Width, Height = Height }), models);

@@ -4,7 +4,7 @@ namespace RayCaster.Files;
 internal static class StreamBytes
 {
     /// <summary>Reads up to the end of the stream; false if there are more than <paramref name="most"/> bytes.</summary>
-    /// <param name="stream">The stream; one that can seek tells how much memory it needs.</param>
+    /// <param name="stream">The stream; if it can seek, its length is known.</param>
     /// <param name="begun">Bytes that were read before; they come first.</param>
     public static bool TryReadToEnd(Stream stream, long most, out ArraySegment<byte> all, ReadOnlySpan<byte> begun = default)
     {

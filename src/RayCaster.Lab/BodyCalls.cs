@@ -1,6 +1,6 @@
 namespace Lab;
 
-/// <summary>Calls each body that is to be written, so that <see cref="Todo"/> hears from those that are not.</summary>
+/// <summary>Calls each body that is to be written, so that those that are not written yet call <see cref="Todo.Note(string)"/>.</summary>
 public static class BodyCalls
 {
     /// <summary>Calls all in the order in which they are to be written.</summary>
@@ -37,7 +37,7 @@ public static class BodyCalls
 
         void Try()
         {
-            try { call(); } catch (Exception) { } // the tests tell about that
+            try { call(); } catch (Exception) { } // the tests report that
         }
     }
 }

@@ -1,6 +1,6 @@
 namespace Lab;
 
-/// <summary>Knows what is not written yet: each body that is to be written begins with a note, which goes when the body is written.</summary>
+/// <summary>Knows what is not written yet: each body that is to be written begins with a note, which is deleted when the body is written.</summary>
 public static class Todo
 {
     /// <summary>All bodies, in the order in which they are to be written.</summary>

@@ -9,7 +9,7 @@ public class Vector3(double x, double y, double z)
 {
     public double X = x, Y = y, Z = z;
 
-    public static Vector3 Zero => new(0, 0, 0); // a new one each time: nobody can change everybody's zero
+    public static Vector3 Zero => new(0, 0, 0); // a new one each time, because its coordinates can be changed
 
     public static Vector3 operator +(Vector3 a, Vector3 b) =>
         // BEGIN SOLUTION "IDE & Vectors"
@@ -26,7 +26,7 @@ public class Vector3(double x, double y, double z)
     public static Vector3 operator *(double b, Vector3 a) =>
         // BEGIN SOLUTION "IDE & Vectors"
         // STUB Todo.Note("IDE & Vectors", Zero);
-        new(b * a.X, b * a.Y, b * a.Z); // the slide's fourth coordinate ", 0" is a slip
+        new(b * a.X, b * a.Y, b * a.Z); // the slide's fourth coordinate ", 0" is an error
         // END SOLUTION
 
     public static double operator *(Vector3 a, Vector3 b) => // dot product

@@ -3,9 +3,6 @@ namespace RayCaster.Live;
 /// <summary>The comparison of the user's own picture with the scene's, in words and in pictures.</summary>
 /// <param name="Name">The picture's name; null if there is no picture.</param>
 /// <param name="Problem">Why it cannot be compared; null if it can.</param>
-/// <param name="Result">The comparison; null if there is none.</param>
-/// <param name="Scene">The scene that it should show.</param>
-/// <param name="SceneName">The scene's name.</param>
 internal sealed record Comparison(string? Name, string? Problem, PictureComparison? Result, Scene? Scene, string SceneName)
 {
     private static readonly SemaphoreSlim turn = new(1, 1); // a diagnosis takes all cores for seconds

@@ -31,8 +31,6 @@ internal static partial class DotnetWatch
         int.TryParse(Environment.GetEnvironmentVariable("DOTNET_WATCH_ITERATION"), CultureInfo.InvariantCulture, out var count) && count > 1;
 
     /// <summary>Reports the compiler's errors after each build that fails, and an empty list when the code compiles again.</summary>
-    /// <param name="report">Takes the errors.</param>
-    /// <param name="cancellation">Ends the connection.</param>
     public static async Task FollowAsync(Action<IReadOnlyList<Problem>> report, CancellationToken cancellation)
     {
         if (address is null || key is null) return;
@@ -64,7 +62,7 @@ internal static partial class DotnetWatch
             ? [.. from line in root.GetProperty("diagnostics").EnumerateArray()
                   let match = CompilerError().Match(line.GetString()!)
                   where match.Success
-                  select new Problem(true, match.Groups[1].Value, Number(match, 2), Number(match, 3), "", match.Groups[4].Value, "")]
+                  select new Problem(true, match.Groups[1].Value, Number(match, 2), Number(match, 3), match.Groups[4].Value, "")]
             : null;
     }
 

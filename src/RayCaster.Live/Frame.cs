@@ -5,25 +5,14 @@ namespace RayCaster.Live;
 /// <summary>What a frame shows; the page uses the same numbers.</summary>
 internal enum Layer
 {
-    /// <summary>The scene's picture.</summary>
     Picture,
-
-    /// <summary>A map that lies over the picture.</summary>
     Map,
-
-    /// <summary>The user's own picture.</summary>
-    Mine,
-
-    /// <summary>How much the two pictures differ.</summary>
-    Difference,
-
-    /// <summary>How much they differ, in one colour for each object.</summary>
-    ByObject,
+    Mine, // the user's own picture
+    Difference, // of the two pictures
+    ByObject, // the difference, in one colour for each object
 }
 
 /// <summary>A picture in the format of a canvas, four bytes for each pixel, so that the page copies nothing.</summary>
-/// <param name="width">Pixels in a line.</param>
-/// <param name="height">Lines.</param>
 internal sealed class Frame(int width, int height)
 {
     private readonly byte[] pixels = GC.AllocateUninitializedArray<byte>(4 * width * height);
@@ -32,16 +21,11 @@ internal sealed class Frame(int width, int height)
     public ReadOnlyMemory<byte> Pixels => pixels;
 
     /// <summary>Six numbers of four bytes, which the server sends before the pixels.</summary>
-    /// <param name="layer">What the frame shows.</param>
-    /// <param name="version">The version of the scene.</param>
     /// <param name="number">The count of the page's frames so far.</param>
     /// <param name="isFinal">Whether the camera rests, so that the frame has its full size and no other follows.</param>
     public byte[] Header(Layer layer, int version, int number, bool isFinal) =>
         MemoryMarshal.AsBytes<int>([(int)layer, version, number, isFinal ? 1 : 0, width, height]).ToArray();
 
-    /// <summary>Sets the pixels of some lines.</summary>
-    /// <param name="rgb">Three bytes for each pixel.</param>
-    /// <param name="firstPixel">The index of the first pixel that they set.</param>
     public Frame Fill(ReadOnlySpan<byte> rgb, int firstPixel = 0)
     {
         var to = MemoryMarshal.Cast<byte, uint>(pixels.AsSpan(4 * firstPixel, rgb.Length / 3 * 4));
@@ -49,6 +33,5 @@ internal sealed class Frame(int width, int height)
         return this;
     }
 
-    /// <summary>A frame of a whole picture.</summary>
     public static Frame Of(Picture picture) => new Frame(picture.Width, picture.Height).Fill(picture.Rgb);
 }

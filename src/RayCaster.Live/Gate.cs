@@ -8,7 +8,6 @@ namespace RayCaster.Live;
 /// Accepts requests of the page only. Other users of this machine do not know the token in the page's address; other pages in the same browser
 /// send another Host, Origin or Sec-Fetch-Site.
 /// </summary>
-/// <param name="port">The server's port.</param>
 internal sealed class Gate(int port, string token)
 {
     private const string Policy = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; " +

@@ -2,34 +2,10 @@ using System.Globalization;
 
 namespace RayCaster.Live;
 
-/// <summary>The options of the command line.</summary>
-/// <param name="Scene">The scene file.</param>
 /// <param name="Mine">The file of a picture by the user's own program to compare with; null for none.</param>
 /// <param name="Port">The page's port; 0 for any that is free.</param>
-/// <param name="OpensBrowser">Whether the program opens a browser.</param>
-/// <param name="WantsHelp">Whether the user asked for the help only.</param>
 internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser, bool WantsHelp = false)
 {
-    public const string Help = """
-        Description:
-          Opens a page on this machine that shows a scene's picture and draws it again when you
-          save the scene file. Drag to turn the camera; click a pixel to read how it got its colour.
-
-        Usage:
-          dotnet run --project src/RayCaster.Live -- <scene> [options]
-
-        Options:
-              --mine <file>  Compares with a picture (PNG or PPM) of your own program, each time
-                             that your program writes it.
-              --port <n>     The page's port, 1 to 65535. [default: any that is free]
-              --no-browser   Prints the address and opens no browser.
-          -?, --help         Shows this help. Under "dotnet run", write it after "--".
-
-        Exit codes:
-          2 failed, 130 interrupted (Ctrl-C), 143 terminated.
-
-        """;
-
     /// <exception cref="ProblemException">The command line cannot be understood.</exception>
     public static LiveOptions Parse(string[] arguments)
     {
@@ -73,7 +49,6 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
 /// <summary>A problem that the user can solve. The program prints the message and nothing else.</summary>
 internal sealed class ProblemException(string message) : Exception(message)
 {
-    /// <summary>A mistake on the command line.</summary>
     public static ProblemException Usage(string problem) =>
         new($"raycaster-live: {problem}\nTry dotnet run --project src/RayCaster.Live -- --help.");
 }

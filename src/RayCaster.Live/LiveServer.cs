@@ -6,6 +6,7 @@ using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
+using Microsoft.Extensions.FileProviders;
 
 namespace RayCaster.Live;
 
@@ -19,7 +20,6 @@ internal sealed class LiveServer : IAsyncDisposable
     private const int MostAttempts = 10;
 
     private readonly ConcurrentDictionary<Tab, byte> tabs = new();
-    private readonly PageFiles files = new();
     private readonly CancellationTokenSource end = new();
     private readonly Gate gate;
     private readonly WebApplication app;
@@ -38,12 +38,14 @@ internal sealed class LiveServer : IAsyncDisposable
         });
         app = builder.Build();
         app.UseWebSockets(new() { KeepAliveInterval = TimeSpan.FromSeconds(10), KeepAliveTimeout = TimeSpan.FromSeconds(20) });
-        app.Run(AnswerAsync);
+        app.Use(AnswerAsync);
+        // The page's own files are part of the program: no request can name a file of the disk.
+        app.UseFileServer(new FileServerOptions { FileProvider = new EmbeddedFileProvider(typeof(LiveServer).Assembly, "") });
+        app.Run(context => RefuseAsync(context, StatusCodes.Status404NotFound, "There is no such file."));
         Scene.Changed += () => ForEachTab(tab => tab.Wake());
         Mine.Changed += () => ForEachTab(tab => tab.CompareAgain());
     }
 
-    /// <summary>The scene that the pages show.</summary>
     public LiveScene Scene { get; }
 
     /// <summary>The picture that the scene's picture is compared with.</summary>
@@ -56,8 +58,6 @@ internal sealed class LiveServer : IAsyncDisposable
     /// <summary>The page's address, with its secret.</summary>
     public string Address => gate.Address;
 
-    /// <summary>Starts to serve.</summary>
-    /// <param name="options">What the command line says.</param>
     /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>
     public static async Task<LiveServer> StartAsync(LiveOptions options)
     {
@@ -112,14 +112,14 @@ internal sealed class LiveServer : IAsyncDisposable
         foreach (var tab in tabs.Keys) action(tab);
     }
 
-    private async Task AnswerAsync(HttpContext context)
+    private async Task AnswerAsync(HttpContext context, RequestDelegate answerWithFile)
     {
         var (path, method) = (context.Request.Path, context.Request.Method);
         if (gate.Refuse(context) is { } reason) await RefuseAsync(context, StatusCodes.Status403Forbidden, reason);
         else if (path == "/live" && context.WebSockets.IsWebSocketRequest) await ServeTabAsync(context);
         else if (path == "/mine" && HttpMethods.IsPost(method)) await TakeMineAsync(context);
         else if (!HttpMethods.IsGet(method)) await RefuseAsync(context, StatusCodes.Status405MethodNotAllowed, $"{method} is not allowed here.");
-        else if (!await files.TryAnswerAsync(context)) await RefuseAsync(context, StatusCodes.Status404NotFound, "There is no such file.");
+        else await answerWithFile(context);
     }
 
     private static Task RefuseAsync(HttpContext context, int status, string reason)

@@ -1,15 +1,11 @@
 namespace RayCaster.Live;
 
 /// <summary>A map as a picture, with its legend.</summary>
-/// <param name="Kind">What the map shows of each pixel.</param>
-/// <param name="Frame">The picture.</param>
 /// <param name="Range">The least and the greatest number; null for vectors, and if no ray hits anything.</param>
-/// <param name="Models">The number of models.</param>
 internal sealed record MapDrawing(MapKind Kind, Frame Frame, (float Least, float Greatest)? Range, int Models)
 {
     private const int Steps = 33; // colours of the legend
 
-    /// <summary>Makes the map of a scene.</summary>
     public static MapDrawing Of(Scene scene, MapKind kind)
     {
         var map = MapMaker.Make(scene, kind);

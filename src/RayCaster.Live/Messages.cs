@@ -18,7 +18,6 @@ internal static class Messages
         Converters = { new JsonStringEnumConverter(JsonNamingPolicy.CamelCase) },
     };
 
-    /// <summary>Any message.</summary>
     public static byte[] Of(object message) => JsonSerializer.SerializeToUtf8Bytes(message, options);
 
     /// <summary>The state of the scene file: the picture's size, the models, the mistakes.</summary>
@@ -48,7 +47,6 @@ internal static class Messages
         });
     }
 
-    /// <summary>The compiler's errors.</summary>
     public static byte[] OfCode(IReadOnlyList<Problem> errors) => Of(new
     {
         Kind = "code",
@@ -56,7 +54,6 @@ internal static class Messages
         More = Math.Max(0, errors.Count - SceneReading.Printed),
     });
 
-    /// <summary>A camera, in the keys of a scene file.</summary>
     public static byte[] OfCamera(Camera camera, bool isMoved) => Of(new
     {
         Kind = "camera",
@@ -66,7 +63,6 @@ internal static class Messages
         camera.FovY,
     });
 
-    /// <summary>What a pixel shows.</summary>
     public static byte[] OfHover(Scene scene, int column, int line)
     {
         var ray = ScalarRenderer.Cast(scene, column, scene.Camera.Height - 1 - line);
@@ -114,8 +110,6 @@ internal static class Messages
     /// <summary>A colour for a style sheet: "#rrggbb".</summary>
     public static string Hex((byte R, byte G, byte B) color) => $"#{color.R:x2}{color.G:x2}{color.B:x2}";
 
-    /// <param name="problem">A mistake in a file.</param>
-    /// <param name="path">The file, from the root of the file system.</param>
     private static object Shown(Problem problem, string path) => new
     {
         problem.IsError,

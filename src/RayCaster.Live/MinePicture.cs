@@ -31,7 +31,7 @@ internal sealed class MinePicture : IDisposable
         if (path is null) return;
         while (!end.IsCancellationRequested)
         {
-            await watch.WaitAsync(end.Token);
+            await watch.WaitAsync(Timeout.Infinite, end.Token);
             var read = Read(path);
             while (read.Picture is null && await watch.WaitAsync(PatienceMilliseconds, end.Token)) read = Read(path);
             Put(path, read);
@@ -39,13 +39,10 @@ internal sealed class MinePicture : IDisposable
     }
 
     /// <summary>Takes a picture that was dropped on the page.</summary>
-    /// <param name="name">The file's name.</param>
-    /// <param name="bytes">The file.</param>
     /// <param name="mostPixels">The most pixels that its header may promise.</param>
     /// <exception cref="PictureFileException">The file is no picture, or too large.</exception>
     public void Take(string name, Stream bytes, long mostPixels) => Put(name, (PictureFile.Read(bytes, 3 * mostPixels), null));
 
-    /// <summary>Ends the comparison.</summary>
     public void Forget() => Put(null, default);
 
     /// <summary>The picture, if it has a camera's size; otherwise null.</summary>

@@ -18,7 +18,7 @@ internal static class Program
             var options = LiveOptions.Parse(arguments);
             if (options.WantsHelp)
             {
-                Console.Out.Write(LiveOptions.Help);
+                Console.Out.Write(LiveHelp.Text);
                 return 0;
             }
             // The page shows a scene's mistakes; a file that does not exist is a mistake on the command line.

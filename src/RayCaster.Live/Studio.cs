@@ -12,8 +12,6 @@ internal sealed class Studio
     private int isWarm;
 
     /// <summary>The picture of a view at rest.</summary>
-    /// <param name="state">The scene.</param>
-    /// <param name="view">The camera and the models that show.</param>
     /// <param name="cancellation">Abandons the picture, as when the scene changes.</param>
     public Task<Frame> DrawAsync(SceneState state, View view, CancellationToken cancellation) => DoAsync(
         () =>

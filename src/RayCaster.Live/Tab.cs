@@ -7,9 +7,6 @@ namespace RayCaster.Live;
 /// The connection to one page in a browser. Of each kind of request only the newest is kept, and a frame is sent only after the page has shown the
 /// one before the last, so a slow or stopped browser costs nothing.
 /// </summary>
-/// <param name="socket">The connection.</param>
-/// <param name="server">What all pages share.</param>
-/// <param name="cancellation">Ends the connection.</param>
 internal sealed partial class Tab(WebSocket socket, LiveServer server, CancellationToken cancellation)
 {
     private const int MostUnseen = 2;
@@ -29,7 +26,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private (int Column, int Line)? hover, explained;
     private bool wantsExplanation;
     private int shown, sent;
-    private SceneState? told; // the state that the page knows
+    private SceneState? known; // the state that the page knows
     private CancellationTokenSource outdated = new();
 
     /// <summary>Makes the sending loop look for work.</summary>
@@ -91,20 +88,20 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
 
     private async Task TellSceneAsync(SceneState state)
     {
-        if (ReferenceEquals(told, state)) return;
+        if (ReferenceEquals(known, state)) return;
         await SendAsync(Messages.OfScene(server.Scene, state));
         lock (sync)
         {
             // After a change of the camera in the file the page shows the file's camera, not the one that was turned.
-            if (state.IsGood && told?.Scene is { } before && !IsSame(before.Camera, state.Scene!.Camera)) view = view with { Camera = null };
-            told = state;
+            if (state.IsGood && known?.Scene is { } before && !IsSame(before.Camera, state.Scene!.Camera)) view = view with { Camera = null };
+            known = state;
             if (!state.IsGood) return;
             Refresh();
             wantsCamera = wantsComparison = true;
         }
     }
 
-    /// <summary>Notes that the page needs everything anew that depends on the scene and the view.</summary>
+    /// <summary>Notes that the page needs again everything that depends on the scene and the view.</summary>
     private void Refresh() =>
         (wantsFrame, wantsExplanation, wantsMap, wantsLedger) = (true, explained is not null, map is not null, true);
 

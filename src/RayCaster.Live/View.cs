@@ -6,7 +6,6 @@ namespace RayCaster.Live;
 /// <param name="Camera">The camera; null for the scene's own.</param>
 /// <param name="Divisor">By how much the width and the height are divided while the camera moves.</param>
 /// <param name="Hidden">The indices of the models that are left out, as "2,5".</param>
-/// <param name="Look">How <paramref name="Model"/> is shown.</param>
 /// <param name="Model">The index of the model that <paramref name="Look"/> is about; −1 for none.</param>
 internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidden = "", Look Look = Look.Plain, int Model = -1)
 {

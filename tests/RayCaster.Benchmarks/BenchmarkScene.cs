@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RayCaster.Benchmarks;
 
-/// <summary>A scene to measure. Its models are made anew for each run, so that nothing prepared for one picture helps the next.</summary>
+/// <summary>A scene to measure. Its models are made again for each run, so that nothing prepared for one picture helps the next.</summary>
 /// <param name="name">What options and tables call it.</param>
 /// <param name="title">What it shows.</param>
 /// <param name="models">How many shapes: models, or the triangles of its mesh.</param>

@@ -49,7 +49,7 @@ public sealed class AttackTests : IDisposable
         Directory.CreateDirectory(raycaster.PathOf("frames"));
         raycaster.Write("frames/a\nb.png", "x").Run("sheet", "frames", "-o", "x.png");
         Assert.Equal(
-            (2, "raycaster: 'a\uFFFDb.png' holds the invisible character U+000A: rename the file, or type the name anew if it was copied\n"),
+            (2, "raycaster: 'a\uFFFDb.png' holds the invisible character U+000A: rename the file, or type the name again if it was copied\n"),
             (raycaster.ExitCode, raycaster.Error));
     }
 
@@ -166,7 +166,7 @@ public sealed class AttackTests : IDisposable
     public void APictureThatDoesNotSayWhatItIsIsDrawnAnewWithAReason()
     {
         raycaster.Run(Room, "-s", "9x9", "-q").Run(Room, "-s", "9x9", "--resume");
-        Assert.StartsWith("room.png is drawn anew: it does not say which scene it shows; only pictures drawn with --rows or --resume do\n",
+        Assert.StartsWith("room.png is drawn again: it does not say which scene it shows; only pictures drawn with --rows or --resume do\n",
             raycaster.Error);
         raycaster.Run(Room, "-s", "9x9", "--resume");
         Assert.Equal("room.png: exists already\n", raycaster.Error);

@@ -48,7 +48,7 @@ public sealed class FaultTests : IDisposable
     public void AFolderOneMayNotWriteToIsNamed()
     {
         if (OperatingSystem.IsWindows()) return; // rights are others there
-        var folder = Environment.IsPrivilegedProcess ? "/proc" : "locked"; // nobody may write to the first
+        var folder = Environment.IsPrivilegedProcess ? "/proc" : "locked"; // no user may write to the first
         Directory.CreateDirectory(raycaster.PathOf("locked"), UnixFileMode.UserRead | UnixFileMode.UserExecute);
         raycaster.Run(Room, "-s", "9x9", "-o", folder + "/room.png");
         Assert.Equal((2, $"raycaster: cannot write {folder}/room.png: you may not write to its folder\n"), (raycaster.ExitCode, raycaster.Error));
@@ -84,7 +84,7 @@ public sealed class FaultTests : IDisposable
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there
         using var process = raycaster.Start(Room, "-s", "3000x3000", "-o", "-");
-        process.StandardOutput.BaseStream.ReadByte(); // from here on nobody reads, and the pipe is soon full
+        process.StandardOutput.BaseStream.ReadByte(); // the test reads no further, and the pipe is soon full
         Thread.Sleep(300);
         Assert.Equal(143, RayCasterProcess.Kill(process, "TERM"));
     }
@@ -209,7 +209,7 @@ public sealed class FaultTests : IDisposable
             {
                 File.Delete(raycaster.PathOf("a.obj"));
             }
-            else if (!OperatingSystem.IsWindows()) // there nobody shortens what another reads
+            else if (!OperatingSystem.IsWindows()) // there no process can shorten a file that another reads
             {
                 using var file = new FileStream(raycaster.PathOf("a.obj"), FileMode.Open, FileAccess.Write, FileShare.ReadWrite);
                 file.SetLength(random.Next((int)file.Length));

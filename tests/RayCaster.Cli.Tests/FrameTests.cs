@@ -44,7 +44,7 @@ public sealed class FrameTests : IDisposable
         Assert.StartsWith(".: 1 frame of 20 x 15 pixels drawn, 3 existed already, ", raycaster.Error);
         Assert.Equal(before, File.GetLastWriteTimeUtc(raycaster.PathOf("room-0001.png")));
         raycaster.Run("orbit", Room, "--frames", "5", "-s", "20x15", "--resume"); // another film: only frame 0 is the same
-        Assert.StartsWith("room-0001.png is drawn anew: it shows another scene, another size or other lines\n" +
+        Assert.StartsWith("room-0001.png is drawn again: it shows another scene, another size or other lines\n" +
             ".: 4 frames of 20 x 15 pixels drawn, 1 existed already, ", raycaster.Error);
     }
 

@@ -114,7 +114,7 @@ public sealed class PartTests : IDisposable
 
     [Theory]
     [InlineData("the lines 5..10 do not all exist: a picture of 10 lines has 0..9\n", "5..10")]
-    [InlineData("a picture of 10 lines has no 11 parts\n", "1/11")]
+    [InlineData("a picture of 10 lines cannot be divided into 11 parts\n", "1/11")]
     public void LinesThatThePictureDoesNotHaveAreRefused(string message, string rows)
     {
         raycaster.Run(Room, "-s", "4x10", "--rows", rows);

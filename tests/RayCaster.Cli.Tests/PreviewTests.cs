@@ -35,7 +35,7 @@ public sealed class PreviewTests : IDisposable
 
     [Theory]
     [InlineData("--preview and -o - both write to standard output", "--preview", "-o", "-")]
-    [InlineData("'yes' is not when to use colours: choose auto, always or never", "--color", "yes")]
+    [InlineData("'yes' is not a value of --color: choose auto, always or never", "--color", "yes")]
     public void WhatCannotBeIsRefused(string message, params string[] arguments)
     {
         raycaster.Run([Room, .. arguments]);

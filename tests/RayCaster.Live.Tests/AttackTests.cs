@@ -70,7 +70,7 @@ public class AttackTests
     [InlineData("/%2e%2e/%2e%2e/%2e%2e/%2e%2e/etc/passwd")]
     [InlineData("/....//....//etc/passwd")]
     [InlineData("//etc/passwd")]
-    [InlineData("/index.html")]
+    [InlineData("/Page/index.html")]
     [InlineData("/raycaster-live.dll")]
     public async Task NoFileOfTheDiskIsServed(string path)
     {

@@ -128,7 +128,7 @@ public class BrowserTests(Chromium chromium)
         Assert.Empty(complaints);
     }
 
-    /// <summary>Makes the pictures of docs/live.md anew if RAYCASTER_DOCS names their folder.</summary>
+    /// <summary>Makes the pictures of docs/live.md again if RAYCASTER_DOCS names their folder.</summary>
     [BrowserFact]
     public async Task ThePicturesOfTheDocsAreMade()
     {

@@ -10,7 +10,7 @@ internal static class ProjectFolder
     /// <param name="path">The way from the root, with <c>/</c> between folders.</param>
     public static string PathOf(string path) => Path.GetFullPath(Path.Combine(Root, path));
 
-    /// <summary>Whether a file is in scenes/my, where everybody keeps scenes of their own.</summary>
+    /// <summary>Whether a file is in scenes/my, which is for a user's own scenes.</summary>
     public static bool IsOwnScene(string file) =>
         file.StartsWith(PathOf("scenes/my") + Path.DirectorySeparatorChar, StringComparison.Ordinal);
 

@@ -36,7 +36,7 @@ internal sealed class ReferenceComparison
     /// <summary>Pixels that differ by 1.</summary>
     public int OffByOne { get; }
 
-    /// <summary>Whether the pictures are equal as far as the rule asks.</summary>
+    /// <summary>Whether the pictures are equal by this rule.</summary>
     public bool IsEqual => SameSize && Wrong == 0 && OffByOne <= Pixels / 100;
 
     private int Pixels => expected.Width * expected.Height;

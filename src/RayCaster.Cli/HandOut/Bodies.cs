@@ -15,7 +15,6 @@ internal sealed partial class Bodies
     /// <summary>A marked body, with the indexes of its markers' lines.</summary>
     public sealed record Body(string Slide, int Begin, int End);
 
-    /// <summary>The bodies in the order of the file.</summary>
     public IReadOnlyList<Body> All { get; }
 
     /// <exception cref="ProblemException">A marker is missing, or its slide belongs to no step.</exception>

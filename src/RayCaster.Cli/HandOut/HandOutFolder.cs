@@ -7,7 +7,6 @@ internal static class HandOutFolder
     private static readonly string[] libraries = ["RayCaster.Library", "RayCaster.Files", "RayCaster.Engine", "RayCaster.Teaching"];
 
     /// <param name="folder">The folder, which must be new or empty.</param>
-    /// <param name="cancellation">Ends the work; no file is left.</param>
     /// <exception cref="ProblemException">The folder cannot be written.</exception>
     public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)
     {

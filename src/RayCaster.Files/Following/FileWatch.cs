@@ -34,10 +34,7 @@ public sealed class FileWatch : IDisposable
         }
     }
 
-    /// <summary>Waits until a file may have changed.</summary>
-    public Task WaitAsync(CancellationToken cancellation) => changes.WaitAsync(cancellation);
-
-    /// <summary>Waits until a file may have changed, or until the time is over; false in that case.</summary>
+    /// <summary>Waits until a file may have changed, or until the time is over (−1 for no limit); false in that case.</summary>
     public Task<bool> WaitAsync(int milliseconds, CancellationToken cancellation) => changes.WaitAsync(milliseconds, cancellation);
 
     /// <inheritdoc/>

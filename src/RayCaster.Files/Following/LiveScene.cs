@@ -3,7 +3,6 @@ namespace RayCaster.Files;
 /// <summary>A scene file as it is now, and the last scene that it described without an error.</summary>
 /// <param name="Version">Counts the changes, from 1.</param>
 /// <param name="Text">The file's bytes; empty if it could not be read.</param>
-/// <param name="Problems">The mistakes in the file now.</param>
 /// <param name="Scene">The last good scene, its meshes in <see cref="SpatialOrder"/>; null if there was none.</param>
 /// <param name="IsGood">Whether the file describes that scene now.</param>
 /// <param name="InFileOrder">The text of that scene if the order of a mesh is another than in its file; otherwise null.</param>
@@ -52,7 +51,7 @@ public sealed class LiveScene : IDisposable
     {
         while (!end.IsCancellationRequested)
         {
-            await watch.WaitAsync(end.Token);
+            await watch.WaitAsync(Timeout.Infinite, end.Token);
             await Task.Delay(1, end.Token); // most editors cause a second notice within this time
             var (reading, text) = await ReadPatiently();
             var isSame = text.AsSpan().SequenceEqual(State.Text) && reading.Scene is not null == State.IsGood;
@@ -67,7 +66,6 @@ public sealed class LiveScene : IDisposable
         (state.InFileOrder is { } text ? SceneReader.Parse(text, Path, System.IO.Path.GetDirectoryName(Path) ?? "").Scene : null) ?? state.Scene!;
 
     /// <summary>Writes a camera's place into the file, and nothing else.</summary>
-    /// <param name="version">The version that the user has seen.</param>
     /// <returns>Null if it is done; otherwise the reason: the file has changed since, or is broken.</returns>
     /// <exception cref="PictureFileException">It cannot be written.</exception>
     public string? WriteCamera(Camera camera, int version)

@@ -11,11 +11,9 @@ public static class AnimationFile
     private const int Piece = 1 << 20;
 
     /// <summary>Writes an animation.</summary>
-    /// <param name="output">Receives the file's bytes in order.</param>
     /// <param name="frames">The pictures, as this program draws them: PNG of red, green and blue, 8 bits each, not interlaced; all of one
     /// size.</param>
     /// <param name="framesPerSecond">1 to 1000.</param>
-    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="PictureFileException">A picture cannot be read, is damaged, or of another size or kind.</exception>
     public static void Write(Stream output, IReadOnlyList<string> frames, int framesPerSecond, CancellationToken cancellation = default)
     {

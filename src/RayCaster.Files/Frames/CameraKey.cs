@@ -2,7 +2,4 @@ namespace RayCaster.Files;
 
 /// <summary>Where a moving camera is at one moment.</summary>
 /// <param name="Time">The moment, in any unit: only the ratios of the times between keys matter.</param>
-/// <param name="Position">P.</param>
-/// <param name="Target">T.</param>
-/// <param name="FovY">The vertical field of view in degrees.</param>
 public readonly record struct CameraKey(double Time, Vector3 Position, Vector3 Target, double FovY);

@@ -24,8 +24,6 @@ public static class CameraMotion
         At(camera, camera.Target + factor * (camera.Position - camera.Target), camera.Target);
 
     /// <summary>Shifts camera and target across the view. The unit is the picture's height at the target.</summary>
-    /// <param name="right">To the right, along U.</param>
-    /// <param name="up">Upwards, along V.</param>
     public static Camera Shift(Camera camera, double right, double up)
     {
         var height = camera.PlaneHeight * (camera.Target - camera.Position).Length;

@@ -9,7 +9,6 @@ public sealed class CameraPath(IReadOnlyList<CameraKey> keys, bool isSmooth)
     /// The camera of a frame. The first frame is at the first key's time, the last frame at the last key's, the others evenly between them. All
     /// but position, target and fovY is the scene camera's.
     /// </summary>
-    /// <param name="frame">The frame, from 0.</param>
     public Camera Frame(Camera camera, int frame, int frames)
     {
         var (first, last) = (keys[0].Time, keys[^1].Time);

@@ -2,9 +2,6 @@ namespace RayCaster.Files;
 
 /// <summary>One picture that shows many pictures side by side, made small.</summary>
 /// <param name="pictures">The files, PNGs of any size that are not interlaced.</param>
-/// <param name="columns">How many small pictures stand in a row.</param>
-/// <param name="width">Pixels in a line of a small picture.</param>
-/// <param name="height">Lines of a small picture.</param>
 public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, int width, int height)
 {
     /// <summary>Black pixels between two pictures, and around all.</summary>
@@ -26,7 +23,6 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
 
     /// <summary>Writes the sheet, a row of small pictures at a time.</summary>
     /// <param name="writer">Receives the lines; it is not finished.</param>
-    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="PictureFileException">A picture cannot be read.</exception>
     public void Write(PictureWriter writer, CancellationToken cancellation = default)
     {

@@ -4,7 +4,6 @@ namespace RayCaster.Files;
 public static class Orbit
 {
     /// <summary>The camera of a frame. Frame 0 has the scene's camera, and so would the frame after the last.</summary>
-    /// <param name="frame">The frame, from 0.</param>
     /// <param name="frames">How many frames make a full turn, counterclockwise seen from above.</param>
     public static Camera Frame(Camera camera, int frame, int frames)
     {

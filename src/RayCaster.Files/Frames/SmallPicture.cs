@@ -1,37 +1,56 @@
 namespace RayCaster.Files;
 
 /// <summary>Makes a picture small: each pixel is the mean of the pixels that it covers. A picture that is smaller already is enlarged.</summary>
-internal static class SmallPicture
+public sealed class SmallPicture(int fromWidth, int fromHeight, int width, int height)
 {
-    /// <summary>Reads the next line, three bytes for each pixel.</summary>
-    public delegate void LineReader(Span<byte> rgb);
+    private readonly long[] sums = new long[3 * width]; // of the small line that the next lines belong to
+    private int linesTaken, linesDone;
 
-    public static Picture Of(int fromWidth, int fromHeight, LineReader readLine, int width, int height)
+    /// <summary>The small picture. Its lines are black until all that they cover were taken.</summary>
+    public Picture Picture { get; } = new(width, height);
+
+    /// <summary>Makes a picture small whose lines are read one after another.</summary>
+    internal static Picture Of(int fromWidth, int fromHeight, LineReader readLine, int width, int height)
     {
-        var small = new Picture(width, height);
-        var line = new byte[3 * fromWidth];
-        var (sums, read) = (new long[3 * width], 0);
-        for (var y = 0; y < height; y++)
+        var (small, line) = (new SmallPicture(fromWidth, fromHeight, width, height), new byte[3 * fromWidth]);
+        for (var y = 0; y < fromHeight; y++)
         {
-            var (top, bottom) = Covered(y, height, fromHeight);
-            Array.Clear(sums);
-            for (var i = top; i < bottom; i++)
+            readLine(line);
+            small.Take(line);
+        }
+        return small.Picture;
+    }
+
+    /// <summary>Adds the next lines.</summary>
+    /// <param name="rgb">Whole lines, three bytes for each pixel.</param>
+    public void Take(ReadOnlySpan<byte> rgb)
+    {
+        for (; rgb.Length > 0; rgb = rgb[(3 * fromWidth)..], linesTaken++)
+        {
+            for (; linesDone < height; linesDone++)
             {
-                for (; read <= i; read++) readLine(line);
+                var (top, bottom) = Covered(linesDone, height, fromHeight);
+                if (linesTaken < top) break;
                 for (var x = 0; x < width; x++)
                 {
                     var (left, right) = Covered(x, width, fromWidth);
-                    for (var from = 3 * left; from < 3 * right; from++) sums[3 * x + from % 3] += line[from];
+                    for (var from = 3 * left; from < 3 * right; from++) sums[3 * x + from % 3] += rgb[from];
                 }
-            }
-            for (var x = 0; x < width; x++)
-            {
-                var (left, right) = Covered(x, width, fromWidth);
-                var count = (long)(right - left) * (bottom - top);
-                for (var c = 3 * x; c < 3 * x + 3; c++) small.Rgb[3 * width * y + c] = (byte)((sums[c] + count / 2) / count);
+                if (linesTaken < bottom - 1) break;
+                Finish(bottom - top);
             }
         }
-        return small;
+    }
+
+    private void Finish(int lines)
+    {
+        for (var i = 0; i < sums.Length; i++)
+        {
+            var (left, right) = Covered(i / 3, width, fromWidth);
+            var count = (long)(right - left) * lines;
+            Picture.Rgb[sums.Length * linesDone + i] = (byte)((sums[i] + count / 2) / count);
+        }
+        Array.Clear(sums);
     }
 
     /// <summary>Which pixels of many a small pixel covers: at least one.</summary>
@@ -40,4 +59,7 @@ internal static class SmallPicture
         var from = (int)((long)place * many / places);
         return (from, Math.Max(from + 1, (int)((place + 1L) * many / places)));
     }
+
+    /// <summary>Reads the next line, three bytes for each pixel.</summary>
+    internal delegate void LineReader(Span<byte> rgb);
 }

@@ -9,7 +9,6 @@ internal sealed class MeshBlock(MeshSource source)
 
     public MeshSource Source => source;
 
-    /// <summary>Where the block begins in the file.</summary>
     public long Start { get; private set; }
 
     public int Length { get; private set; }

@@ -19,19 +19,11 @@ public static class MeshFile
         return reader(new MeshSource(path, stream, threads: threads ?? Environment.ProcessorCount));
     }
 
-    /// <summary>Reads the bytes of a mesh file.</summary>
-    /// <param name="name">The file's name, for its extension and for messages.</param>
-    /// <exception cref="MeshFileException">They are not a mesh of that kind.</exception>
-    public static MeshData Parse(string name, byte[] bytes) => Parse(name, bytes, MeshSource.UsualBlockSize);
-
-    /// <summary>The same in blocks of another size, on some threads.</summary>
-    internal static MeshData Parse(string path, byte[] bytes, int blockSize, int threads = 1) =>
-        ReaderOf(path)(new MeshSource(path, new MemoryStream(bytes, writable: false), blockSize, threads));
-
     /// <summary>Whether a file's name ends like that of a mesh.</summary>
     internal static bool IsNamedLikeOne(string path) => Path.GetExtension(path).ToLowerInvariant() is ".obj" or ".ply" or ".stl";
 
-    private static Func<MeshSource, MeshData> ReaderOf(string path) => Path.GetExtension(path).ToLowerInvariant() switch
+    /// <exception cref="MeshFileException">The extension names no kind of mesh file.</exception>
+    internal static Func<MeshSource, MeshData> ReaderOf(string path) => Path.GetExtension(path).ToLowerInvariant() switch
     {
         ".obj" => ObjFile.Read,
         ".ply" => PlyFile.Read,

@@ -5,7 +5,6 @@ namespace RayCaster.Files;
 /// Three corners for each triangle. A corner from 0 on is a place among all vertices of the file. A negative corner minus <see cref="Here"/> is
 /// a place relative to the block's first vertex, whose own place is not known yet.
 /// </param>
-/// <param name="CountsFromHere">Whether there are negative ones.</param>
 internal readonly record struct MeshPiece(Vector3[] Vertices, int[] Indices, bool CountsFromHere)
 {
     /// <summary>Stands for the block's first vertex: the middle of the negative numbers.</summary>

@@ -5,7 +5,6 @@ namespace RayCaster.Files;
 /// <summary>Where a scene puts a mesh: a vertex p becomes Rz·Ry·Rx·(scale ∘ p) + translate.</summary>
 /// <param name="Scale">A factor for each axis, none of them 0; negative mirrors.</param>
 /// <param name="Rotate">Right-handed turns about the x, y and z axis, in degrees, in this order.</param>
-/// <param name="Translate">Is added last.</param>
 public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vector3 Translate)
 {
     /// <summary>The mesh as a model, without the triangles that have no area where they are placed.</summary>
@@ -13,7 +12,6 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
     /// The file's vertices and triangles. The model shares the array of vertices if none is moved, and the array of indices if no triangle is
     /// dropped.
     /// </param>
-    /// <param name="dropped">How many triangles had no area.</param>
     /// <param name="threads">How many threads place a large mesh; one per core if left out.</param>
     /// <exception cref="OverflowException">A placed vertex is not finite.</exception>
     public Mesh Place(MeshData data, out int dropped, int? threads = null)
@@ -101,7 +99,6 @@ public readonly record struct MeshPlacement(Vector3 Scale, Vector3 Rotate, Vecto
         return count;
     }
 
-    /// <summary>Whether a triangle has no area.</summary>
     /// <remarks>
     /// Almost all triangles pass a test without roots: squared, and with twice the limit of <see cref="Triangle.IsOnOneLine"/>. A triangle that
     /// passes it has an area by that definition too, because the roots round by only a few parts in 10¹⁶. The bounds 1e-100 and 1e100 keep all

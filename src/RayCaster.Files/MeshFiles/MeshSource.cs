@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
 /// <summary>The bytes of a mesh file, which need not fit into memory, and the errors that name a place in it.</summary>
-/// <param name="path">The file, as the caller named it.</param>
 /// <param name="stream">The file's bytes; it must be able to seek.</param>
 /// <param name="blockSize">How many bytes are read at once, unless a line or row is longer.</param>
 /// <param name="threads">How many blocks are read at the same time, at most.</param>
@@ -53,10 +52,8 @@ internal sealed class MeshSource(string path, Stream stream, int blockSize = Mes
         return null;
     }
 
-    /// <summary>A mistake of the whole file.</summary>
     public MeshFileException Error(string reason) => new(path, reason);
 
-    /// <summary>A mistake in a binary part of the file.</summary>
     public MeshFileException ErrorAtByte(long offset, string reason) => new(path, reason, offset: offset);
 
     /// <summary>A mistake in a text part of the file. Lines are counted only here, so that readers need not count them.</summary>
@@ -69,7 +66,7 @@ internal sealed class MeshSource(string path, Stream stream, int blockSize = Mes
         var previous = (byte)0;
         for (var start = 0L; start <= offset && start < Length; start += buffer.Length)
         {
-            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Math.Min(offset + 1, Length) - start)); // one more tells CR from CRLF
+            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Math.Min(offset + 1, Length) - start)); // one more: CR or CRLF?
             Read(start, bytes);
             for (var i = 0; i < bytes.Length; i++)
             {

@@ -59,7 +59,6 @@ internal sealed class ObjFile : TextFormat
         return 0;
     }
 
-    /// <summary>Whether all corners are among the vertices.</summary>
     private static bool IsWhole(MeshData mesh, int threads)
     {
         var isWhole = true;

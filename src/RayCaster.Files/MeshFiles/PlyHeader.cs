@@ -3,16 +3,13 @@ using System.Text;
 
 namespace RayCaster.Files;
 
-/// <summary>What a value of a PLY file is for.</summary>
 internal enum PlyRole { X, Y, Z, Corners, Skipped }
 
-/// <summary>How a value is stored in a binary PLY file.</summary>
 internal enum PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 }
 
 /// <summary>One value of each row of an element; a list if it has a type for its count.</summary>
 internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType? CountType)
 {
-    /// <summary>The bytes of each value.</summary>
     public int Size => SizeOf(Type);
 
     /// <summary>The fewest bytes that the property takes in a binary file.</summary>
@@ -32,7 +29,6 @@ internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType?
 
 /// <summary>A table of the file.</summary>
 /// <param name="Name">What its rows are: <c>vertex</c>, <c>face</c>, or anything else, which is skipped.</param>
-/// <param name="Count">The rows that the header promises.</param>
 /// <param name="At">The place of the header's line, for a message.</param>
 internal sealed record PlyElement(string Name, long Count, int At)
 {
@@ -69,10 +65,8 @@ internal sealed class PlyHeader
 
     public List<PlyElement> Elements { get; } = [];
 
-    /// <summary>The vertices that the header promises.</summary>
     public long VertexCount { get; }
 
-    /// <summary>Where the first row begins.</summary>
     public int BodyAt { get; }
 
     private void ReadLines()

@@ -16,8 +16,6 @@ internal static class PlyRows
 
     /// <summary>The length of the rows that are whole, in ascii: each row is a line, and blank lines do not count.</summary>
     /// <param name="bytes">Some of the file, from the beginning of a row on.</param>
-    /// <param name="wanted">How many rows to find at most.</param>
-    /// <param name="count">How many there are.</param>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public static int MeasureLines(ReadOnlySpan<byte> bytes, long wanted, out long count)
     {

@@ -6,7 +6,6 @@ namespace RayCaster.Files;
 /// <summary>Reads the numbers in some rows of a PLY file, one after another.</summary>
 internal abstract class PlyValues
 {
-    /// <summary>Reads one number.</summary>
     /// <exception cref="MeshFileException">It is missing or not finite.</exception>
     public abstract double Next(PlyType type);
 
@@ -59,7 +58,6 @@ internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
     }
 }
 
-/// <summary>Numbers in binary form.</summary>
 internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValues
 {
     private readonly byte[] buffer = block.Buffer;

@@ -93,10 +93,8 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
         throw Error(word.IsEmpty ? $"{what} is missing" : $"{what} must be a finite number, but is {Quoted}");
     }
 
-    /// <summary>A mistake in the last word.</summary>
     public MeshFileException Error(string reason) => ErrorAt(WordAt, reason);
 
-    /// <summary>A mistake at a place of the block.</summary>
     public MeshFileException ErrorAt(int position, string reason) => block.Source.ErrorAtLine(block.Start + position, reason);
 
     private ReadOnlySpan<byte> Text => buffer.AsSpan(0, length);

@@ -47,7 +47,6 @@ internal sealed class TrianglePly
             && source.FirstNotBlank(at) is null;
     }
 
-    /// <summary>Whether the header describes a file of this kind.</summary>
     private bool Fits { get; }
 
     /// <summary>Reads the file; null where it is of another kind or has a mistake.</summary>

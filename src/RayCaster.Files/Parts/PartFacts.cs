@@ -13,7 +13,6 @@ namespace RayCaster.Files;
 /// </code>
 /// </summary>
 /// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
-/// <param name="Version">The version of the program that drew it.</param>
 public sealed record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
 {
     /// <summary>The keyword of the text in the file.</summary>
@@ -25,7 +24,7 @@ public sealed record PartFacts(int Width, int Height, LineRange Lines, string Di
     public static string ThisVersion => typeof(PartFacts).Assembly.GetName().Version!.ToString(3);
 
     /// <summary>The facts of a part that is drawn now.</summary>
-    /// <exception cref="NotSupportedException">A model does not tell its <see cref="Model.Numbers"/>.</exception>
+    /// <exception cref="NotSupportedException">A model does not list its <see cref="Model.Numbers"/>.</exception>
     public static PartFacts Of(Scene scene, LineRange lines) =>
         new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene), ThisVersion);
 

@@ -1,39 +1,11 @@
 namespace RayCaster.Files;
 
-/// <summary>A PNG that holds some lines of a picture (<see cref="PartFacts"/>). Its lines are read one by one.</summary>
-public sealed class PartFile : IDisposable
+/// <summary>PNGs that hold some lines of a picture (<see cref="PartFacts"/>).</summary>
+public static class PartFile
 {
-    private readonly FileStream file;
-    private readonly PngReader reader;
-
-    private PartFile(string path, FileStream file, PngReader reader, PartFacts facts) =>
-        (Path, this.file, this.reader, Facts) = (path, file, reader, facts);
-
-    /// <summary>The file, as the caller named it.</summary>
-    public string Path { get; }
-
-    /// <summary>Which lines of which picture the file holds.</summary>
-    public PartFacts Facts { get; }
-
-    /// <summary>Opens a file.</summary>
-    /// <returns>The part, or null for a PNG that is no part.</returns>
+    /// <summary>Which lines of which picture a file holds; null for a PNG that is no part.</summary>
     /// <exception cref="PictureFileException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
-    public static PartFile? Open(string path) => PictureFile.Open(path, file =>
-    {
-        if (!file.CanSeek) throw new PictureFileException("it is a pipe or a device; a part is a file");
-        if (file.ReadByte() is var first && first != PngChunk.Signature[0])
-            throw new PictureFileException(first < 0 ? "the file is empty" : "it is not a PNG, so it is not a part of a picture");
-        var reader = new PngReader(file, 3 * Camera.MaxPixels);
-        if (reader.PartText is not { } text) return null;
-        if (PartFacts.Parse(text) is not { } facts)
-            throw new PictureFileException("its text about its part of the picture is unknown; perhaps a newer raycaster drew it");
-        var header = reader.Header;
-        if ((header.Width, header.Height) != (facts.Width, facts.Lines.Count))
-            throw new PictureFileException($"it says that it holds the lines {facts.Lines}, each of {facts.Width} pixels, "
-                + $"but has {header.Height} lines of {header.Width}: it was changed by another program");
-        reader.RequireLines();
-        return new PartFile(path, file, reader, facts);
-    });
+    public static PartFacts? FactsOf(string path) => Open(path, (_, facts) => facts);
 
     /// <summary>Whether a file exists, can be read to its last pixel, and holds these lines of this picture.</summary>
     /// <param name="reason">Why not, as the end of a sentence; null if there is no file.</param>
@@ -43,41 +15,37 @@ public sealed class PartFile : IDisposable
         if (!File.Exists(path)) return false;
         try
         {
-            using var part = Open(path);
-            reason = part is null ? "it does not say which scene it shows; only pictures drawn with --rows or --resume do"
-                : part.Facts.Version != facts.Version ? $"it was drawn by version {part.Facts.Version}"
-                : part.Facts != facts ? "it shows another scene, another size or other lines"
-                : null;
-            if (reason is not null) return false;
-            part!.reader.CheckLines();
-            return true;
+            reason = Open(path, (png, found) => WhyNot(png, found, facts));
         }
         catch (PictureFileException e)
         {
             reason = e.Message;
-            return false;
         }
+        return reason is null;
     }
 
-    /// <summary>Reads the next line.</summary>
-    /// <param name="rgb">Receives three bytes for each pixel.</param>
-    /// <exception cref="PictureFileException">The file is damaged.</exception>
-    public void ReadLine(Span<byte> rgb)
+    /// <summary>Opens a file for reading it line by line, with its facts.</summary>
+    /// <exception cref="PictureFileException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
+    internal static T Open<T>(string path, Func<PngReader, PartFacts?, T> read) => PngReader.OpenFile(path, png => read(png, FactsOf(png)));
+
+    private static string? WhyNot(PngReader png, PartFacts? found, PartFacts wanted)
     {
-        try
-        {
-            reader.ReadLine(rgb);
-        }
-        catch (PictureFileException e)
-        {
-            throw new PictureFileException($"cannot read {Path}: {e.Message}", e) { NamesFile = true };
-        }
+        if (found is null) return "it does not say which scene it shows; only pictures drawn with --rows or --resume do";
+        if (found.Version != wanted.Version) return $"it was drawn by version {found.Version}";
+        if (found != wanted) return "it shows another scene, another size or other lines";
+        png.CheckLines();
+        return null;
     }
 
-    /// <summary>Closes the file.</summary>
-    public void Dispose()
+    private static PartFacts? FactsOf(PngReader png)
     {
-        reader.Dispose();
-        file.Dispose();
+        if (png.PartText is not { } text) return null;
+        if (PartFacts.Parse(text) is not { } facts)
+            throw new PictureFileException("its text about its part of the picture is unknown; perhaps a newer raycaster drew it");
+        if ((png.Header.Width, png.Header.Height) != (facts.Width, facts.Lines.Count))
+            throw new PictureFileException($"it says that it holds the lines {facts.Lines}, each of {facts.Width} pixels, "
+                + $"but has {png.Header.Height} lines of {png.Header.Width}: it was changed by another program");
+        png.RequireLines();
+        return facts;
     }
 }

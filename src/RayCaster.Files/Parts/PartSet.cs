@@ -8,7 +8,6 @@ public sealed class PartSet
     private readonly List<string> problems = [];
 
     /// <summary>Reads the facts of the files.</summary>
-    /// <param name="paths">At least one file.</param>
     /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
     /// none.</param>
     /// <exception cref="PictureFileException">A file cannot be read.</exception>
@@ -16,8 +15,7 @@ public sealed class PartSet
     {
         foreach (var path in paths)
         {
-            using var part = PartFile.Open(path);
-            if (part is not null) parts.Add((path, part.Facts));
+            if (PartFile.FactsOf(path) is { } facts) parts.Add((path, facts));
             else if (isChosen is null || isChosen(path))
                 problems.Add($"{path} is a picture, but does not say which part of which; --rows draws parts");
         }
@@ -35,7 +33,7 @@ public sealed class PartSet
     /// <summary>The files that are parts, from the top.</summary>
     public IEnumerable<string> Files => parts.Select(part => part.Path);
 
-    /// <summary>Why these files are not the parts of one picture, a line of text for each reason. Missing parts are no problem here.</summary>
+    /// <summary>Why these files are not the parts of one picture, a line of text for each reason. Missing parts do not count here.</summary>
     public IReadOnlyList<string> Problems => problems;
 
     /// <summary>The lines that no part holds, from the top.</summary>
@@ -46,8 +44,6 @@ public sealed class PartSet
 
     /// <summary>Writes the picture, a line at a time.</summary>
     /// <param name="writer">Receives the lines; it is not finished.</param>
-    /// <param name="linesDone">Called with the number of lines just written.</param>
-    /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
     /// <exception cref="InvalidOperationException">There are problems, or lines are missing.</exception>
     /// <exception cref="PictureFileException">A part is damaged, or was replaced.</exception>
     public void Write(PictureWriter writer, Action<int>? linesDone = null, CancellationToken cancellation = default)
@@ -56,15 +52,18 @@ public sealed class PartSet
         var line = new byte[3 * Size.Width];
         foreach (var (path, facts) in parts)
         {
-            using var part = PartFile.Open(path);
-            if (part?.Facts != facts) throw new PictureFileException($"cannot read {path}: it was replaced in the meantime");
-            for (var i = 0; i < facts.Lines.Count; i++)
+            PartFile.Open(path, (png, found) =>
             {
-                cancellation.ThrowIfCancellationRequested();
-                part.ReadLine(line);
-                writer.WriteRows(line);
-                linesDone?.Invoke(1);
-            }
+                if (found != facts) throw new PictureFileException("it was replaced in the meantime");
+                for (var i = 0; i < facts.Lines.Count; i++)
+                {
+                    cancellation.ThrowIfCancellationRequested();
+                    png.ReadLine(line);
+                    writer.WriteRows(line);
+                    linesDone?.Invoke(1);
+                }
+                return true;
+            });
         }
     }
 

@@ -24,7 +24,7 @@ public sealed class SceneDigest : IModelVisitor
     private SceneDigest(IncrementalHash hash) => this.hash = hash;
 
     /// <summary>The digest of a scene: 64 hexadecimal digits, small letters.</summary>
-    /// <exception cref="NotSupportedException">A model does not tell its <see cref="Model.Numbers"/>; the message is for people.</exception>
+    /// <exception cref="NotSupportedException">A model does not list its <see cref="Model.Numbers"/>; the message is for people.</exception>
     public static string Of(Scene scene)
     {
         using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
@@ -83,5 +83,5 @@ public sealed class SceneDigest : IModelVisitor
     }
 
     private static NotSupportedException Unknown(Type type) => new(
-        $"is of the class {type.Name}, which does not tell its numbers; override Numbers in it (docs/adding-a-primitive.md)");
+        $"is of the class {type.Name}, which does not list its numbers; override Numbers in it (docs/adding-a-primitive.md)");
 }

@@ -2,7 +2,6 @@ using System.Formats.Tar;
 
 namespace RayCaster.Files;
 
-/// <summary>Tells what lies at a path.</summary>
 internal static class FileKind
 {
     private const int TypeInHeader = 156; // the place of an archive's byte that says what an entry is
@@ -15,7 +14,7 @@ internal static class FileKind
         return IsRegular(link.LinkTarget is null ? link : (FileInfo)link.ResolveLinkTarget(returnFinalTarget: true)!);
     }
 
-    /// <summary>Whether it is a file, not a device, pipe or socket. In the runtime only the class that makes archives can tell, without opening
+    /// <summary>Whether it is a file, not a device, pipe or socket. In the runtime only the class that makes archives finds this out without opening
     /// it.</summary>
     private static bool IsRegular(FileInfo file)
     {

@@ -1,8 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// Makes a folder completely or not at all. Files go to a temporary folder NAME.XXXXXXXX.dir beside it, and only <see cref="Commit"/> gives that
-/// its name. The locked file NAME.XXXXXXXX.tmp (<see cref="TemporaryFile"/>) shows that the folder is in use.
+/// Makes a folder completely or not at all. Files go to a temporary folder NAME.XXXXXXXX.dir beside it, which only <see cref="Commit"/>
+/// renames. The locked file NAME.XXXXXXXX.tmp (<see cref="TemporaryFile"/>) shows that the folder is in use.
 /// </summary>
 public sealed class NewFolder : IDisposable
 {

@@ -9,14 +9,21 @@ public static class PictureFile
     internal static long MostBytes => Array.MaxLength;
 
     /// <summary>
-    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), told apart by their first bytes.
+    /// Reads a PNG (every colour type, bit depth and interlacing) or a PBM, PGM or PPM (P1 to P6), recognised by its first bytes.
     /// Samples are scaled to 8 bits, rounded to nearest. Nothing else is done to them: gamma and colour profiles are not applied, and
     /// alpha is dropped, so that a transparent pixel shows the colour that is stored in it.
     /// </summary>
     /// <exception cref="PictureFileException">The file cannot be read, is damaged, of another kind, or too large.</exception>
     public static Picture Read(string path) => Open(path, file =>
     {
-        using (file) return Read(file);
+        try
+        {
+            return Read(file);
+        }
+        catch (IOException e)
+        {
+            throw new PictureFileException(PictureFileException.Reason(e), e);
+        }
     });
 
     /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string)"/> does; the messages name no file.</summary>
@@ -32,7 +39,7 @@ public static class PictureFile
     {
         try
         {
-            // The first bytes tell the format. A pipe cannot seek back, so they are passed on with the rest.
+            // The first bytes show the format. A pipe cannot seek back, so they are passed on with the rest.
             var start = new byte[8];
             var begun = start.AsSpan(0, stream.Read(start));
             if (begun.IsEmpty) throw new PictureFileException("the file is empty");
@@ -65,40 +72,40 @@ public static class PictureFile
         writer.Finish();
     }
 
-    /// <summary>Opens a file for reading; errors name the file.</summary>
-    /// <param name="read">Reads, and closes the file or keeps it. If it throws or returns null, the file is closed here.</param>
+    /// <summary>Opens a file, reads it and closes it; errors name the file.</summary>
     /// <exception cref="PictureFileException">The file cannot be read.</exception>
     internal static T Open<T>(string path, Func<FileStream, T> read)
     {
-        FileStream? file = null;
-        var isKept = false;
         try
         {
             if (Directory.Exists(path)) throw new PictureFileException("it is a folder, not a picture");
-            file = File.OpenRead(path);
-            var result = read(file);
-            isKept = result is not null;
-            return result;
+            using var file = OpenToRead(path);
+            return read(file);
         }
         catch (PictureFileException e) when (!e.NamesFile)
         {
             throw new PictureFileException($"cannot read {path}: {e.Message}", e) { NamesFile = true };
         }
+    }
+
+    private static FileStream OpenToRead(string path)
+    {
+        try
+        {
+            return File.OpenRead(path);
+        }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new PictureFileException($"picture file not found: {path}\n  looked for {PrintableText.Of(Path.GetFullPath(path))}", e);
+            var place = PrintableText.Of(Path.GetFullPath(path));
+            throw new PictureFileException($"picture file not found: {path}\n  looked for {place}", e) { NamesFile = true };
         }
         catch (ArgumentException e) // empty, or with a zero in it
         {
-            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e);
+            throw new PictureFileException($"'{Printable(Encoding.UTF8.GetBytes(path))}' is no file name", e) { NamesFile = true };
         }
         catch (Exception e) when (PictureFileException.IsCausedByFile(e))
         {
-            throw new PictureFileException($"cannot read {path}: {PictureFileException.Reason(e)}", e);
-        }
-        finally
-        {
-            if (!isKept) file?.Dispose();
+            throw new PictureFileException(PictureFileException.Reason(e), e);
         }
     }
 

@@ -24,8 +24,6 @@ public abstract class PictureWriter : IDisposable
 
     /// <summary>Begins a picture: writes the header.</summary>
     /// <param name="output">Receives the file's bytes in order. It need not seek, and is left open.</param>
-    /// <param name="width">Pixels in a line, at least 1.</param>
-    /// <param name="height">Lines, at least 1.</param>
     /// <param name="part">Which part of a picture it is, if it is one; only a PNG can say so.</param>
     public static PictureWriter Create(PictureFormat format, Stream output, int width, int height, PartFacts? part = null) => format switch
     {

@@ -17,7 +17,9 @@ internal sealed class PngChunkReader
         if (!file.CanSeek) throw new PictureFileException("it is a pipe or a device; name a file");
         this.file = file;
         file.Position = 0;
-        if (Fill(frame) < frame.Length || !frame.AsSpan().SequenceEqual(PngChunk.Signature))
+        if (Fill(frame) == 0) throw new PictureFileException("the file is empty");
+        if (frame[0] != PngChunk.Signature[0]) throw new PictureFileException("it is not a PNG");
+        if (!frame.AsSpan().SequenceEqual(PngChunk.Signature))
             throw new PictureFileException("it begins like a PNG, but its first eight bytes are damaged; perhaps it was transferred as text");
     }
 
@@ -27,7 +29,6 @@ internal sealed class PngChunkReader
     /// <summary>How many of its bytes are not read yet.</summary>
     public long Left { get; private set; }
 
-    /// <summary>Goes to the next chunk.</summary>
     /// <exception cref="PictureFileException">The file is cut short.</exception>
     public void Next()
     {
@@ -55,7 +56,6 @@ internal sealed class PngChunkReader
         Next();
     }
 
-    /// <summary>Where in the file the chunk begins.</summary>
     public long Place => start;
 
     /// <summary>Reads the next bytes of the chunk's data, and checks the checksum after the last of them.</summary>

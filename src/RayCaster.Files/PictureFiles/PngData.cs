@@ -1,12 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>The compressed data of a PNG: the data of all its chunks IDAT as one stream, which can be read once.</summary>
-/// <param name="chunks">The chunks, at the first IDAT.</param>
 internal sealed class PngData(PngChunkReader chunks) : Stream
 {
-    /// <summary>The last four bytes that were read, as a number. At the end of the data they are its checksum.</summary>
-    public uint LastFour { get; private set; }
-
     public override bool CanRead => true;
 
     public override bool CanSeek => false;
@@ -30,9 +26,7 @@ internal sealed class PngData(PngChunkReader chunks) : Stream
             chunks.Skip();
             chunks.Next();
         }
-        var count = chunks.Read(buffer);
-        foreach (var value in buffer[Math.Max(0, count - 4)..count]) LastFour = LastFour << 8 | value;
-        return count;
+        return chunks.Read(buffer);
     }
 
     public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));

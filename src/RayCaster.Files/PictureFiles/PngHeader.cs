@@ -7,7 +7,6 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
 {
     public const int Bytes = 13;
 
-    /// <summary>The colour type of samples red, green, blue.</summary>
     public const int Rgb = 2;
 
     /// <summary>The colour type whose samples are places in the palette.</summary>

@@ -3,7 +3,6 @@ using System.Buffers.Binary;
 namespace RayCaster.Files;
 
 /// <summary>Reads the lines of a PNG, pass by pass, with one byte for each sample.</summary>
-/// <param name="data">The decompressed data.</param>
 internal sealed class PngLines(Stream data, PngHeader header)
 {
     // The left neighbours of a line's first pixel are zeros, which stand before each line. The last of these bytes first receives the number of
@@ -11,8 +10,8 @@ internal sealed class PngLines(Stream data, PngHeader header)
     private readonly int margin = Math.Max(1, header.BitsPerPixel / 8);
     private byte[] line = [], above = [], samples = [];
 
-    /// <summary>The checksum of all decompressed data so far.</summary>
-    public uint CheckSum { get; private set; } = Adler32.OfNothing;
+    /// <summary>The picture's line that was read last.</summary>
+    public int Line { get; private set; }
 
     /// <summary>Begins a pass, of the width of its lines.</summary>
     public void Begin(PngPass pass)
@@ -23,14 +22,14 @@ internal sealed class PngLines(Stream data, PngHeader header)
     }
 
     /// <summary>The samples of the next line, scaled to 8 bits if they are not places in the palette. The next call overwrites them.</summary>
-    /// <exception cref="PictureFileException">The line is missing, or its filter is unknown.</exception>
+    /// <exception cref="EndOfStreamException">The line is missing.</exception>
+    /// <exception cref="PictureFileException">Its filter is unknown.</exception>
     public ReadOnlySpan<byte> Next(int y)
     {
         (line, above) = (above, line);
         var filtered = line.AsSpan(margin - 1);
-        if (data.ReadAtLeast(filtered, filtered.Length, throwOnEndOfStream: false) < filtered.Length)
-            throw new PictureFileException($"the file is cut short: its data end in line {y} of {header.Height}");
-        CheckSum = Adler32.Add(CheckSum, filtered);
+        Line = y;
+        data.ReadExactly(filtered);
         var filter = filtered[0];
         filtered[0] = 0;
         PngFilter.Undo(filter, line, above, margin);

@@ -19,7 +19,6 @@ internal sealed class PngReader : IDisposable
     private readonly byte[] palette = [];
     private readonly long firstData;
     private ZLibStream? data;
-    private PngData? compressed;
     private PngLines? lines;
     private int linesRead;
 
@@ -91,7 +90,6 @@ internal sealed class PngReader : IDisposable
     /// <summary>The text of <see cref="PartFacts"/>, if the picture is a part of one.</summary>
     public string? PartText { get; }
 
-    /// <summary>Reads a whole picture.</summary>
     /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
     public static Picture Read(Stream file, long mostBytes)
     {
@@ -103,9 +101,8 @@ internal sealed class PngReader : IDisposable
     /// <exception cref="PictureFileException">The file cannot be read; the message names it.</exception>
     public static T OpenFile<T>(string path, Func<PngReader, T> read) => PictureFile.Open(path, file =>
     {
-        using (file)
-        using (var png = new PngReader(file, 3 * Camera.MaxPixels))
-            return read(png);
+        using var png = new PngReader(file, 3 * Camera.MaxPixels);
+        return read(png);
     });
 
     /// <exception cref="PictureFileException">The picture is interlaced, so that its lines do not follow each other.</exception>
@@ -164,7 +161,7 @@ internal sealed class PngReader : IDisposable
     private PngLines OpenLines()
     {
         chunks.Return(firstData);
-        data = new ZLibStream(compressed = new PngData(chunks), CompressionMode.Decompress);
+        data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
         return lines = new(data, Header);
     }
 
@@ -176,12 +173,18 @@ internal sealed class PngReader : IDisposable
         return Encoding.Latin1.GetString(chunk[..end]) == PartFacts.Keyword ? Encoding.Latin1.GetString(chunk[(end + 1)..]) : null;
     }
 
-    /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a wrong checksum, but not a missing one.</summary>
+    /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a missing one only with its switch UseStrictValidation
+    /// (Directory.Build.props).</summary>
     private void CheckEnd()
     {
-        if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
-        data.BaseStream.CopyTo(Stream.Null);
-        if (compressed!.LastFour != lines!.CheckSum) throw new PictureFileException("its compressed data do not end with their checksum");
+        try
+        {
+            if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
+        }
+        catch (InvalidDataException e)
+        {
+            throw new PictureFileException("its compressed data do not end with their checksum", e);
+        }
     }
 
     /// <summary>Reads something from the data. Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>
@@ -193,8 +196,10 @@ internal sealed class PngReader : IDisposable
         }
         catch (Exception e) when (e is InvalidDataException or IOException)
         {
+            var isCut = e is EndOfStreamException || chunks.Type == "IEND";
             chunks.Check();
-            throw new PictureFileException("its compressed data are damaged", e);
+            throw new PictureFileException(
+                isCut ? $"the file is cut short: its data end in line {lines!.Line} of {Header.Height}" : "its compressed data are damaged", e);
         }
         catch (PictureFileException)
         {
@@ -203,7 +208,6 @@ internal sealed class PngReader : IDisposable
         }
     }
 
-    /// <summary>Copies a line of a pass into the picture.</summary>
     private void Place(ReadOnlySpan<byte> samples, int y, PngPass pass, Picture picture)
     {
         if (Header.ColorType == PngHeader.Rgb && pass.StepX == 1)

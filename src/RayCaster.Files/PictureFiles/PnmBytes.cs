@@ -18,7 +18,6 @@ internal sealed class PnmBytes
     /// <summary>How many bytes there are; null for a pipe or device.</summary>
     public long? Length { get; }
 
-    /// <summary>The place of the next byte.</summary>
     public long Place => passed + at;
 
     /// <summary>Looks at the next byte without taking it; −1 at the end.</summary>

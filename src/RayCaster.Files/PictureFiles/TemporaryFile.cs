@@ -18,7 +18,7 @@ internal static class TemporaryFile
     /// <summary>Unix can rename a file that is not shared. Windows needs FileShare.Delete; other writers still cannot open the file.</summary>
     private static FileShare Sharing => OperatingSystem.IsWindows() ? FileShare.Delete : FileShare.None;
 
-    /// <summary>The folder that belongs to a temporary file where a whole folder is written; it goes with the file.</summary>
+    /// <summary>The folder that belongs to a temporary file where a whole folder is written; it is deleted with the file.</summary>
     public static string FolderOf(string temporary) => Path.ChangeExtension(temporary, ".dir");
 
     /// <summary>Deletes that folder; of a link only the link.</summary>
@@ -49,7 +49,7 @@ internal static class TemporaryFile
         }
     }
 
-    /// <summary>The new file has the old one's rights from the beginning, so that nobody can read it who may not.</summary>
+    /// <summary>The new file has the old one's rights from the beginning, so that only those can read it who could read the old one.</summary>
     private static FileStreamOptions Options(string target)
     {
         var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write, Share = Sharing, BufferSize = 1 << 16 };

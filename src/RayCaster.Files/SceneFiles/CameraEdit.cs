@@ -9,8 +9,8 @@ public static class CameraEdit
     /// <param name="utf8">The text of a scene without errors, with or without a byte order mark.</param>
     public static byte[] Write(ReadOnlyMemory<byte> utf8, Camera camera)
     {
-        var tree = JsonTree.Parse(new SourceText("", utf8), out _) ?? throw new ArgumentException("the text is not JSON", nameof(utf8));
-        var place = tree.Root.Find("camera") ?? throw new ArgumentException("the text has no camera", nameof(utf8));
+        var tree = JsonTree.Parse(new SourceText("", utf8), out _)!;
+        var place = tree.Root.Find("camera")!.Value;
         var edits = new List<(JsonValue, string)>();
         Replace("position", camera.Position);
         Replace("target", camera.Target);
@@ -18,8 +18,7 @@ public static class CameraEdit
 
         void Replace(string key, Vector3 v)
         {
-            if (place.Find(key) is not { } vector || !vector.IsOfThree(out var x, out var y, out var z))
-                throw new ArgumentException($"the camera has no {key}", nameof(utf8));
+            place.Find(key)!.Value.IsOfThree(out var x, out var y, out var z);
             foreach (var (value, number) in (ReadOnlySpan<(JsonValue, double)>)[(x, v.X), (y, v.Y), (z, v.Z)])
                 if (value.Number != number)
                     edits.Add((value, number.ToString("R", CultureInfo.InvariantCulture)));

@@ -72,7 +72,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 var hint = utf8[colon] == '=' ? ", not '='," : "";
                 return new(colon, words.End(colon), $"a colon{hint} must follow the key {tree.Text.Quote(at, end)}");
             case '\'':
-                return new(at, words.End(at), "keys stand in double quotes, not in single ones");
+                return new(at, words.End(at), "a key is written in double quotes, not in single ones");
             case ',':
                 return new(at, at + 1, "there is one comma too many");
             case ':':
@@ -81,7 +81,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 return WrongBracket(at);
             case '{' when last == JsonTokenType.EndObject && tree.KeyOfLastClosed is { } key:
                 var name = tree.Text.Quote(tree[key].Start, tree[key].End);
-                return new(at, at + 1, $"a second object follows the one of {name}; several stand in brackets: {name}: [ {{ ... }}, {{ ... }} ]");
+                return new(at, at + 1, $"a second object follows the one of {name}; write several in brackets: {name}: [ {{ ... }}, {{ ... }} ]");
             case '{' or '[':
                 return new(at, at + 1, "a key in double quotes must come first: \"key\": value");
             case '#':
@@ -92,7 +92,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 var whole = tree.Text.Quote(tree.Last.Start, tree.Last.End);
                 return new(at, words.End(at), $"a key is expected here; is this a decimal comma? Write {whole}.{words.Word(at)}");
             default:
-                return new(at, words.End(at), $"keys stand in double quotes: \"{words.Word(at)}\"");
+                return new(at, words.End(at), $"a key is written in double quotes: \"{words.Word(at)}\"");
         }
     }
 
@@ -107,7 +107,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
             case '{' or '[' when open.Length == JsonTree.MaxDepth:
                 return new(at, at + 1, $"arrays and objects are nested deeper than {JsonTree.MaxDepth}");
             case '\'':
-                return new(at, end, "texts stand in double quotes, not in single ones");
+                return new(at, end, "a text is written in double quotes, not in single ones");
             case ',' or '}' or ']' when last == JsonTokenType.PropertyName:
                 return new(at, at + 1, "a value is missing after the colon");
             case ',':
@@ -157,7 +157,7 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     private JsonMistake Fraction(int at)
     {
         var (start, end) = (tree.Last.Start, words.End(at + 1));
-        return new(start, end, $"{tree.Text.Quote(start, end)} is not a number; JSON knows no fractions: write 0.5 for 1/2");
+        return new(start, end, $"{tree.Text.Quote(start, end)} is not a number; JSON has no fractions: write 0.5 for 1/2");
     }
 
     private JsonMistake Slash(int at) => utf8[at..].StartsWith("/*"u8)

@@ -4,9 +4,15 @@ namespace RayCaster.Files;
 public static class PrintableText
 {
     /// <summary>The text with U+FFFD in place of each character that is not printable; tabs stay.</summary>
-    public static string Of(string text) => string.Create(text.Length, text, (span, from) =>
+    /// <param name="ofLines">Whether line ends stay, too.</param>
+    public static string Of(string text, bool ofLines = false) => string.Create(text.Length, (text, ofLines), static (span, given) =>
     {
-        for (var i = 0; i < span.Length; i++) span[i] = from[i] == '\t' || IsPrintable(from[i]) ? from[i] : '\uFFFD';
+        var (text, ofLines) = given;
+        for (var i = 0; i < span.Length; i++)
+        {
+            var stays = IsPrintable(text[i]) || text[i] == '\t' || (ofLines && (text[i] == '\n' || text.AsSpan(i).StartsWith("\r\n")));
+            span[i] = stays ? text[i] : '\uFFFD';
+        }
     });
 
     /// <summary>False for characters that could move a terminal's cursor, end a line, or turn the direction of a text (Unicode's

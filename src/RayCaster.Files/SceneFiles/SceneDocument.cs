@@ -23,12 +23,12 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     public IReadOnlyCollection<string> MeshFiles => meshes is null ? [] : Array.ConvertAll([.. meshes.Keys], Path.GetFullPath);
 
     /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
-    public void Add(bool isError, int start, int end, string path, string message)
+    public void Add(bool isError, int start, int end, string message)
     {
         if (isError) ErrorCount++;
         else if (findings.Count >= SceneReading.MostProblems) return;
         if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
-        findings.Add(new(findings.Count, isError, start, end, path, PrintableText.Of(message)));
+        findings.Add(new(findings.Count, isError, start, end, PrintableText.Of(message)));
     }
 
     /// <summary>The problems in the order of the text; at one place, in the order in which they were found.</summary>
@@ -39,7 +39,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
         return Array.ConvertAll(findings.ToArray(), finding =>
         {
             var (line, column) = text.Locate(finding.Start);
-            return new Problem(finding.IsError, text.Name, line, column, finding.Path, finding.Message, text.Excerpt(finding.Start, finding.End));
+            return new Problem(finding.IsError, text.Name, line, column, finding.Message, text.Excerpt(finding.Start, finding.End));
         });
     }
 
@@ -67,5 +67,5 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
         }
     }
 
-    private sealed record Finding(int Number, bool IsError, int Start, int End, string Path, string Message);
+    private sealed record Finding(int Number, bool IsError, int Start, int End, string Message);
 }

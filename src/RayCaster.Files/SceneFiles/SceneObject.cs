@@ -196,8 +196,7 @@ internal sealed class SceneObject
     internal void Report(bool isError, JsonValue? value, string key, string message, int? element = null)
     {
         var (start, end) = value is { } v ? (v.Start, v.End) : (json.Start, json.Start + 1);
-        var whole = PathOf(key, element);
-        document?.Add(isError, start, end, whole, whole + message);
+        document?.Add(isError, start, end, PathOf(key, element) + message);
     }
 
     private void Report(JsonValue value, string key, string message, int? element = null) => Report(true, value, key, message, element);
@@ -220,7 +219,7 @@ internal sealed class SceneObject
     private void RefuseAsObject(JsonValue value, int? place, string? name)
     {
         var whole = place is null ? path : $"{path}[{place}]";
-        document!.Add(true, value.Start, value.End, whole, $"{name ?? whole} must be an object in braces {{ }}, but is {value.InWords}");
+        document!.Add(true, value.Start, value.End, $"{name ?? whole} must be an object in braces {{ }}, but is {value.InWords}");
     }
 
     /// <summary>The value of a key, which is read only once. Null if the key is missing, which is an error for a required key.</summary>

@@ -26,7 +26,6 @@ public static class SceneReader
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
     /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string, int?)"/>
-    /// <param name="look">Receives the bytes, also if they contain mistakes.</param>
     /// <exception cref="IOException">The stream fails.</exception>
     public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
@@ -72,11 +71,11 @@ public static class SceneReader
     {
         if (Encodings.MistakeIn(document.Text.Utf8) is { } encoding)
         {
-            document.Add(true, encoding.Start, encoding.End, "", encoding.Message);
+            document.Add(true, encoding.Start, encoding.End, encoding.Message);
             return null;
         }
         if (JsonTree.Parse(document.Text, out var mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name: name);
-        document.Add(true, mistake.Start, mistake.End, "", mistake.Message);
+        document.Add(true, mistake.Start, mistake.End, mistake.Message);
         return null;
     }
 
@@ -194,5 +193,5 @@ public static class SceneReader
         $"the scene file has more than {MostBytes:N0} bytes, which is the limit; put large meshes into mesh files"));
 
     private static SceneReading Unreadable(string path, string message) =>
-        new(null, [new Problem(true, path, 0, 0, "", message, "")]);
+        new(null, [new Problem(true, path, 0, 0, message, "")]);
 }

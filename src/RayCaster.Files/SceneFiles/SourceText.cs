@@ -5,7 +5,6 @@ namespace RayCaster.Files;
 
 /// <summary>The text of a file, and the lines and columns of its bytes.</summary>
 /// <param name="name">The file as the user named it.</param>
-/// <param name="utf8">The text, with or without a byte order mark.</param>
 internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 {
     private const int LongestExcerpt = 120;

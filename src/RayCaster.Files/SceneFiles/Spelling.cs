@@ -33,8 +33,8 @@ public static class Spelling
         foreach (var candidate in known)
         {
             if (Math.Abs(candidate.Length - word.Length) >= least) continue;
-            var slips = Slips(word, candidate);
-            if (slips < least) (nearest, least) = (candidate, slips);
+            var mistakes = Mistakes(word, candidate);
+            if (mistakes < least) (nearest, least) = (candidate, mistakes);
         }
         return nearest;
     }
@@ -48,22 +48,22 @@ public static class Spelling
     }
 
     /// <summary>How many letters must be added, left out, changed or swapped with their neighbour; case is ignored.</summary>
-    private static int Slips(string a, string b)
+    private static int Mistakes(string a, string b)
     {
-        var slips = new int[a.Length + 1, b.Length + 1];
-        for (var i = 0; i <= a.Length; i++) slips[i, 0] = i;
-        for (var j = 0; j <= b.Length; j++) slips[0, j] = j;
+        var mistakes = new int[a.Length + 1, b.Length + 1];
+        for (var i = 0; i <= a.Length; i++) mistakes[i, 0] = i;
+        for (var j = 0; j <= b.Length; j++) mistakes[0, j] = j;
         for (var i = 1; i <= a.Length; i++)
         {
             for (var j = 1; j <= b.Length; j++)
             {
                 var change = Same(a[i - 1], b[j - 1]) ? 0 : 1;
-                slips[i, j] = Math.Min(slips[i - 1, j - 1] + change, Math.Min(slips[i - 1, j], slips[i, j - 1]) + 1);
+                mistakes[i, j] = Math.Min(mistakes[i - 1, j - 1] + change, Math.Min(mistakes[i - 1, j], mistakes[i, j - 1]) + 1);
                 if (i > 1 && j > 1 && Same(a[i - 1], b[j - 2]) && Same(a[i - 2], b[j - 1]))
-                    slips[i, j] = Math.Min(slips[i, j], slips[i - 2, j - 2] + 1);
+                    mistakes[i, j] = Math.Min(mistakes[i, j], mistakes[i - 2, j - 2] + 1);
             }
         }
-        return slips[a.Length, b.Length];
+        return mistakes[a.Length, b.Length];
 
         static bool Same(char x, char y) => char.ToLowerInvariant(x) == char.ToLowerInvariant(y);
     }

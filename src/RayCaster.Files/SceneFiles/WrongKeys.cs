@@ -34,7 +34,7 @@ internal readonly struct WrongKeys(SceneObject o, SceneDocument document, IEnume
         if (Spelling.DidYouMean(wrong, free) is { Length: > 0 } help) return help;
         if (Spelling.Nearest(wrong, known) is { } near && places.TryGetValue(near, out var there))
             return $"; \"{near}\" is already there, in line {document.Text.LineOf(there.Start)}";
-        return free.Count is > 0 and <= 8 ? $"; what could be added here is {string.Join(", ", free)}" : "";
+        return free.Count is > 0 and <= 8 ? $"; keys that can be added here: {string.Join(", ", free)}" : "";
     }
 
     /// <summary>A key of any length and content, fit for a message.</summary>

@@ -47,13 +47,11 @@ internal readonly ref struct WrongToken(SourceText text)
         }
         if (word is "NaN" or "Infinity" or "nan" or "inf" or "INF") return NotFinite(at);
         return char.IsLetter(word[0]) || word[0] == '_'
-            ? new(at, end, $"{word} is not a value; texts stand in double quotes: \"{word}\"")
+            ? new(at, end, $"{word} is not a value; a text is written in double quotes: \"{word}\"")
             : new(at, end, $"a value is expected here, not '{words.Character(at)}'");
     }
 
     /// <summary>A text in double quotes.</summary>
-    /// <param name="at">The place of the first quote.</param>
-    /// <param name="end">The place after the last quote.</param>
     public JsonMistake? Text(int at, out int end)
     {
         for (end = at + 1; end < utf8.Length; end++)
@@ -84,7 +82,7 @@ internal readonly ref struct WrongToken(SourceText text)
     {
         var c = words.Character(at);
         if (c.Value is '“' or '”' or '„' or '«' or '»' or '‘' or '’')
-            return new(at, words.End(at), $"texts and keys stand in straight double quotes \", not in {c}");
+            return new(at, words.End(at), $"texts and keys are written in straight double quotes \", not in {c}");
         if (c.Value is 0xFEFF or 0x200B || (!c.IsAscii && Rune.IsWhiteSpace(c)))
             return new(at, at + c.Utf8SequenceLength,
                 $"the character U+{c.Value:X4} looks like a space or like nothing, but only a plain space is allowed here");

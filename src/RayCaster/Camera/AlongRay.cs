@@ -6,7 +6,6 @@ namespace RayCaster;
 /// The view along a ray. The axes are renamed so that z is the axis that d follows most; then points are sheared along d onto the plane z = 0.
 /// There the ray is the point (0, 0), and a triangle around this point is one that the ray hits.
 /// </summary>
-/// <typeparam name="N">The kind of number.</typeparam>
 public readonly struct AlongRay<N> where N : struct, IReal<N>
 {
     private readonly Vector3<N> origin;

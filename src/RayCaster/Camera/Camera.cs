@@ -111,14 +111,10 @@ public sealed class Camera
     /// <summary>d = (uc U + ur V − W) normalised.</summary>
     /// <param name="c">The column; any kind of number.</param>
     /// <param name="r">The row, from the bottom.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Direction<N>(N c, N r) where N : struct, IReal<N> => Direction(Across(c), Upwards(r));
 
     /// <summary>The same from uc U and ur V, for a caller that computes many rays of one column or row.</summary>
-    /// <param name="across">uc U.</param>
-    /// <param name="upwards">ur V.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Direction<N>(Vector3<N> across, Vector3<N> upwards) where N : struct, IReal<N>
     {
@@ -128,7 +124,6 @@ public sealed class Camera
 
     /// <summary>uc U, where uc = w c / width − w / 2.</summary>
     /// <param name="c">The column; any kind of number.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Across<N>(N c) where N : struct, IReal<N>
     {
@@ -139,7 +134,6 @@ public sealed class Camera
 
     /// <summary>ur V, where ur = h r / height − h / 2.</summary>
     /// <param name="r">The row, from the bottom.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Upwards<N>(N r) where N : struct, IReal<N>
     {

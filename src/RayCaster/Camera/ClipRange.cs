@@ -8,8 +8,6 @@ public readonly struct ClipRange
     private readonly double least, zNear, zFar;
 
     /// <param name="bias">A crossing counts when t &gt; bias; with a bias of 0 when t ≥ 0.</param>
-    /// <param name="zNear">The least z that counts.</param>
-    /// <param name="zFar">The greatest z that counts.</param>
     public ClipRange(double bias, double zNear, double zFar)
     {
         least = bias == 0 ? 0 : Math.BitIncrement(bias); // t ≥ the next double says the same as t > bias
@@ -20,9 +18,7 @@ public readonly struct ClipRange
     public static ClipRange Everything => new(0, 0, double.PositiveInfinity);
 
     /// <summary>Whether a crossing counts; false where t is NaN.</summary>
-    /// <param name="t">The ray parameter of the crossing.</param>
     /// <param name="zPerT">The z of one unit of t.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N Counts<N>(N t, N zPerT) where N : struct, IReal<N>
     {

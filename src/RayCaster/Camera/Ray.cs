@@ -3,8 +3,6 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>A ray X(t) = P + t d, and its nearest hit so far (slide "Ray").</summary>
-/// <param name="origin">P.</param>
-/// <param name="direction">d, of length 1, so that the parameter t is a distance.</param>
 public sealed class Ray(Vector3 origin, Vector3 direction)
 {
     /// <summary>P, where the ray starts.</summary>
@@ -40,9 +38,7 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     }
 
     /// <summary>Whether a hit replaces the nearest one before it; false where t is NaN.</summary>
-    /// <param name="t">The parameter of the hit.</param>
     /// <param name="nearest">The parameter of the nearest hit before it; +∞ before the first.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N IsNearer<N>(N t, N nearest) where N : struct, IReal<N> => t < nearest;
 }

@@ -3,9 +3,6 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>The rays X(t) = P + t d that a formula computes with: one ray, a packet of rays, or all rays of a region.</summary>
-/// <typeparam name="N">The kind of number.</typeparam>
-/// <param name="origin">P.</param>
-/// <param name="direction">d, of length 1, so that t is a distance.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 public readonly struct Ray<N>(Vector3<N> origin, Vector3<N> direction) where N : struct, IReal<N>
 {

@@ -4,7 +4,7 @@ namespace RayCaster;
 
 /// <summary>
 /// A kind of number. A primitive's formula is written once, over any kind: with one double it is the definition, with a packet of doubles it
-/// draws several pixels at once, with an interval it tells what a whole region of rays can hit, and with a number that records its operations
+/// draws several pixels at once, with an interval it bounds what a whole region of rays can hit, and with a number that records its operations
 /// it explains a pixel.
 /// </summary>
 /// <remarks>

@@ -6,10 +6,8 @@ namespace RayCaster;
 public static class Naming
 {
     /// <summary>Names a number.</summary>
-    /// <param name="value">The number.</param>
     /// <param name="name">Its letter on the slide.</param>
     /// <param name="formula">The source text of the value; the compiler fills it in.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N As<N>(this N value, string name, [CallerArgumentExpression(nameof(value))] string formula = "")
         where N : struct, IReal<N> => N.Named(value, name, formula);

@@ -3,10 +3,6 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary><see cref="Vector3"/> over any kind of number, with the same operators, for the formulas of primitives.</summary>
-/// <typeparam name="N">The kind of number.</typeparam>
-/// <param name="x">The x coordinate.</param>
-/// <param name="y">The y coordinate.</param>
-/// <param name="z">The z coordinate.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
 {

@@ -1,8 +1,6 @@
 namespace RayCaster;
 
 /// <summary>A box around something. It only rejects: a ray that misses the box misses everything in it.</summary>
-/// <param name="Min">The least coordinates.</param>
-/// <param name="Max">The greatest coordinates.</param>
 public readonly record struct Bounds(Vector3 Min, Vector3 Max)
 {
     /// <summary>The bounds of nothing: add points to them.</summary>

@@ -22,7 +22,6 @@ public readonly record struct Color(double R, double G, double B)
     public (byte R, byte G, byte B) ToBytes() => (ToByte(R), ToByte(G), ToByte(B));
 
     /// <summary>A channel clamped to 0 … 1, times 255, plus ½: its whole part is the byte, rounded to nearest.</summary>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Level<N>(N channel) where N : struct, IReal<N> => N.Min(N.Max(channel, 0), 1) * 255 + 0.5;
 

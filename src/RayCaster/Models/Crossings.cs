@@ -3,9 +3,6 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>The ray parameters at which a ray crosses a primitive, nearest first; NaN where there is none.</summary>
-/// <typeparam name="N">The kind of number.</typeparam>
-/// <param name="near">The lesser t, which may be negative: behind the ray's origin.</param>
-/// <param name="far">The greater t.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 public readonly struct Crossings<N>(N near, N far) where N : struct, IReal<N>
 {

@@ -4,7 +4,6 @@ namespace RayCaster;
 public interface IModelVisitor
 {
     /// <summary>Visits a model with a primitive, whose formula runs over any kind of number.</summary>
-    /// <typeparam name="P">The kind of shape.</typeparam>
     void Visit<P>(Model<P> model) where P : struct, IPrimitive;
 
     /// <summary>Visits a mesh.</summary>

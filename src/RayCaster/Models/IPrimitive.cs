@@ -10,7 +10,6 @@ public interface IPrimitive
     /// Where the ray X(t) = P + t d crosses the shape, also behind its origin: <see cref="ClipRange"/> decides which crossings count.
     /// </summary>
     /// <param name="ray">The ray; its direction has length 1.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     /// <returns>The parameters t, in units of length, nearest first; NaN for none.</returns>
     Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>;
 }

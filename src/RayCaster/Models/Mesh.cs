@@ -1,8 +1,6 @@
 namespace RayCaster;
 
 /// <summary>Triangles that share their corners, as one model.</summary>
-/// <param name="vertices">The corners.</param>
-/// <param name="indices">Three places in <paramref name="vertices"/> for each triangle, in file order.</param>
 public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
 {
     /// <summary>The corners. This is the mesh's own array: do not change it.</summary>
@@ -31,7 +29,7 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
         return nearest;
     }
 
-    /// <summary>A box around all corners, computed anew at each call.</summary>
+    /// <summary>A box around all corners, computed again at each call.</summary>
     public override Bounds? Bounds
     {
         get

@@ -16,8 +16,8 @@ public abstract class Model
     public abstract double? Intersect(Ray ray);
 
     /// <summary>
-    /// All numbers that <see cref="Intersect"/> depends on; null for a class that does not tell them. Parts of a picture are joined only if
-    /// these numbers are equal, so a picture with a model that does not tell them cannot be drawn in parts.
+    /// All numbers that <see cref="Intersect"/> depends on; null for a class that does not list them. Parts of a picture are joined only if
+    /// these numbers are equal, so a picture with a model that does not list them cannot be drawn in parts.
     /// </summary>
     public virtual IReadOnlyList<double>? Numbers => null;
 
@@ -32,8 +32,6 @@ public abstract class Model
 
     /// <summary>Where rays over any kind of number cross the shape; null for models without such a formula: meshes, and plain doubles and
     /// ifs.</summary>
-    /// <param name="ray">The ray; its direction has length 1.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     public virtual Crossings<N>? Intersect<N>(in Ray<N> ray) where N : struct, IReal<N> => null;
 
     /// <summary>Calls the visitor's method for this kind of model.</summary>
@@ -44,8 +42,6 @@ public abstract class Model
 }
 
 /// <summary>A model with a primitive, whose formula runs over any kind of number.</summary>
-/// <typeparam name="P">The kind of shape.</typeparam>
-/// <param name="primitive">The shape.</param>
 public sealed class Model<P>(P primitive) : Model where P : struct, IPrimitive
 {
     /// <summary>The shape.</summary>

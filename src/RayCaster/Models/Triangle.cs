@@ -18,7 +18,7 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
     /// NaN.</para>
     /// <para>If a triangle is seen nearly edge-on, its areas are all rounding, and may have equal signs for a ray that passes far from it,
     /// within its plane. So (0, 0) must also lie between the corners in X and in Y, which is always true inside.</para>
-    /// <para>No ray slips between two triangles that share a side. Both see its two corners at the same places, so they compute the same area
+    /// <para>No ray passes between two triangles that share a side. Both see its two corners at the same places, so they compute the same area
     /// over it, with opposite signs; and rounding can make the difference of two products 0, but never change its sign. So the triangles cover
     /// the view without gaps, also at corners (after Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", 2013).</para>
     /// </remarks>

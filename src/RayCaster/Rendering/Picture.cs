@@ -15,8 +15,6 @@ public sealed class Picture
     }
 
     /// <summary>A picture over bytes that exist already.</summary>
-    /// <param name="width">Pixels in a line.</param>
-    /// <param name="height">Lines.</param>
     /// <param name="rgb">Its width · height · 3 bytes; they are not copied.</param>
     public Picture(int width, int height, byte[] rgb) => (Width, Height, Rgb) = (width, height, rgb);
 

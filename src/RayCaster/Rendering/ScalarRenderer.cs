@@ -23,7 +23,6 @@ public static class ScalarRenderer
     }
 
     /// <summary>Draws a window of the picture of a scene.</summary>
-    /// <param name="scene">The scene.</param>
     /// <param name="window">Receives the pixels. It may be smaller than the picture.</param>
     /// <param name="left">The picture's column at the window's left edge.</param>
     /// <param name="top">The picture's line, counted from the top, at the window's upper edge.</param>
@@ -41,7 +40,6 @@ public static class ScalarRenderer
     }
 
     /// <summary>Casts the ray of a pixel through the scene; the result holds its nearest hit.</summary>
-    /// <param name="scene">The scene.</param>
     /// <param name="column">c, from the left.</param>
     /// <param name="row">r, from the bottom.</param>
     public static Ray Cast(Scene scene, int column, int row)

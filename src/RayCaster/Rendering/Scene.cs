@@ -3,20 +3,16 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>Models, and the camera that looks at them.</summary>
-/// <param name="Camera">The camera.</param>
 /// <param name="Models">The models; of two at the same distance the first shows.</param>
 /// <param name="Background">The colour of a pixel whose ray hits nothing.</param>
 public sealed record Scene(Camera Camera, IReadOnlyList<Model> Models, Color Background = default)
 {
     /// <summary>The colour of a pixel (slide "Primitive Shading"): the farther the hit, the darker the model. The background is not
     /// attenuated.</summary>
-    /// <param name="t">The parameter of the nearest hit.</param>
     /// <param name="model">The model of the nearest hit; null for no hit.</param>
     public Color Shade(double t, Model? model) => model is null ? Background : Attenuation<Scalar>(t) * model.Color;
 
     /// <summary>1 − t / (2 |T − P|), not below 0: from twice the target's distance on all is black.</summary>
-    /// <param name="t">The parameter of the hit; any kind of number.</param>
-    /// <typeparam name="N">The kind of number.</typeparam>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N Attenuation<N>(N t) where N : struct, IReal<N> => N.Max(0, 1 - t / Camera.Reach).As("attenuation");
 }

@@ -71,7 +71,7 @@ public sealed class HandOutCommandTests : IDisposable
     public void StepsThatAreNoneAreAnError(string steps)
     {
         app.Run("handout", "lab1", "--open", steps);
-        Assert.StartsWith($"raycaster: '{steps}' are no steps: write one from 1 to 10, or the first and the last as in 1..4\n", app.Error);
+        Assert.StartsWith($"raycaster: '{steps}' names no steps: write one from 1 to 10, or the first and the last as in 1..4\n", app.Error);
         Assert.Equal(ExitCode.CouldNot, app.ExitCode);
         Assert.Empty(app.Files);
     }

@@ -2,7 +2,7 @@ using Range = RayCaster.Engine.Interval;
 
 namespace RayCaster.Engine.Tests.Numbers;
 
-/// <summary>The primitives' own formulas over intervals tell what a whole region of rays can meet.</summary>
+/// <summary>The primitives' own formulas over intervals give what a whole region of rays can meet.</summary>
 public class IntervalTests
 {
     public static TheoryData<string> Shapes => new(Primitives.Keys);
@@ -86,7 +86,7 @@ public class IntervalTests
         var aroundZero = new Range(-1, 1);
         Assert.Equal(0, Gap(aroundZero / aroundZero));
         Assert.Equal(0, Gap(new Range(0, 0) / new Range(0, 0)));
-        Assert.Equal(0, Gap(new Range(1, 2) / new Range(1, 2))); // the ends tell it
+        Assert.Equal(0, Gap(new Range(1, 2) / new Range(1, 2))); // the least and the greatest are quotients of ends
         Assert.Equal(0, Gap(1 / aroundZero + 1));
     }
 

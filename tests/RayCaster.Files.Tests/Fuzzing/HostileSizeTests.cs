@@ -148,7 +148,7 @@ public sealed class HostileSizeTests : IDisposable
     }
 
     private static string RefusedMesh(string name, byte[] file) =>
-        Frugally(() => Assert.Throws<MeshFileException>(() => MeshFile.Parse(name, file)).Message);
+        Frugally(() => Assert.Throws<MeshFileException>(() => MeshBytes.Read(name, file)).Message);
 
     private static string RefusedPicture(byte[] file) =>
         Frugally(() => Assert.Throws<PictureFileException>(() => PictureFile.Read(new MemoryStream(file))).Message);

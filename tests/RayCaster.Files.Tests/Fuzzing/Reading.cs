@@ -63,7 +63,7 @@ internal static class Reading
     {
         try
         {
-            return (MeshFile.Parse(file.Name, file.Bytes, blockSize), null);
+            return (MeshBytes.Read(file.Name, file.Bytes, blockSize), null);
         }
         catch (MeshFileException e)
         {

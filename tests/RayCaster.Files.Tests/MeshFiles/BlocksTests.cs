@@ -124,7 +124,7 @@ public sealed class BlocksTests : IDisposable
         Assert.InRange(bytes.Length, MeshSource.UsualBlockSize + 1, int.MaxValue);
         var path = Path.Combine(folder, name);
         File.WriteAllBytes(path, bytes);
-        FormatsTests.AssertSame(MeshFile.Parse(name, bytes, bytes.Length), MeshFile.Read(path));
+        FormatsTests.AssertSame(MeshBytes.Read(name, bytes, bytes.Length), MeshFile.Read(path));
     }
 
     [Fact]
@@ -157,7 +157,7 @@ public sealed class BlocksTests : IDisposable
     {
         try
         {
-            return (MeshFile.Parse(path, bytes, blockSize, threads), null);
+            return (MeshBytes.Read(path, bytes, blockSize, threads), null);
         }
         catch (MeshFileException e)
         {

@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.MeshFiles;
 
-/// <summary>The files in scenes/meshes. <c>RAYCASTER_ACCEPT=1 dotnet test</c> writes them anew.</summary>
+/// <summary>The files in scenes/meshes. <c>RAYCASTER_ACCEPT=1 dotnet test</c> writes them again.</summary>
 public class CommittedMeshesTests
 {
     public static TheoryData<string> Names => ["cube.stl", "icosphere.obj", "knot.ply"];

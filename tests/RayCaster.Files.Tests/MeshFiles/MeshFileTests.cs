@@ -9,12 +9,8 @@ public sealed class MeshFileTests : IDisposable
     [InlineData("teapot", "a mesh file's name must end with .obj, .ply or .stl, but this one has no extension")]
     [InlineData("", "a mesh file's name must end with .obj, .ply or .stl, but this one has no extension")]
     [InlineData("a\0b.obj", "cannot be read: Null character in path. (Parameter 'path')")]
-    public void NameThatIsNoMeshFileIsRefused(string path, string reason)
-    {
-        var refused = Assert.Throws<MeshFileException>(() => MeshFile.Read(path));
-        Assert.Equal((path, reason, $"{path}: {reason}"), (refused.Path, refused.Reason, refused.Message));
-        Assert.Equal((null, null), (refused.Line, refused.Offset));
-    }
+    public void NameThatIsNoMeshFileIsRefused(string path, string reason) =>
+        Assert.Equal($"{path}: {reason}", Assert.Throws<MeshFileException>(() => MeshFile.Read(path)).Message);
 
     [Fact]
     public void FileThatIsNotThereIsNamedWithTheFullPathThatWasTried() =>
@@ -27,7 +23,7 @@ public sealed class MeshFileTests : IDisposable
     public void NearestNameInTheFolderIsProposed()
     {
         folder.Write("teapot.obj", "");
-        Assert.Contains("teapot.obj", Assert.Throws<MeshFileException>(() => MeshFile.Read(folder["taepot.obj"])).Reason);
+        Assert.EndsWith("; did you mean \"teapot.obj\"?", Assert.Throws<MeshFileException>(() => MeshFile.Read(folder["taepot.obj"])).Message);
     }
 
     [Fact]
@@ -50,12 +46,9 @@ public sealed class MeshFileTests : IDisposable
     [Fact]
     public void PlaceIsALineOfTextOrAByteOfBinaryData()
     {
-        var text = Assert.Throws<MeshFileException>(() => MeshFile.Parse("a/box.obj", "v 0 0 0\nf 1 1"u8.ToArray()));
-        Assert.Equal(("a/box.obj", 2, null), (text.Path, text.Line, text.Offset));
-        Assert.Equal($"a/box.obj(2): {text.Reason}", text.Message);
-        var binary = Assert.Throws<MeshFileException>(() => MeshFile.Parse("a/box.stl", new byte[85]));
-        Assert.Equal(("a/box.stl", null, 80), (binary.Path, binary.Line, binary.Offset));
-        Assert.Equal($"a/box.stl(byte 80): {binary.Reason}", binary.Message);
+        Assert.StartsWith(
+            "a/box.obj(2): ", Assert.Throws<MeshFileException>(() => MeshBytes.Read("a/box.obj", "v 0 0 0\nf 1 1"u8.ToArray())).Message);
+        Assert.StartsWith("a/box.stl(byte 80): ", Assert.Throws<MeshFileException>(() => MeshBytes.Read("a/box.stl", new byte[85])).Message);
     }
 
     public void Dispose() => folder.Dispose();

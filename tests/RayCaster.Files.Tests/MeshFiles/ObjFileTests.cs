@@ -78,7 +78,7 @@ public class ObjFileTests
 
     [Fact]
     public void Utf16IsNamed() => Assert.Equal("box.obj(1): the file is in UTF-16; save it as UTF-8",
-        Assert.Throws<MeshFileException>(() => MeshFile.Parse("box.obj", [0xFF, 0xFE, (byte)'v', 0])).Message);
+        Assert.Throws<MeshFileException>(() => MeshBytes.Read("box.obj", [0xFF, 0xFE, (byte)'v', 0])).Message);
 
-    private static MeshData Read(string text) => MeshFile.Parse("box.obj", Encoding.ASCII.GetBytes(text));
+    private static MeshData Read(string text) => MeshBytes.Read("box.obj", Encoding.ASCII.GetBytes(text));
 }

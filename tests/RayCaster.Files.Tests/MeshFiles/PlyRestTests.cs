@@ -40,5 +40,5 @@ public class PlyRestTests
         return [.. file];
     }
 
-    private static MeshData Read(byte[] bytes) => MeshFile.Parse("a.ply", bytes);
+    private static MeshData Read(byte[] bytes) => MeshBytes.Read("a.ply", bytes);
 }

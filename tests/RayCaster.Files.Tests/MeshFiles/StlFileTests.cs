@@ -52,15 +52,15 @@ public class StlFileTests
     {
         var bytes = MeshWriter.StlBinary(MeshGenerator.Cube(1), "solid cube");
         Assert.Equal("cube.stl(byte 80): the header promises 12 triangles, which take 684 bytes, but the file has 683",
-            Assert.Throws<MeshFileException>(() => MeshFile.Parse("cube.stl", bytes[..^1])).Message);
+            Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.stl", bytes[..^1])).Message);
         BinaryPrimitives.WriteUInt32LittleEndian(bytes.AsSpan(80), uint.MaxValue);
         Assert.Equal("cube.stl(byte 80): the header promises 4294967295 triangles, which take 214748364834 bytes, but the file has 684",
-            Assert.Throws<MeshFileException>(() => MeshFile.Parse("cube.stl", bytes)).Message);
+            Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.stl", bytes)).Message);
     }
 
     [Fact]
     public void BinaryFileOfNoTriangleIsRefused() => Assert.Equal("cube.stl: the file has no face; a mesh needs at least one",
-        Assert.Throws<MeshFileException>(() => MeshFile.Parse("cube.stl", new byte[84])).Message);
+        Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.stl", new byte[84])).Message);
 
     [Theory]
     [InlineData(96, float.NaN, "NaN")]
@@ -71,7 +71,7 @@ public class StlFileTests
         var bytes = MeshWriter.StlBinary(MeshGenerator.Cube(1));
         BinaryPrimitives.WriteSingleLittleEndian(bytes.AsSpan(at), value);
         Assert.Equal($"cube.stl(byte {at}): a coordinate must be a finite number, but is {text}",
-            Assert.Throws<MeshFileException>(() => MeshFile.Parse("cube.stl", bytes)).Message);
+            Assert.Throws<MeshFileException>(() => MeshBytes.Read("cube.stl", bytes)).Message);
     }
 
     [Fact]
@@ -80,8 +80,8 @@ public class StlFileTests
         var cube = MeshGenerator.Cube(1);
         var bytes = MeshWriter.StlBinary(cube);
         BinaryPrimitives.WriteSingleLittleEndian(bytes.AsSpan(84), float.NaN);
-        Assert.Equal(cube.Vertices[cube.Indices[0]], MeshFile.Parse("cube.stl", bytes).Vertices[0]);
+        Assert.Equal(cube.Vertices[cube.Indices[0]], MeshBytes.Read("cube.stl", bytes).Vertices[0]);
     }
 
-    private static MeshData Read(string text) => MeshFile.Parse("box.stl", Encoding.ASCII.GetBytes(text));
+    private static MeshData Read(string text) => MeshBytes.Read("box.stl", Encoding.ASCII.GetBytes(text));
 }

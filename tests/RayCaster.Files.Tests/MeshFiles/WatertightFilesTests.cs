@@ -31,13 +31,13 @@ public class WatertightFilesTests(ITestOutputHelper output)
 
     private static readonly Dictionary<string, Func<MeshData, MeshData>> formats = new()
     {
-        ["obj"] = data => MeshFile.Parse("a.obj", MeshWriter.Obj(data)),
-        ["obj of six places"] = data => MeshFile.Parse("a.obj", MeshWriter.Obj(data, "F6")),
-        ["ascii ply"] = data => MeshFile.Parse("a.ply", MeshWriter.PlyAscii(data)),
-        ["big-endian ply"] = data => MeshFile.Parse("a.ply", MeshWriter.PlyBinary(data, bigEndian: true)),
-        ["ply of floats"] = data => MeshFile.Parse("a.ply", MeshWriter.PlyFloat(data)),
-        ["ascii stl"] = data => MeshFile.Parse("a.stl", MeshWriter.StlAscii(data)),
-        ["binary stl"] = data => MeshFile.Parse("a.stl", MeshWriter.StlBinary(data)),
+        ["obj"] = data => MeshBytes.Read("a.obj", MeshWriter.Obj(data)),
+        ["obj of six places"] = data => MeshBytes.Read("a.obj", MeshWriter.Obj(data, "F6")),
+        ["ascii ply"] = data => MeshBytes.Read("a.ply", MeshWriter.PlyAscii(data)),
+        ["big-endian ply"] = data => MeshBytes.Read("a.ply", MeshWriter.PlyBinary(data, bigEndian: true)),
+        ["ply of floats"] = data => MeshBytes.Read("a.ply", MeshWriter.PlyFloat(data)),
+        ["ascii stl"] = data => MeshBytes.Read("a.stl", MeshWriter.StlAscii(data)),
+        ["binary stl"] = data => MeshBytes.Read("a.stl", MeshWriter.StlBinary(data)),
     };
 
     public static TheoryData<string> Formats => [.. formats.Keys];

@@ -96,7 +96,7 @@ public class SceneDigestTests
     {
         var scene = new Scene(new(new(new(5, 0, 0), Vector3.Zero)), [Model.Of(new Sphere(Vector3.Zero, 1)), new Silent()]);
         Assert.Equal(
-            "models[1] is of the class Silent, which does not tell its numbers; override Numbers in it (docs/adding-a-primitive.md)",
+            "models[1] is of the class Silent, which does not list its numbers; override Numbers in it (docs/adding-a-primitive.md)",
             Assert.Throws<NotSupportedException>(() => SceneDigest.Of(scene)).Message);
     }
 

@@ -41,7 +41,7 @@ public sealed class NewFolderTests : IDisposable
     [Fact]
     public void OfALinkOfSuchANameOnlyTheLinkGoes()
     {
-        if (OperatingSystem.IsWindows()) return; // asks for rights there
+        if (OperatingSystem.IsWindows()) return; // needs special rights there
         folder.Write("lab.0123abcd.tmp", "");
         Directory.CreateDirectory(folder["precious"]);
         folder.Write("precious/a.txt", "precious");

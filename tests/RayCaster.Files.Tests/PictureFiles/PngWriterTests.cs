@@ -33,7 +33,6 @@ public class PngWriterTests
         var lines = new MemoryStream();
         using (var decompressor = new ZLibStream(new MemoryStream(data), CompressionMode.Decompress)) decompressor.CopyTo(lines);
         Assert.Equal((1L + 3 * width) * height, lines.Length);
-        Assert.Equal(AdlerOf(lines.ToArray()), BinaryPrimitives.ReadUInt32BigEndian(data.AsSpan(^4)));
     }
 
     [Fact]
@@ -89,14 +88,6 @@ public class PngWriterTests
             yield return (System.Text.Encoding.ASCII.GetString(file, at + 4, 4), file[(at + 8)..(at + 8 + length)]);
             at += length + 12;
         }
-    }
-
-    /// <summary>The definition, byte by byte.</summary>
-    private static uint AdlerOf(byte[] bytes)
-    {
-        var (a, b) = (1u, 0u);
-        foreach (var value in bytes) (a, b) = ((a + value) % 65521, (b + (a + value) % 65521) % 65521);
-        return b << 16 | a;
     }
 
     /// <summary>An output that fails when it is full.</summary>

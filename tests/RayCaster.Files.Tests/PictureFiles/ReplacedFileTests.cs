@@ -79,7 +79,7 @@ public sealed class ReplacedFileTests : IDisposable
     [Fact]
     public void ALinkIsReplacedAndNotFollowed()
     {
-        if (OperatingSystem.IsWindows()) return; // asks for rights there
+        if (OperatingSystem.IsWindows()) return; // needs special rights there
         folder.Write("precious", "precious"u8);
         File.CreateSymbolicLink(folder["room.png"], folder["precious"]);
         using (var file = new ReplacedFile(folder["room.png"]))

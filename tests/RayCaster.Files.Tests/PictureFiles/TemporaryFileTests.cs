@@ -81,7 +81,7 @@ public sealed class TemporaryFileTests : IDisposable
     [Fact]
     public void OfALinkOfSuchANameOnlyTheLinkGoes()
     {
-        if (OperatingSystem.IsWindows()) return; // asks for rights there
+        if (OperatingSystem.IsWindows()) return; // needs special rights there
         folder.Write("precious", "precious");
         File.CreateSymbolicLink(folder["room.png.0123abcd.tmp"], folder["precious"]);
         new ReplacedFile(folder["room.png"]).Dispose();

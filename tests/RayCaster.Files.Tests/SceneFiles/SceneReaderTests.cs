@@ -73,7 +73,7 @@ public class SceneReaderTests
 
     [Fact]
     public void HalfACharacterInAKeyIsShownAsWritten() => Assert.Equal(
-        "\\ud83d is an unknown key; what could be added here is $schema, background",
+        "\\ud83d is an unknown key; keys that can be added here: $schema, background",
         SceneReader.Parse("""{ "camera": null, "models": [], "\ud83d": 1 }"""u8.ToArray(), "x", ".").Problems[1].Message);
 
     [Fact]

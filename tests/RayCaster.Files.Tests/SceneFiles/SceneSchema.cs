@@ -5,7 +5,7 @@ using System.Text.Json.Nodes;
 namespace RayCaster.Files.Tests.SceneFiles;
 
 /// <summary>
-/// Writes the schema of scene files (JSON Schema draft-07, which editors know best) from what the reader says about its keys while it asks for them.
+/// Writes the schema of scene files (JSON Schema draft-07, which editors know best) from the descriptions that the reader gives of its keys.
 /// </summary>
 internal static class SceneSchema
 {

@@ -21,7 +21,7 @@ public class DefinitionTests
     public void ThePictureIsTheDefinitions(string name)
     {
         var scene = SceneReader.Read(Path.Combine(Folder, name)).Scene;
-        var divisor = scene.Models.Any(model => model is Mesh) ? 25 : 3; // each pixel asks each of a mesh's thousands of triangles, twice
+        var divisor = scene.Models.Any(model => model is Mesh) ? 25 : 3; // each pixel's ray is tested against thousands of triangles, twice
         scene = scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / divisor, scene.Camera.Height / divisor) };
         var difference = new PictureDifference(SceneFile.Of(scene).Draw(), ScalarRenderer.Render(scene));
         // Other formulas for the same t: their last bits may turn a pixel on an outline, or round a channel the other way.

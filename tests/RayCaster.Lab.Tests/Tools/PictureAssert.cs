@@ -9,7 +9,7 @@ namespace Lab.Tests;
 [StackTraceHidden] // the trace of a failure begins in the test
 public static class PictureAssert
 {
-    /// <summary>The lab's picture of a scene is the reference, but for pixels on outlines, where the last bits decide.</summary>
+    /// <summary>The lab's picture of a scene is the reference, except for pixels on outlines, where the last bits decide.</summary>
     /// <param name="sceneFile">The scene.</param>
     /// <param name="reference">A PNG or PPM; the scene is drawn in its size.</param>
     /// <param name="levels">By how many of 255 levels a pixel may differ: rounding.</param>
@@ -29,7 +29,7 @@ public static class PictureAssert
         {
             var scene = Read(Path.Combine(LabFolder.Scenes, name + ".json"));
             var references = new List<Picture> { Reference(scene, name, step) };
-            if (step == LabSteps.FirstPicture) references.Add(Reference(scene, name, step + 1)); // whoever has written the shading too
+            if (step == LabSteps.FirstPicture) references.Add(Reference(scene, name, step + 1)); // for a student who has written the shading, too
             var (at, levels, share) = (LabSteps.SceneAt(scene, step), 1, 0.01);
             if (!IsEqual(LabSteps.Draw(scene, step), references[0], at, levels, share)) // the library draws what the student's file now says
                 Assert.Fail($"scenes/{name}.json is not as it was handed out. Copy it to scenes/my to play with it, " +

@@ -27,7 +27,7 @@ public static class RayAssert
         string slide, RayCaster.Model model, RayCaster.Vector3 P, RayCaster.Vector3 d, double? t, Action<Model, Ray> intersect = null) =>
         Check(slide, model, P, d, t, intersect);
 
-    /// <summary>Numbers that are equal but for their last bits.</summary>
+    /// <summary>Numbers that are equal except in their last bits.</summary>
     public static void Equal(string what, string slide, double expected, double actual)
     {
         if (!AreEqual(expected, actual))

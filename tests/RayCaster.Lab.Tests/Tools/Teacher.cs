@@ -5,7 +5,7 @@ namespace Lab.Tests;
 /// <summary>What the teacher sets.</summary>
 public static class Teacher
 {
-    /// <summary>How much a failing picture test tells: Symptom (what is to be seen), Question (what to ask oneself) or Answer.</summary>
+    /// <summary>What a failing picture test says: Symptom (what you see), Question (what to ask yourself) or Answer.</summary>
     public const HintLevel Hints = HintLevel.Question;
 
     /// <summary>How many random rays each test casts.</summary>

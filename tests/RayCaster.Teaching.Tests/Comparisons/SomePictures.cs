@@ -12,7 +12,7 @@ internal static class SomePictures
         return v > 0.65 ? (Level(0.3 + 0.2 * v), Level(0.25 + 0.1 * u), (byte)30) : default;
     });
 
-    /// <summary>A picture whose pixels are told by column and line.</summary>
+    /// <summary>A picture whose pixels are given by column and line.</summary>
     public static Picture Make(int width, int height, Func<int, int, (byte, byte, byte)> pixel)
     {
         var picture = new Picture(width, height);

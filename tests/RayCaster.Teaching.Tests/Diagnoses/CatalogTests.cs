@@ -51,7 +51,7 @@ public class CatalogTests
     {
         Assert.All(MistakeCatalog.All, mistake => Assert.Same(mistake, mistake.Wordings[0]));
         Assert.All(MistakeCatalog.All, mistake => Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id)));
-        var worded = MistakeCatalog.All.Where(mistake => mistake.Wordings.Count > 1); // of the others SceneFitnessTests tell that they show
+        var worded = MistakeCatalog.All.Where(mistake => mistake.Wordings.Count > 1); // SceneFitnessTests show it for the others
         Mistake[] hidden = [.. worded.SelectMany(mistake => mistake.Wordings)
             .Where(wording => rights.All(scene => AreAlike(scene.Right, WrongPicture.Draw(scene.Scene, [wording]))))];
         Assert.True(hidden.Length == 0, string.Join(Environment.NewLine, hidden.Select(wording => $"{wording}: {wording.Cause}")));

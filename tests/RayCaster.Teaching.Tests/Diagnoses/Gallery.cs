@@ -39,19 +39,19 @@ internal static class Gallery
         var page = new StringBuilder($"""
             # {MistakeCatalog.All.Count} mistakes, and what they look like
 
-            Everybody who writes a ray caster makes some of these. Left in each picture is what the scene should look like,
-            right what it looks like with the mistake. Is one of them yours?
+            Everybody who writes a ray caster makes some of these. The left half of each picture is right; the right half shows the mistake.
+            Is one of them yours?
 
             ![All mistakes, one small picture each](mistakes/all.png)
 
-            The first picture is right; the others follow row by row, in the order of the contents below. You need not search by eye, though:
+            The first picture is right; the others follow row by row, in the order of the contents below. You need not search by eye:
 
                 dotnet run --project src/RayCaster.Cli -- diagnose scenes/mistakes/generic.json mine.png
 
-            says which of them makes `mine.png`, your own program's picture of a scene, and lets you choose how much it tells:
+            says which of them your own program's picture `mine.png` shows. You choose how much of the mistake it reveals:
             `--hint symptom`, `question` or `answer` ([how it finds out](diagnosis.md)).
-            Here too the question and the answer are folded, so that you can look without being told.
-            Draw the five scenes of [scenes/mistakes](../scenes/mistakes) with your program: whoever draws all five right has made none of these.
+            On this page the questions and the answers are folded, so that you can look at the pictures first.
+            Draw the five scenes of [scenes/mistakes](../scenes/mistakes) with your program: if all five are right, it has none of these mistakes.
             [How much of each scene a mistake changes](mistakes-table.md) is in a table.
             Each title of a slide leads to [where its formula stands](slides-to-code.md).
 

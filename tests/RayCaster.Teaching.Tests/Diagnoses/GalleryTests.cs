@@ -2,7 +2,7 @@ using RayCaster.Teaching.Tests.Mistakes;
 
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
-/// <summary>docs/mistakes.md shows the catalogue as it is; RAYCASTER_ACCEPT=1 makes it anew.</summary>
+/// <summary>docs/mistakes.md shows the catalogue as it is; RAYCASTER_ACCEPT=1 makes it again.</summary>
 public class GalleryTests
 {
     private static readonly bool accepts = Environment.GetEnvironmentVariable("RAYCASTER_ACCEPT") == "1";

@@ -2,7 +2,7 @@ namespace RayCaster.Teaching.Tests.Diagnoses;
 
 /// <summary>Which other mistakes look like one, in the scene that shows it.</summary>
 /// <param name="Alike">They give the same picture.</param>
-/// <param name="Near">They give nearly the same: what tells them apart is a tenth of what tells the mistake from the right picture.</param>
+/// <param name="Near">They give nearly the same: they differ in a tenth of the pixels in which the mistake differs from the right picture.</param>
 internal sealed record Resemblance(IReadOnlyList<Mistake> Alike, IReadOnlyList<Mistake> Near)
 {
     /// <summary>Few are enough: only what looks alike all over is looked for.</summary>

@@ -178,7 +178,7 @@ public class PixelExplanationTests
         Assert.Throws<ArgumentOutOfRangeException>(() => PixelExplanation.Of(Scene([]), 0, -1));
     }
 
-    /// <summary>tests/RayCaster.Teaching.Tests/Explanations/room.txt; <c>RAYCASTER_ACCEPT=1 dotnet test</c> writes it anew.</summary>
+    /// <summary>tests/RayCaster.Teaching.Tests/Explanations/room.txt; <c>RAYCASTER_ACCEPT=1 dotnet test</c> writes it again.</summary>
     [Fact]
     public void TheTextForPeopleStaysAsItIs()
     {

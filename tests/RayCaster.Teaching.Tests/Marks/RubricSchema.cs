@@ -4,7 +4,7 @@ using System.Text.Json.Nodes;
 
 namespace RayCaster.Teaching.Tests.Marks;
 
-/// <summary>Writes the schema of rubrics from what the reader says about its keys while it asks for them, as that of scenes is written.</summary>
+/// <summary>Writes the schema of rubrics from the descriptions that the reader gives of its keys, like the schema of scenes.</summary>
 internal static class RubricSchema
 {
     private static readonly JsonSerializerOptions style =

@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace RayCaster.Teaching.Tests.Mistakes;
 
-/// <summary>docs/mistakes-table.md tells what each mistake changes; this keeps it true. RAYCASTER_ACCEPT=1 writes it anew.</summary>
+/// <summary>docs/mistakes-table.md says what each mistake changes; this test keeps it true. RAYCASTER_ACCEPT=1 writes it again.</summary>
 public class MistakeTableTests
 {
     /// <summary>Differences that the eye sees.</summary>
@@ -48,7 +48,7 @@ public class MistakeTableTests
 
     private static string Escape(string text) => text.Replace("|", "\\|");
 
-    /// <summary>Equal but for a few pixels that the last bits of another machine's tangent may turn.</summary>
+    /// <summary>Equal except for a few pixels that may change with the last bits of another machine's tangent.</summary>
     private static bool Agree(string a, string b)
     {
         var (left, right) = (a.Split(" | "), b.Split(" | "));

@@ -15,7 +15,7 @@ internal static class MemoryLimit
     public static long OfPicture(long bytes, long width, long height) =>
         (1L << 22) + BytesOfPicture * bytes + BytesOfPixel * width * height + BytesOfColumn * width;
 
-    /// <summary>Of a pipe, of which nobody knows whether it holds what it promises; a PNG is kept as it comes.</summary>
+    /// <summary>Of a pipe, which may hold less than its header promises; a PNG is kept as it comes.</summary>
     /// <inheritdoc cref="OfPicture"/>
     public static long OfPipe(long bytes, long width, long height) =>
         OfPicture(bytes, width, height) + (BytesOfPixelFromPipe - BytesOfPixel) * width * height;

@@ -66,7 +66,7 @@ public class TriangleTests
         Assert.True(inside > 500 && outside > 500);
     }
 
-    /// <summary>All three corners lie up and to the right of the ray, on a line with it but for the last bits.</summary>
+    /// <summary>All three corners lie up and to the right of the ray, on a line with it except in the last bits.</summary>
     [Fact]
     public void ATriangleSeenEdgeOnIsNotHitByRaysThatOnlyPassWithinItsPlane()
     {

@@ -95,7 +95,7 @@ public class MarginTests
         Assert.InRange(worst, screen.Margin / 16, screen.Margin);
     }
 
-    /// <summary>Small triangles with a side that passes a sample by less than what floats tell apart, on either side of it.</summary>
+    /// <summary>Small triangles with a side that passes a sample by less than floats can distinguish, on either side of it.</summary>
     private static (Camera Camera, MeshData Mesh) OnEdges(Random random)
     {
         var camera = new Camera(new(new(-5, 0, 0), Vector3.Zero) { FovY = 40, Width = 1000, Height = 64 });

@@ -15,7 +15,7 @@ public class MeshViewTests
             RendererTests.AssertEqual(RandomMesh.Make(new Random(seed * 100_000 + i)), $"scene {i} of seed {seed}");
     }
 
-    /// <summary>Triangles in planes that hold the eye but for the last bits; the definition's t is anywhere that they span.</summary>
+    /// <summary>Triangles in planes that contain the camera, except in the last bits; the definition's t is anywhere that they span.</summary>
     [Theory]
     [InlineData(1)]
     [InlineData(2)]
