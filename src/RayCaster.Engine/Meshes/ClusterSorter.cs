@@ -8,7 +8,7 @@ namespace RayCaster.Engine;
 internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>In a larger rectangle of pixels the triangles are sorted one by one: they are large, or far from each other.</summary>
-    private const long LargeArea = Tile.MaxSide * Tile.MaxSide;
+    private const long LargeArea = 64L * Tile.MaxSide * Tile.MaxSide;
 
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
@@ -58,9 +58,8 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         Project(screen.Camera.V, screen.CenterY, screen.Camera.Height, bottom, top);
 
         // The w of a sliver may be stretched; see TriangleSetUp.
-        var (one, stretch) = ((N)1.0, size * (N)(4 / screen.Scale));
-        var leastW = w0 * (N)(1 - 1e-5) * (one - stretch);
-        var mostW = N.Select(stretch < one, w1 * (N)(1 + 1e-5) * (one + stretch), double.PositiveInfinity);
+        var leastW = w0 * (N)(1 - 1e-5) * ((N)1.0 - size * (N)(4 / screen.Scale));
+        var mostW = (N)(screen.Unit * (1 + 1e-5)) * MostInverseDepth(low, high);
         mostW.Store(most, 0);
         shows &= (mostW >= (N)(double)screen.LeastW) & (leastW <= (N)(double)screen.MostW);
         if (!N.All(fit)) fit |= IsOutside(center, half);
@@ -80,6 +79,33 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
             size += most - least;
             Keep(first, least, end - (N)1.0);
             Keep(last, most, end - (N)1.0);
+        }
+    }
+
+    /// <summary>One by the least depth at which the formula may find a hit in boxes.</summary>
+    /// <remarks>Also of triangles seen edge-on it finds hits only between their corners along the axis that the ray follows most. At depth 1 such a
+    /// ray is 1/√3 or more from the eye along this axis, and how far that is changes evenly over the picture.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private N MostInverseDepth(Vector3<N> low, Vector3<N> high)
+    {
+        var (camera, scale) = (screen.Camera, screen.Scale);
+        var (right, up) = (1 / scale * camera.U, 1 / scale * camera.V);
+        var corner = -camera.W - screen.CenterX * right - screen.CenterY * up;
+        N most = 0.0, beyond = 1e300, none = 0.0, mainly = 0.57;
+        Add(corner.X, right.X, up.X, low.X, high.X);
+        Add(corner.Y, right.Y, up.Y, low.Y, high.Y);
+        Add(corner.Z, right.Z, up.Z, low.Z, high.Z);
+        return most;
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        void Add(double at, double right, double up, N low, N high)
+        {
+            var greatest = (N)at + (N)right * N.Load(right > 0 ? this.right : left, 0) + (N)up * N.Load(up > 0 ? top : bottom, 0);
+            var least = (N)at + (N)right * N.Load(right > 0 ? left : this.right, 0) + (N)up * N.Load(up > 0 ? bottom : top, 0);
+            if (N.Bits(greatest >= mainly) != 0)
+                most = N.Max(most, N.Select(greatest >= mainly, N.Select(low > none, greatest / low, beyond), none));
+            if (N.Bits(least <= -mainly) != 0)
+                most = N.Max(most, N.Select(least <= -mainly, N.Select(high < none, least / high, beyond), none));
         }
     }
 

@@ -66,8 +66,7 @@ internal static class TriangleSetUp
         // A triangle with next to no area (LeastWidth) has no side functions to speak of, and the formula may put its t anywhere that its corners
         // span along the axis that the ray follows most. Of a corner s pixels beside the ray that is its depth stretched by at most √3 s / scale.
         var (mostW, leastW) = (Lanes.Most(t.A.W, t.B.W, t.C.W), Lanes.Least(t.A.W, t.B.W, t.C.W));
-        var ratio = mostW / leastW;
-        var isSliver = ~Vector256.GreaterThan(area, size * Vector256.Create(screen.LeastWidth) * ratio * ratio);
+        var isSliver = IsSliver(area, size, mostW / leastW, screen);
         var stretchedW = StretchedW(mostW, size, screen);
 
         var depthRight = ((t.B.W - t.A.W) * vRight + (t.C.W - t.A.W) * wRight) / area;
@@ -112,6 +111,14 @@ internal static class TriangleSetUp
         area = u + v + w;
         return Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
     }
+
+    /// <summary>Whether triangles have next to no area: then t may lie beside their planes.</summary>
+    /// <param name="area">Twice the areas.</param>
+    /// <param name="size">The boxes' widths and heights together.</param>
+    /// <param name="ratio">The greatest w of the corners divided by the least.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static Vector256<float> IsSliver(Vector256<float> area, Vector256<float> size, Vector256<float> ratio, ScreenSpace screen) =>
+        ~Vector256.GreaterThan(area, size * Vector256.Create(screen.LeastWidth) * ratio * ratio);
 
     /// <summary>The greatest w that the formula may find for triangles with next to no area; float.MaxValue if it may be any.</summary>
     /// <param name="mostW">The greatest w of the corners.</param>

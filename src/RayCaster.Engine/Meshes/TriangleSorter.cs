@@ -77,7 +77,10 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             Vector256.ConvertToInt32(column1).CopyTo(box[8..]);
             Vector256.ConvertToInt32(row0).CopyTo(box[16..]);
             Vector256.ConvertToInt32(row1).CopyTo(box[24..]);
-            (TriangleSetUp.StretchedW(Lanes.Most(t.A.W, t.B.W, t.C.W), size, screen) * Vector256.Create(1 + 1e-5f)).CopyTo(w);
+            var (nearest, farthest) = (Lanes.Most(t.A.W, t.B.W, t.C.W), Lanes.Least(t.A.W, t.B.W, t.C.W));
+            var isSliver = TriangleSetUp.IsSliver(Vector256.Abs(area), size, nearest / farthest, screen);
+            var greatest = Vector256.ConditionalSelect(isSliver, TriangleSetUp.StretchedW(nearest, size, screen), nearest);
+            (greatest * Vector256.Create(1 + 1e-5f)).CopyTo(w);
             for (; bits != 0; bits &= bits - 1)
             {
                 var i = BitOperations.TrailingZeroCount(bits);
