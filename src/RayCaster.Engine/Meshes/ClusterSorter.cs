@@ -12,24 +12,21 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
 
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
-    private uint sides; // a bit for each box: which side of its triangles is seen; only the order of work depends on it
-
-    public TileLists Lists { get; } = new(screen.Camera.Width);
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
-        Lists.Items.Reserve(end - first);
+        each.Lists.Items.Reserve(end - first);
         for (; first < end; first += N.Count)
         {
             var (fit, shows) = Project(first);
-            if (end - first < N.Count) (fit, shows) = (fit | ~0u << (end - first), shows & ~(~0u << (end - first)));
-            for (var unfit = ~fit & (1u << N.Count) - 1; unfit != 0; unfit &= unfit - 1)
+            var all = (1u << Math.Min(N.Count, end - first)) - 1;
+            for (var unfit = ~fit & all; unfit != 0; unfit &= unfit - 1)
             {
                 var (begin, stop) = boxes.TrianglesOf(first + BitOperations.TrailingZeroCount(unfit));
                 each.Add(begin, stop);
             }
-            for (; shows != 0; shows &= shows - 1)
+            for (shows &= all; shows != 0; shows &= shows - 1)
             {
                 var i = BitOperations.TrailingZeroCount(shows);
                 Place(first + i, i);
@@ -63,7 +60,6 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         mostW.Store(most, 0);
         shows &= (mostW >= (N)(double)screen.LeastW) & (leastW <= (N)(double)screen.MostW);
         if (!N.All(fit)) fit |= IsOutside(center, half);
-        sides = N.Bits(boxes.Normals<N>(first) * center > (N)0.0);
         return (N.Bits(fit), N.Bits(shows));
 
         // in a larger method, the compiler would turn operators into calls
@@ -136,7 +132,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         var (first, end) = boxes.TrianglesOf(cluster);
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
         if ((x1 - x0 + 1L) * (y1 - y0 + 1L) > LargeArea) each.Add(first, end);
-        else Lists.Add(first, (float)most[i], (int)(sides >> i) & 1, x0, x1, y0, y1);
+        else each.Lists.Add(new(first, boxes.Length), (float)most[i], x0, x1, y0, y1);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
