@@ -10,6 +10,10 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     /// <summary>In a larger rectangle of pixels the triangles are sorted one by one: they are large, or far from each other.</summary>
     private const long LargeArea = 64L * Tile.MaxSide * Tile.MaxSide;
 
+    /// <summary>At depth 1 a ray is at least this far from the eye along the axis that it follows most: 1/√3.</summary>
+    private const double LeastAlong = 0.57;
+
+    private readonly (int Axis, double At, double Right, double Up)[] mainAxes = [.. MainAxes(screen)];
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
 
@@ -84,24 +88,32 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private N MostInverseDepth(Vector3<N> low, Vector3<N> high)
     {
-        var (camera, scale) = (screen.Camera, screen.Scale);
-        var (right, up) = (1 / scale * camera.U, 1 / scale * camera.V);
-        var corner = -camera.W - screen.CenterX * right - screen.CenterY * up;
-        N most = 0.0, beyond = 1e300, none = 0.0, mainly = 0.57;
-        Add(corner.X, right.X, up.X, low.X, high.X);
-        Add(corner.Y, right.Y, up.Y, low.Y, high.Y);
-        Add(corner.Z, right.Z, up.Z, low.Z, high.Z);
-        return most;
-
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        void Add(double at, double right, double up, N low, N high)
+        N most = 0.0, none = 0.0, mainly = LeastAlong;
+        foreach (var (axis, at, right, up) in mainAxes)
         {
-            var greatest = (N)at + (N)right * N.Load(right > 0 ? this.right : left, 0) + (N)up * N.Load(up > 0 ? top : bottom, 0);
-            var least = (N)at + (N)right * N.Load(right > 0 ? left : this.right, 0) + (N)up * N.Load(up > 0 ? bottom : top, 0);
-            if (N.Bits(greatest >= mainly) != 0)
-                most = N.Max(most, N.Select(greatest >= mainly, N.Select(low > none, greatest / low, beyond), none));
-            if (N.Bits(least <= -mainly) != 0)
-                most = N.Max(most, N.Select(least <= -mainly, N.Select(high < none, least / high, beyond), none));
+            var along = (N)at + (N)right * N.Load(right > 0 ? this.right : left, 0) + (N)up * N.Load(up > 0 ? top : bottom, 0);
+            var isMain = along >= mainly;
+            if (N.Bits(isMain) == 0) continue;
+            var near = axis switch { 0 => low.X, 1 => low.Y, 2 => low.Z, 3 => -high.X, 4 => -high.Y, _ => -high.Z };
+            most = N.Max(most, N.Select(isMain, N.Select(near > none, along / near, double.PositiveInfinity), none));
+        }
+        return most;
+    }
+
+    /// <summary>The axes, and those against them, that a ray may follow most: how far rays at depth 1 are along the axis, at pixel 0 and for each
+    /// pixel more.</summary>
+    private static IEnumerable<(int Axis, double At, double Right, double Up)> MainAxes(ScreenSpace screen)
+    {
+        var camera = screen.Camera;
+        var (right, up) = (1 / screen.Scale * camera.U, 1 / screen.Scale * camera.V);
+        var corner = -camera.W - screen.CenterX * right - screen.CenterY * up;
+        for (var axis = 0; axis < 6; axis++)
+        {
+            var sign = axis < 3 ? 1 : -1;
+            var (at, x, y) = (sign * Along(corner), sign * Along(right), sign * Along(up));
+            if (at + Math.Max(0, x * camera.Width) + Math.Max(0, y * camera.Height) >= LeastAlong) yield return (axis, at, x, y);
+
+            double Along(Vector3 v) => (axis % 3) switch { 0 => v.X, 1 => v.Y, _ => v.Z };
         }
     }
 

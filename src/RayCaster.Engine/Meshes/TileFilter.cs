@@ -9,8 +9,8 @@ namespace RayCaster.Engine;
 /// left out, group by group, then triangles that cover no sample, eight at once.</summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
-    /// <summary>After so many clusters it is found out anew what is hidden.</summary>
-    private const int ClustersAtOnce = 32;
+    /// <summary>After so many runs or triangles it is found out anew what is hidden.</summary>
+    private const int RunsAtOnce = 128, TrianglesAtOnce = 512;
 
     /// <summary>How many clusters ahead memory is fetched.</summary>
     private const int Ahead = 4;
@@ -52,10 +52,10 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         isEmpty = true;
         foreach (var set in sets)
         {
-            for (var large = CollectionsMarshal.AsSpan(set.Large); large.Length > 0; large = large[Math.Min(ClustersAtOnce, large.Length)..])
+            for (var large = CollectionsMarshal.AsSpan(set.Large); large.Length > 0; large = large[Math.Min(RunsAtOnce, large.Length)..])
             {
                 if (isEmpty) Begin();
-                AddRuns(set, large[..Math.Min(ClustersAtOnce, large.Length)]);
+                AddRuns(set, large[..Math.Min(RunsAtOnce, large.Length)]);
                 Refresh();
             }
             // What is nearer first: most of the rest is found to be hidden.
@@ -110,13 +110,16 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         if (all.Length == 0) return;
         if (isEmpty) Begin();
         var firstRow = tile.Row % Tile.MaxSide;
-        Span<TriangleRun> seen = stackalloc TriangleRun[ClustersAtOnce];
+        Span<TriangleRun> seen = stackalloc TriangleRun[RunsAtOnce];
         for (var next = 0; next < all.Length;)
         {
-            var count = 0;
-            for (; next < all.Length && count < seen.Length; next++)
-                if (all[next].MostW >= middle == areNear && !coarse.Hides(all[next].Cells, firstRow, all[next].MostW))
-                    seen[count++] = all[next].Run;
+            var (count, triangles) = (0, 0);
+            for (; next < all.Length && count < seen.Length && triangles < TrianglesAtOnce; next++)
+            {
+                if (all[next].MostW >= middle != areNear || coarse.Hides(all[next].Cells, firstRow, all[next].MostW)) continue;
+                seen[count++] = all[next].Run;
+                triangles += all[next].Run.Count;
+            }
             AddRuns(set, seen[..count]);
             if (next < all.Length) Refresh();
         }

@@ -13,7 +13,7 @@ internal sealed class TriangleBoxes
 
     /// <summary>How many triangles ahead memory is fetched: waiting for it would take longer than finding the boxes. Vertices are fetched later than
     /// indices, which must be there first.</summary>
-    private const int Samples = 64;
+    private const int Samples = 32;
 
     private const long LargeArea = 1024;
 
@@ -74,9 +74,8 @@ internal sealed class TriangleBoxes
         var (small, large) = (0, 0);
         for (var first = 0; first < mesh.TriangleCount; first += (mesh.TriangleCount / (Samples * TriangleCluster.Length) + 1) * TriangleCluster.Length)
         {
-            var bounds = Bounds.Empty;
-            for (var i = first; i < Math.Min(first + TriangleCluster.Length, mesh.TriangleCount); i++)
-                bounds = bounds.With(mesh[i].A).With(mesh[i].B).With(mesh[i].C);
+            var (a, b) = (mesh[first], mesh[Math.Min(first + TriangleCluster.Length, mesh.TriangleCount) - 1]);
+            var bounds = Bounds.Empty.With(a.A).With(a.B).With(a.C).With(b.A).With(b.B).With(b.C);
             var area = Tile.Of(bounds.PaddedFrom(camera.Position), camera).Area;
             if (area > LargeArea) large++;
             else if (area > 0) small++;
