@@ -16,6 +16,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     private readonly (int Axis, double At, double Right, double Up)[] mainAxes = [.. MainAxes(screen)];
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
+    private int packetOfMost = -1;
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
@@ -33,7 +34,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
             for (shows &= all; shows != 0; shows &= shows - 1)
             {
                 var i = BitOperations.TrailingZeroCount(shows);
-                Place(first + i, i);
+                Place(first, i);
             }
         }
     }
@@ -46,9 +47,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private (uint Fit, uint Shows) Project(int first)
     {
-        N unit = boxes.Unit;
-        Vector3<N> middle = boxes.Middle - screen.Camera.Position;
-        var (low, high) = (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
+        var (low, high) = Bounds(first);
         var (center, half) = ((N)0.5 * (low + high), (N)0.5 * (high - low));
         var (nearest, farthest) = Range(-screen.Camera.W, center, half);
         var (inverse, inverseFar) = ((N)1.0 / nearest, (N)1.0 / farthest);
@@ -60,9 +59,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
 
         // The w of a sliver may be stretched; see TriangleSetUp.
         var leastW = w0 * (N)(1 - 1e-5) * ((N)1.0 - size * (N)(4 / screen.Scale));
-        var mostW = (N)(screen.Unit * (1 + 1e-5)) * MostInverseDepth(low, high);
-        mostW.Store(most, 0);
-        shows &= (mostW >= (N)(double)screen.LeastW) & (leastW <= (N)(double)screen.MostW);
+        shows &= leastW <= (N)(double)screen.MostW;
         if (!N.All(fit)) fit |= IsOutside(center, half);
         return (N.Bits(fit), N.Bits(shows));
 
@@ -82,12 +79,13 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         }
     }
 
-    /// <summary>One by the least depth at which the formula may find a hit in boxes.</summary>
+    /// <summary>The greatest w at which the formula may find hits in boxes.</summary>
     /// <remarks>Also of triangles seen edge-on it finds hits only between their corners along the axis that the ray follows most. At depth 1 such a
     /// ray is 1/√3 or more from the eye along this axis, and how far that is changes evenly over the picture.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private N MostInverseDepth(Vector3<N> low, Vector3<N> high)
+    private void FindMost(int first)
     {
+        var (low, high) = Bounds(first);
         N most = 0.0, none = 0.0, mainly = LeastAlong;
         foreach (var (axis, at, right, up) in mainAxes)
         {
@@ -97,7 +95,17 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
             var near = axis switch { 0 => low.X, 1 => low.Y, 2 => low.Z, 3 => -high.X, 4 => -high.Y, _ => -high.Z };
             most = N.Max(most, N.Select(isMain, N.Select(near > none, along / near, double.PositiveInfinity), none));
         }
-        return most;
+        (most * (N)(screen.Unit * (1 + 1e-5))).Store(this.most, 0);
+        packetOfMost = first;
+    }
+
+    /// <summary>Boxes seen from the camera's position.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private (Vector3<N> Low, Vector3<N> High) Bounds(int first)
+    {
+        N unit = boxes.Unit;
+        Vector3<N> middle = boxes.Middle - screen.Camera.Position;
+        return (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
     }
 
     /// <summary>The axes, and those against them, that a ray may follow most: how far rays at depth 1 are along the axis, at pixel 0 and for each
@@ -138,10 +146,12 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         N.Select(place >= (N)0.0, N.Select(place < last, place, last), 0.0).Store(pixels, 0);
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Place(int cluster, int i)
+    private void Place(int packet, int i)
     {
         if (Math.Ceiling(left[i]) > right[i] || Math.Ceiling(bottom[i]) > top[i]) return; // between samples
-        var (first, end) = boxes.TrianglesOf(cluster);
+        if (packetOfMost != packet) FindMost(packet);
+        if (!(most[i] >= screen.LeastW)) return;
+        var (first, end) = boxes.TrianglesOf(packet + i);
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
         if ((x1 - x0 + 1L) * (y1 - y0 + 1L) > LargeArea) each.Add(first, end);
         else each.Lists.Add(new(first, boxes.Length), (float)most[i], x0, x1, y0, y1);

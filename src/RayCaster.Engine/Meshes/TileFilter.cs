@@ -90,7 +90,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         var (least, most) = (float.PositiveInfinity, 0f);
         for (var i = 0; i < all.Length; i += all.Length / Samples + 1)
             (least, most) = (Math.Min(least, all[i].MostW), Math.Max(most, all[i].MostW));
-        return 0.5f * (least + most);
+        return 0.3f * least + 0.7f * most;
     }
 
     /// <summary>Comes to a tile in which there may be something; all that is known is of another one.</summary>
