@@ -28,11 +28,8 @@ internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int
         if (first + count > Count) return;
         var points = new RawSpan<Vector3>(vertices);
         var places = new RawSpan<int>(indices);
-        for (var i = 3 * first; i < 3 * (first + count); i += 9) // most vertices are next to others
-        {
-            Lanes.Fetch(ref points[places[i]]);
-            Lanes.Fetch(ref points[places[i + 1]]);
-        }
+        var step = count > 1 ? 4 : 1; // most vertices are next to others
+        for (var i = 3 * first; i < 3 * (first + count); i += step) Lanes.Fetch(ref points[places[i]]);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]

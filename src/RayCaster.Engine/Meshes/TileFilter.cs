@@ -13,7 +13,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     private const int RunsAtOnce = 128, TrianglesAtOnce = 512;
 
     /// <summary>How many clusters ahead memory is fetched.</summary>
-    private const int Ahead = 4;
+    private const int Ahead = 16;
 
     private readonly ScreenSpace screen;
     private readonly TilePixels pixels = new();
