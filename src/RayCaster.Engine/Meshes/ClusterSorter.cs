@@ -8,7 +8,7 @@ namespace RayCaster.Engine;
 internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>In a larger rectangle of pixels the triangles are sorted one by one: they are large, or far from each other.</summary>
-    private const long LargeArea = 64L * Tile.MaxSide * Tile.MaxSide;
+    private const long LargeArea = 4 * Tile.MaxSide * Tile.MaxSide;
 
     /// <summary>At depth 1 a ray is at least this far from the eye along the axis that it follows most: 1/√3.</summary>
     private const double LeastAlong = 0.57;
@@ -16,7 +16,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     private readonly (int Axis, double At, double Right, double Up)[] mainAxes = [.. MainAxes(screen)];
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
-    private int packetOfMost = -1;
+    private int firstOfMost = -1; // the first of the clusters whose greatest w is known
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
@@ -31,15 +31,11 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
                 var (begin, stop) = boxes.TrianglesOf(first + BitOperations.TrailingZeroCount(unfit));
                 each.Add(begin, stop);
             }
-            for (shows &= all; shows != 0; shows &= shows - 1)
-            {
-                var i = BitOperations.TrailingZeroCount(shows);
-                Place(first, i);
-            }
+            for (shows &= all; shows != 0; shows &= shows - 1) Place(first, BitOperations.TrailingZeroCount(shows));
         }
     }
 
-    /// <summary>The rectangles on the screen and the ranges of w of some boxes.</summary>
+    /// <summary>Finds the rectangles of some boxes on the screen.</summary>
     /// <remarks>
     /// Rounding moves a rectangle's sides by some 2⁻⁵³ of (distance + size) / least depth, in units of the scale; the size is held below the least
     /// depth, and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
@@ -79,9 +75,10 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         }
     }
 
-    /// <summary>The greatest w at which the formula may find hits in boxes.</summary>
-    /// <remarks>Also of triangles seen edge-on it finds hits only between their corners along the axis that the ray follows most. At depth 1 such a
-    /// ray is 1/√3 or more from the eye along this axis, and how far that is changes evenly over the picture.</remarks>
+    /// <summary>Finds the greatest w of hits in some boxes.</summary>
+    /// <remarks>The formula finds hits, also in triangles seen edge-on, only between their corners along the axis that the ray follows most. A ray
+    /// that is at a at depth 1 reaches the box's nearer side b at depth b / a, where w is a / b; over the rectangle a is greatest in a
+    /// corner.</remarks>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void FindMost(int first)
     {
@@ -96,7 +93,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
             most = N.Max(most, N.Select(isMain, N.Select(near > none, along / near, double.PositiveInfinity), none));
         }
         (most * (N)(screen.Unit * (1 + 1e-5))).Store(this.most, 0);
-        packetOfMost = first;
+        firstOfMost = first;
     }
 
     /// <summary>Boxes seen from the camera's position.</summary>
@@ -108,8 +105,8 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         return (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
     }
 
-    /// <summary>The axes, and those against them, that a ray may follow most: how far rays at depth 1 are along the axis, at pixel 0 and for each
-    /// pixel more.</summary>
+    /// <summary>The axes (0 to 2), and the directions against them (3 to 5), that a ray may follow most, with the place along them of the ray of
+    /// pixel (0, 0) at depth 1, and its change from column to column and from row to row.</summary>
     private static IEnumerable<(int Axis, double At, double Right, double Up)> MainAxes(ScreenSpace screen)
     {
         var camera = screen.Camera;
@@ -146,12 +143,12 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         N.Select(place >= (N)0.0, N.Select(place < last, place, last), 0.0).Store(pixels, 0);
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Place(int packet, int i)
+    private void Place(int cluster, int i)
     {
         if (Math.Ceiling(left[i]) > right[i] || Math.Ceiling(bottom[i]) > top[i]) return; // between samples
-        if (packetOfMost != packet) FindMost(packet);
+        if (firstOfMost != cluster) FindMost(cluster);
         if (!(most[i] >= screen.LeastW)) return;
-        var (first, end) = boxes.TrianglesOf(packet + i);
+        var (first, end) = boxes.TrianglesOf(cluster + i);
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
         if ((x1 - x0 + 1L) * (y1 - y0 + 1L) > LargeArea) each.Add(first, end);
         else each.Lists.Add(new(first, boxes.Length), (float)most[i], x0, x1, y0, y1);

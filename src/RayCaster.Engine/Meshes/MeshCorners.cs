@@ -6,7 +6,8 @@ namespace RayCaster.Engine;
 /// than arithmetic.</summary>
 internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
 {
-    private const int LineLength = 16; // numbers that memory fetches at once
+    /// <summary>How many numbers memory fetches at once.</summary>
+    private const int LineLength = 16;
 
     public override int Count => indices.Length / 3;
 

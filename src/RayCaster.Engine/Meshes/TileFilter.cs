@@ -12,7 +12,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <summary>After so many runs or triangles it is found out anew what is hidden.</summary>
     private const int RunsAtOnce = 128, TrianglesAtOnce = 512;
 
-    /// <summary>How many clusters ahead memory is fetched.</summary>
+    /// <summary>How many runs ahead memory is fetched.</summary>
     private const int Ahead = 16;
 
     private readonly ScreenSpace screen;
@@ -58,7 +58,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
                 AddRuns(set, large[..Math.Min(RunsAtOnce, large.Length)]);
                 Refresh();
             }
-            // What is nearer first: most of the rest is found to be hidden.
+            // Near triangles first: most of the others are then found to be hidden.
             var middle = MiddleW(set.Of(tile));
             Add(set, middle, areNear: true);
             if (!isEmpty) Refresh();
@@ -83,7 +83,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <inheritdoc cref="TileHits{N}.Paint"/>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => hits.Paint(painter, rgb, first, step);
 
-    /// <summary>A w between that of near and of far triangles.</summary>
+    /// <summary>A w between those of near and of far triangles.</summary>
     private static float MiddleW(ReadOnlySpan<TriangleCluster> all)
     {
         const int Samples = 16;
@@ -102,7 +102,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         cover.Enter(tile);
     }
 
-    /// <summary>Adds what is not hidden, of what is near or of the rest.</summary>
+    /// <summary>Adds what is not hidden of near triangles, or of the others.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Add(ScreenTriangles<N> set, float middle, bool areNear)
     {

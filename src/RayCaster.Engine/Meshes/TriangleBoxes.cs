@@ -3,9 +3,9 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>What depends only on a mesh: a box around each cluster of consecutive triangles, and the normal of the triangle in the middle.</summary>
-/// <remarks>The numbers are floats relative to a point and a length of the mesh, so they suit a scene of any size. They take 2.3 bytes for each
-/// triangle; a mesh whose triangles share their corners takes 24.</remarks>
+/// <summary>What depends only on a mesh: a box around each cluster of consecutive triangles.</summary>
+/// <remarks>The numbers are floats relative to a point and a length of the mesh, so they suit a scene of any size. They take 1.5 bytes for each
+/// triangle, or 3 with short clusters; a mesh whose triangles share their corners takes 24.</remarks>
 internal sealed class TriangleBoxes
 {
     /// <summary>The number of clusters that a thread takes at once.</summary>
@@ -13,11 +13,10 @@ internal sealed class TriangleBoxes
 
     /// <summary>How many triangles ahead memory is fetched: waiting for it would take longer than finding the boxes. Vertices are fetched later than
     /// indices, which must be there first.</summary>
-    private const int Samples = 32;
-
-    private const long LargeArea = 1024;
-
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
+
+    /// <summary>How many clusters tell how large a mesh's clusters are on the screen, and in how many pixels they are large.</summary>
+    private const int Samples = 32, LargeArea = 1024;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
 
@@ -58,6 +57,7 @@ internal sealed class TriangleBoxes
 
     /// <summary>The boxes of a mesh.</summary>
     /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
+    /// <param name="camera">What sees it: the boxes suit any camera, but short clusters pay only where triangles are large on the screen.</param>
     /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>
     public static TriangleBoxes Of(Mesh mesh, Camera camera, bool isKept, int threads)
     {
@@ -68,11 +68,11 @@ internal sealed class TriangleBoxes
         return boxes;
     }
 
-    /// <summary>How many triangles a box should hold: a box that is large on the screen may show though few of its triangles do.</summary>
+    /// <summary>How many triangles a cluster should hold: a large box says little about where each of its triangles shows.</summary>
     private static int LengthFor(Mesh mesh, Camera camera)
     {
-        var (small, large) = (0, 0);
-        for (var first = 0; first < mesh.TriangleCount; first += (mesh.TriangleCount / (Samples * TriangleCluster.Length) + 1) * TriangleCluster.Length)
+        var (small, large, step) = (0, 0, mesh.TriangleCount / Samples + 1);
+        for (var first = 0; first < mesh.TriangleCount; first += step)
         {
             var (a, b) = (mesh[first], mesh[Math.Min(first + TriangleCluster.Length, mesh.TriangleCount) - 1]);
             var bounds = Bounds.Empty.With(a.A).With(a.B).With(a.C).With(b.A).With(b.B).With(b.C);
@@ -169,11 +169,10 @@ internal sealed class TriangleBoxes
         return (low, high);
     }
 
-    /// <summary>Whether some indices, and those after them that fill a vector, are valid, and none is the last vertex.</summary>
+    /// <summary>Whether all indices of a cluster are valid, and none is the last vertex.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private bool AreBeforeTheLast(int first, int end)
     {
-        if (end > indices.Length - Vector256<int>.Count) return false;
         var places = new RawSpan<int>(indices);
         var most = Vector256<uint>.Zero; // as unsigned numbers, negative indices are the largest
         for (var i = first; i < end; i += Vector256<int>.Count)
@@ -186,7 +185,7 @@ internal sealed class TriangleBoxes
     private void Fetch(int first)
     {
         var places = new RawSpan<int>(indices);
-        for (var i = 3 * first; i < 3 * (first + TriangleCluster.Length); i += TriangleCluster.Length)
+        for (var i = 3 * first; i < 3 * (first + Length); i += LineLength)
         {
             Lanes.Fetch(ref places[i + 3 * IndicesAhead]);
             FetchVertex(places[i + 3 * VerticesAhead]);
