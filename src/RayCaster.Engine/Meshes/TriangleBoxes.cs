@@ -185,7 +185,7 @@ internal sealed class TriangleBoxes
     private void Fetch(int first)
     {
         var places = new RawSpan<int>(indices);
-        for (var i = 3 * first; i < 3 * (first + Length); i += LineLength)
+        for (var i = 3 * first; i < 3 * (first + Length); i += TriangleCluster.Length)
         {
             Lanes.Fetch(ref places[i + 3 * IndicesAhead]);
             FetchVertex(places[i + 3 * VerticesAhead]);
