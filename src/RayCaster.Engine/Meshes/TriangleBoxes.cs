@@ -16,7 +16,7 @@ internal sealed class TriangleBoxes
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
     /// <summary>How many clusters tell how large a mesh's clusters are on the screen, and in how many pixels they are large.</summary>
-    private const int Samples = 32, LargeArea = 1024;
+    private const int Samples = 32, LargeArea = Tile.MaxSide * Tile.MaxSide;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
 
