@@ -171,7 +171,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         var bottom = Vector256.MaxNative(Vector256.Ceiling(minY - margin), row);
         var top = Vector256.MinNative(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
         var isSingle = Vector256.Equals(left, right) & Vector256.Equals(bottom, top);
-        var passes = TriangleSetUp.Pass(t, left, bottom, maxX - minX + (maxY - minY), margin, out _);
+        var passes = TriangleSetUp.Pass(t, left, bottom, maxX - minX + (maxY - minY), margin);
         var shows = Vector256.AndNot(Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top), isSingle & passes)
             .ExtractMostSignificantBits();
         if (count < 8) shows &= (1u << count) - 1;

@@ -66,7 +66,8 @@ internal static class TriangleSetUp
         // A triangle with next to no area (LeastWidth) has no side functions to speak of, and the formula may put its t anywhere that its corners
         // span along the axis that the ray follows most. Of a corner s pixels beside the ray that is its depth stretched by at most √3 s / scale.
         var (mostW, leastW) = (Lanes.Most(t.A.W, t.B.W, t.C.W), Lanes.Least(t.A.W, t.B.W, t.C.W));
-        var isSliver = IsSliver(area, size, mostW / leastW, screen);
+        var ratio = mostW / leastW;
+        var isSliver = ~Vector256.GreaterThan(area, size * Vector256.Create(screen.LeastWidth) * ratio * ratio);
         var stretchedW = StretchedW(mostW, size, screen);
 
         var depthRight = ((t.B.W - t.A.W) * vRight + (t.C.W - t.A.W) * wRight) / area;
@@ -97,28 +98,18 @@ internal static class TriangleSetUp
     /// <summary>Where a sample in a triangle's box is certainly outside the triangle.</summary>
     /// <param name="size">The boxes' widths and heights together.</param>
     /// <param name="margin">How far off the corners may be.</param>
-    /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>
     /// <remarks><see cref="Of"/> derives the error of the areas. The orientation of a sliver is not known, so one area must certainly be below 0,
     /// and one above.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Pass(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
-        Vector256<float> margin, out Vector256<float> area)
+        Vector256<float> margin)
     {
         var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
         var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
         var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
         var slack = Vector256.Create(6f) * margin * size;
-        area = u + v + w;
         return Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
     }
-
-    /// <summary>Whether triangles have next to no area: then t may lie beside their planes.</summary>
-    /// <param name="area">Twice the areas.</param>
-    /// <param name="size">The boxes' widths and heights together.</param>
-    /// <param name="ratio">The greatest w of the corners divided by the least.</param>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<float> IsSliver(Vector256<float> area, Vector256<float> size, Vector256<float> ratio, ScreenSpace screen) =>
-        ~Vector256.GreaterThan(area, size * Vector256.Create(screen.LeastWidth) * ratio * ratio);
 
     /// <summary>The greatest w that the formula may find for triangles with next to no area; float.MaxValue if it may be any.</summary>
     /// <param name="mostW">The greatest w of the corners.</param>

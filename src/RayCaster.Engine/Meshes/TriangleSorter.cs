@@ -57,7 +57,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
 
             // If the box holds only one sample, the edges tell whether it is outside. (Others are tested in their tiles.)
-            var passes = TriangleSetUp.Pass(t, column0, row0, size, margin, out var area);
+            var passes = TriangleSetUp.Pass(t, column0, row0, size, margin);
             var single = Vector256.Equals(column0, column1) & Vector256.Equals(row0, row1);
             shows &= ~(passes & single) & fit;
 
@@ -75,10 +75,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             Vector256.ConvertToInt32(column1).CopyTo(box[8..]);
             Vector256.ConvertToInt32(row0).CopyTo(box[16..]);
             Vector256.ConvertToInt32(row1).CopyTo(box[24..]);
-            var (nearest, farthest) = (Lanes.Most(t.A.W, t.B.W, t.C.W), Lanes.Least(t.A.W, t.B.W, t.C.W));
-            var isSliver = TriangleSetUp.IsSliver(Vector256.Abs(area), size, nearest / farthest, screen);
-            var greatest = Vector256.ConditionalSelect(isSliver, TriangleSetUp.StretchedW(nearest, size, screen), nearest);
-            (greatest * Vector256.Create(1 + 1e-5f)).CopyTo(w);
+            (TriangleSetUp.StretchedW(Lanes.Most(t.A.W, t.B.W, t.C.W), size, screen) * Vector256.Create(1 + 1e-5f)).CopyTo(w);
             for (; bits != 0; bits &= bits - 1)
             {
                 var i = BitOperations.TrailingZeroCount(bits);
