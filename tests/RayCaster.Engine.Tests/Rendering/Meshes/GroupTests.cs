@@ -31,6 +31,29 @@ public class GroupTests
         Assert.InRange(groups.Of(tile)[0].MostW, most, 1.01 * most);
     }
 
+    /// <summary>Of triangles in a plane with the eye, the formula's areas are all rounding, and so are its hits between their corners.</summary>
+    [Fact]
+    public void NoHitInAGroupSeenEdgeOnHasAGreaterW()
+    {
+        var (random, screen, hits) = (new Random(20261123), new ScreenSpace(camera), 0);
+        for (var round = 0; round < 300; round++)
+        {
+            var rays = Enumerable.Range(0, 2).Select(_ => camera.CastRay(random.Next(320, 384), random.Next(192, 256))).ToArray();
+            Vector3 Point() => camera.Position + (3 + random.NextDouble()) * rays[random.Next(2)].Direction;
+            var mesh = new Mesh([.. Enumerable.Range(0, 48).Select(_ => Point())], [.. Enumerable.Range(0, 48)]);
+            var corners = new MeshCorners<Packet>(screen, mesh.Vertices, mesh.Indices);
+            var groups = new ScreenTriangles<Packet>(screen, corners, null, new TriangleBoxes(mesh.Vertices, mesh.Indices, 1), null, 1);
+            if (groups.Of(new(320, 192, 64, 64)).ToArray() is not [var group]) continue; // so near that they are sorted one by one
+            foreach (var ray in rays)
+            {
+                if (mesh.Intersect(ray) is not { } t) continue;
+                hits++;
+                Assert.InRange(screen.Unit / (t * -(ray.Direction * camera.W)), 0, group.MostW);
+            }
+        }
+        Assert.InRange(hits, 100, 600);
+    }
+
     [Theory]
     [InlineData(715_000_000, 1)]
     [InlineData(715_000_000, 8)]
