@@ -29,7 +29,8 @@ internal sealed class MarkCommand : Command
                                  feedback.html in a folder for each student.
               --junit <file>     Also writes the marks as JUnit XML.
               --resume           Keeps finished marks of submissions that have not changed.
-          -t, --threads <n>      How many submissions are marked at a time. [default: one per core]
+          -t, --threads <n>      How many submissions are marked at a time. [default: one per core;
+                                 two where programs run, since some wait for ever]
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
 
@@ -58,11 +59,12 @@ internal sealed class MarkCommand : Command
         }
 
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
-        if (rubric.Source.Run.Count > 0) line.Tell($"Students' programs run with your rights, within {RubricReport.HeldBy}.");
+        var runs = rubric.Source.Run.Count > 0;
+        if (runs) line.Tell($"Students' programs run with your rights, within {RubricReport.HeldBy}.");
         using var progress = line.ShowsProgress ? ProgressLine.OnTerminal(0, 0, "submissions") : null;
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(
-            line.ThreadCount() ?? Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit],
+            line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit],
             progress is null ? null : progress.Show);
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
         progress?.Dispose();

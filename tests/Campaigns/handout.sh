@@ -29,7 +29,7 @@ for k in "$@"; do
         if [ "$k" -lt 10 ]; then grep -q "^Not written yet: .* Next: step $((k + 1)), " said; else [ ! -s said ]; fi
         dotnet test --no-build > log && passed=yes || passed=no
         for step in 1 2 3 4 5 6 7 8 9 10; do
-            line=$(grep -E "^ *$step +([0-9]+ of +[0-9]+|not written) " log) || { tail -20 log; echo "step $step is not in the table"; exit 1; }
+            line=$(grep -E "^ *$step +([0-9]+ of +[0-9]+|unfinished) " log) || { tail -20 log; echo "step $step is not in the table"; exit 1; }
             case "$line" in *done*) green=1 ;; *) green=0 ;; esac
             if [ "$green" != "$((step <= k))" ]; then
                 grep -A 8 "Failed Lab" log | head -60
@@ -38,7 +38,7 @@ for k in "$@"; do
             fi
         done
         [ "$passed" = "$([ "$k" = 10 ] && echo yes || echo no)" ]
-        grep -E "^ +[0-9]+ +([0-9]+ of|not written) " log
+        grep -E "^ +[0-9]+ +([0-9]+ of|unfinished) " log
     )
 done
 

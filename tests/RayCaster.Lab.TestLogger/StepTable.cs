@@ -38,9 +38,9 @@ public sealed class StepTable : ITestLoggerWithParameters
         foreach (var step in results.GroupBy(StepOf).Where(step => step.Key > 0).OrderBy(step => step.Key))
         {
             var (passed, all) = (step.Count(result => result.Outcome == TestOutcome.Passed), step.Count());
-            var isWritten = !step.Any(result => result.ErrorMessage?.Contains("which is not written yet") == true);
-            var count = isWritten ? $"{passed,2} of {all,2}" : "not written";
-            Console.WriteLine($"{step.Key,4}  {count,-11}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
+            var isUnfinished = step.Any(result => result.ErrorMessage?.Contains("which is not written yet") == true);
+            var count = isUnfinished ? "unfinished" : $"{passed,2} of {all,2}";
+            Console.WriteLine($"{step.Key,4}  {count,-10}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
         }
         if (report != null) JUnitReport.Write(report, results);
     }

@@ -45,6 +45,7 @@ internal static class VectorMistakes
             "Print |W|, |U| and |d|. What should they be?",
             "A vector's method returns a new vector: d = d.Normalized.")
             .Or("W, U and d are not normalised, and the sphere takes d·d = 1", LeaveAll + AssumeUnitLength)
+            .Or("W, U and d are not normalised, and the sphere takes d·d = 1 and D = L − tca d", LeaveAll + MeasureFromTheRay)
             .Or("W and U are not normalised", LeaveAxes)
             .Or(from part in Parts
                 from unit in (Func<Vector3, Vector3>[])[a => part.Of(a / a.Length, a), a => part.Of(a, a / a.Length)]
@@ -65,6 +66,8 @@ internal static class VectorMistakes
             "How long is (3, 4, 0)? What does your Length say?",
             "|a| = √(x² + y² + z²).")
             .Or(Readers("the length without its square root", SquareLength).Skip(1))
+            .Or("the length without its square root, in circles too, and the sphere takes d·d = 1 and D = L − tca d",
+                SquareLength + ReadByCircles + MeasureFromTheRay)
             .Or(Readers("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach))
             .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
             .Or(from part in Parts
@@ -113,23 +116,16 @@ internal static class VectorMistakes
             .Or(Crosses("z is 0", (_, _, n) => n with { Z = 0 }))
             .Or(Crosses("x and z have the wrong sign", (_, _, n) => new(-n.X, n.Y, -n.Z))),
         new("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
-            lab =>
-            {
-                lab.Direction.Is(d => d);
-                AllowAnyLength(lab);
-            },
+            LeaveDirection + AllowAnyLength,
             "The borders of the picture are too bright; all places are right.",
             "t is a distance only if d has a certain length. Which?",
             "d = (uc U + ur V − W) normalised."),
-        new("dir-unnorm-a1", Concerns.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
-            lab =>
-            {
-                lab.Direction.Is(d => d);
-                AssumeUnitLength(lab);
-            },
+        new Mistake("dir-unnorm-a1", Concerns.Camera, Slides.Sphere, "d not normalised, while the sphere takes d·d = 1",
+            LeaveDirection + AssumeUnitLength,
             "Spheres bleed into wedges towards the borders, which are too bright.",
             "The sphere's formula left out a = d·d. When is that allowed?",
-            "d = (uc U + ur V − W) normalised."),
+            "d = (uc U + ur V − W) normalised.")
+            .Or("d not normalised, while the sphere takes d·d = 1 and D = L − tca d", LeaveDirection + MeasureFromTheRay),
         new Mistake("cross-x", Concerns.Camera, Slides.Vectors, "the cross product's x has the wrong sign",
             lab => MistakeCross(lab, (_, _, n) => n with { X = -n.X }),
             "The picture is mirrored, turned or skewed, and triangles are torn.",
@@ -161,7 +157,9 @@ internal static class VectorMistakes
         return length * towards(uc / length, ur / length);
     }
 
-    private static Action<Lab> LeaveAll => LeaveAxes + (Action<Lab>)(lab => lab.Direction.Is(d => d));
+    private static Action<Lab> LeaveDirection => lab => lab.Direction.Is(d => d);
+
+    private static Action<Lab> LeaveAll => LeaveAxes + LeaveDirection;
 
     private static void LeaveAxes(Lab lab)
     {
@@ -209,6 +207,15 @@ internal static class VectorMistakes
 
     /// <summary>The slide's geometric formula for d·d = 1, with any d: the same as the analytic one with a = 1.</summary>
     private static void AssumeUnitLength(Lab lab) => lab.TakesUnitLength = true;
+
+    /// <summary>The hand-out's geometric formula for d·d = 1, with any d: D leads from the ray's nearest point to C.</summary>
+    private static void MeasureFromTheRay(Lab lab) => lab.Sphere.Is((sphere, d) =>
+    {
+        var L = sphere.Center - lab.P;
+        var tca = L * d;
+        var D = L - tca * d;
+        return lab.PassesBy.Do(sphere.Radius, D * D) ? SlideFormulas.None : lab.Roots.Do(tca, lab.Thc.Do(sphere.Radius, D * D));
+    });
 
     /// <summary>A component with another sign, with + for −, or with one letter wrong; in the camera alone and in triangles, too.</summary>
     /// <param name="axis">Which component.</param>

@@ -21,7 +21,7 @@ public class MistakesComparedTests
     public void AreRecognised(string mistake, string text)
     {
         var scene = SceneFolder.Small("mistakes/generic");
-        var comparison = new PictureComparison(SlideCaster.Render(scene, Planted.Named(mistake)), Renderer.Render(scene), scene);
+        var comparison = new PictureComparison(EditedLab.Render(scene, Planted.Named(mistake)), Renderer.Render(scene), scene);
         Assert.Contains(text, ComparisonText.Of(comparison, "mine.png", "reference.png"));
     }
 }

@@ -6,9 +6,8 @@ using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
 /// <summary>
-/// How well the diagnosis names what <see cref="SlideCaster"/> planted, which shares no formula with the library. A single mistake counts as
-/// named if
-/// the suspect is it alone, or has it for a twin; a pair if one of both is in the first suspect. What changes fewer than
+/// How well the diagnosis names what <see cref="EditedLab"/> drew. A single mistake counts as named if the suspect is it alone, or has it for
+/// a twin; a pair if one of both is in the first suspect. What changes fewer than
 /// <see cref="SceneFitness.LeastPixels"/> pixels beyond rounding is not visible and not counted.
 /// </summary>
 internal sealed class ConfusionTable
@@ -45,9 +44,9 @@ internal sealed class ConfusionTable
     /// <summary>Plants a mistake, if the scene shows it.</summary>
     public void Plant(Scene scene, Manner manner, Planted mistake)
     {
-        if (manner.OtherSample && mistake == Planted.Center) return; // cancels out
-        var picture = SlideCaster.Render(scene, manner, mistake, Planted.None);
-        if (AreAlike(picture, SlideCaster.Render(scene, manner, Planted.None, Planted.None))) return;
+        if (manner.OtherSample && mistake == Planted.Named("center")) return; // cancels out
+        var picture = EditedLab.Render(scene, manner, mistake, Planted.None);
+        if (AreAlike(picture, EditedLab.Render(scene, manner, Planted.None, Planted.None))) return;
         var diagnosis = Diagnosis.Of(scene, picture);
         if (diagnosis.Finding == Finding.TellsNothing)
         {
@@ -64,11 +63,11 @@ internal sealed class ConfusionTable
     /// <summary>Plants two mistakes, if each adds to the other.</summary>
     public void Plant(Scene scene, Manner manner, Planted one, Planted other)
     {
-        var picture = SlideCaster.Render(scene, manner, one, other);
-        if (manner.OtherSample && (one == Planted.Center || other == Planted.Center)) return;
-        if (AreAlike(picture, SlideCaster.Render(scene, manner, one, Planted.None))) return;
-        if (AreAlike(picture, SlideCaster.Render(scene, manner, other, Planted.None))) return;
-        if (AreAlike(picture, SlideCaster.Render(scene, manner, Planted.None, Planted.None))) return;
+        var picture = EditedLab.Render(scene, manner, one, other);
+        if (manner.OtherSample && (one == Planted.Named("center") || other == Planted.Named("center"))) return;
+        if (AreAlike(picture, EditedLab.Render(scene, manner, one, Planted.None))) return;
+        if (AreAlike(picture, EditedLab.Render(scene, manner, other, Planted.None))) return;
+        if (AreAlike(picture, EditedLab.Render(scene, manner, Planted.None, Planted.None))) return;
         Pairs++;
         var diagnosis = Diagnosis.Of(scene, picture);
         var found = diagnosis.Suspects.Count == 0 ? 0 : (Has(diagnosis.Suspects[0], one) ? 1 : 0) + (Has(diagnosis.Suspects[0], other) ? 1 : 0);
@@ -81,7 +80,7 @@ internal sealed class ConfusionTable
     public void Plant(Scene scene, Manner manner)
     {
         Rights++;
-        var diagnosis = Diagnosis.Of(scene, SlideCaster.Render(scene, manner, Planted.None, Planted.None));
+        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, manner, Planted.None, Planted.None));
         if (diagnosis.Finding == Finding.Matches) return;
         FalseNames++;
         Confuse($"right ({manner})", diagnosis);

@@ -2,17 +2,17 @@ using RayCaster.Teaching.Tests.Mistakes;
 
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
-/// <summary>Pictures are planted by <see cref="SlideCaster"/>, which shares no formula with the library.</summary>
+/// <summary>The wrong pictures are <see cref="EditedLab"/>'s.</summary>
 public class DiagnosisTests
 {
     private static readonly Scene scene = SceneFolder.Small("mistakes/generic", 4);
 
-    private static Picture Planted(string id) => SlideCaster.Render(scene, Mistakes.Mistake.Named(id));
+    private static Picture Planted(string id) => EditedLab.Render(scene, Mistakes.Mistake.Named(id));
 
     [Fact]
     public void ARightPictureMatches()
     {
-        var diagnosis = Diagnosis.Of(scene, SlideCaster.Render(scene, Mistakes.Mistake.None));
+        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.None));
         Assert.Equal((Finding.Matches, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
     }
 
@@ -135,7 +135,7 @@ public class DiagnosisTests
     public void NamesAMistakeThatShowsOnOutlinesOnly()
     {
         var axis = SceneFolder.Read(SceneFolder.FileOf("mistakes/axis"));
-        var diagnosis = Diagnosis.Of(axis, SlideCaster.Render(axis, Mistakes.Mistake.SlabInvNan));
+        var diagnosis = Diagnosis.Of(axis, EditedLab.Render(axis, Mistakes.Mistake.Named("slab-inv-nan")));
         Assert.Equal("slab-inv-nan", Assert.Single(diagnosis.Suspects[0].Mistakes).Id);
     }
 
@@ -144,7 +144,7 @@ public class DiagnosisTests
     {
         var room = SceneFolder.Read(SceneFolder.FileOf("room")); // the walls meet on its diagonals
         room = room with { Camera = room.Camera.WithSize(166, 166) };
-        var picture = SlideCaster.Render(room, new Manner(Truncates: true, Float: true), Mistakes.Mistake.None, Mistakes.Mistake.None);
+        var picture = EditedLab.Render(room, new Manner(Truncates: true, Float: true), Mistakes.Mistake.None, Mistakes.Mistake.None);
         Assert.Equal(Finding.Matches, Diagnosis.Of(room, picture).Finding);
     }
 

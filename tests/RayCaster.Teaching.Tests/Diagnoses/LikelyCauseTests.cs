@@ -99,13 +99,13 @@ public class LikelyCauseTests
     {
         foreach (var id in new[] { "tri-uv", "u-unnorm" })
         {
-            var rest = Diagnosis.Of(generic, SlideCaster.Render(generic, Mistakes.Mistake.Named(id))).Suspects.Skip(1)
+            var rest = Diagnosis.Of(generic, EditedLab.Render(generic, Mistakes.Mistake.Named(id))).Suspects.Skip(1)
                 .Select(suspect => suspect.Unexplained).ToArray();
             Assert.Equal(rest.Order(), rest);
         }
     }
 
-    private static Diagnosis Of(Scene scene, Scene drawn) => Diagnosis.Of(scene, SlideCaster.Render(drawn, Mistakes.Mistake.None));
+    private static Diagnosis Of(Scene scene, Scene drawn) => Diagnosis.Of(scene, EditedLab.Render(drawn, Mistakes.Mistake.None));
 
     private static Scene Seen(Scene scene, Vector3? target = null, double? zFar = null, double? fovY = null)
     {

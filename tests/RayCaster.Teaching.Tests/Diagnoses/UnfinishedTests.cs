@@ -2,7 +2,7 @@ using RayCaster.Teaching.Tests.Mistakes;
 
 namespace RayCaster.Teaching.Tests.Diagnoses;
 
-/// <summary>Programs that do not draw everything yet: the pictures are <see cref="SlideCaster"/>'s, of scenes from which models were
+/// <summary>Programs that do not draw everything yet: the pictures are <see cref="EditedLab"/>'s, of scenes from which models were
 /// taken.</summary>
 public class UnfinishedTests
 {
@@ -36,7 +36,7 @@ public class UnfinishedTests
     [Fact]
     public void AttenuationAloneIsAMistakeOfTheCatalogueToo()
     {
-        var diagnosis = Diagnosis.Of(scene, SlideCaster.Render(scene, Mistakes.Mistake.AttNone));
+        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.Named("att-none")));
         Assert.Equal((Finding.Mistake, "att-none"), (diagnosis.Finding, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
         Assert.Equal([Diagnosis.Attenuation], diagnosis.NotYet);
     }
@@ -93,7 +93,7 @@ public class UnfinishedTests
     private static Picture Drawn(string kinds, string mistake)
     {
         var without = scene with { Models = [.. scene.Models.Where(model => !kinds.Split(',').Contains(model.Kind))] };
-        return SlideCaster.Render(without, mistake == "ok" ? Mistakes.Mistake.None : Mistakes.Mistake.Named(mistake));
+        return EditedLab.Render(without, Mistakes.Mistake.Named(mistake));
     }
 
     /// <summary>What is not drawn yet, in the order of an expectation.</summary>

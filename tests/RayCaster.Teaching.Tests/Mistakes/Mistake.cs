@@ -1,110 +1,133 @@
 namespace RayCaster.Teaching.Tests.Mistakes;
 
-/// <summary>One thing that people get wrong in a ray caster. <see cref="SlideCaster"/> draws with one of them, or with two.</summary>
-internal sealed class Mistake
+/// <summary>One thing that people get wrong in a ray caster, as a small change of the lab's source.</summary>
+/// <param name="Id">A short name without blanks, the same for ever.</param>
+/// <param name="What">What is wrong, in a few words.</param>
+internal sealed record Mistake(string Id, string What, params Edit[] Edits)
 {
-    private static readonly List<Mistake> all = [];
-
-    private Mistake(string id, string what) => (Id, What) = (id, what);
-
     /// <summary>No mistake.</summary>
     public static readonly Mistake None = new("ok", "nothing wrong");
 
-    // The camera.
-    public static readonly Mistake WSign = Plant("w-sign", "W = +(T − P)");
-    public static readonly Mistake DirPlusW = Plant("dir-plus-w", "d = uc U + ur V + W");
-    public static readonly Mistake UCross = Plant("u-cross", "U = W × up (V = W × U follows)");
-    public static readonly Mistake VCross = Plant("v-cross", "V = U × W");
-    public static readonly Mistake UOnly = Plant("u-only", "U to the left, V kept");
-    public static readonly Mistake Rows = Plant("rows", "row r written as line r, not height − 1 − r");
-    public static readonly Mistake Cols = Plant("cols", "columns from the right");
-    public static readonly Mistake Rad = Plant("rad", "degrees into Math.Tan");
-    public static readonly Mistake NoHalf = Plant("nohalf", "h = 2 tan(fovY)");
-    public static readonly Mistake No2 = Plant("no2", "h = tan(fovY / 2)");
-    public static readonly Mistake AspectInv = Plant("aspect-inv", "w = h · height / width");
-    public static readonly Mistake AspectNone = Plant("aspect-none", "w = h");
-    public static readonly Mistake AspectInt = Plant("aspect-int", "w = h · (width / height), divided in integers");
-    public static readonly Mistake FovHoriz = Plant("fov-horiz", "fovY taken from left to right");
-    public static readonly Mistake PixInt = Plant("pix-int", "w · (c / width), divided in integers");
-    public static readonly Mistake NoCenter = Plant("no-center", "uc, ur without − w / 2, − h / 2");
-    public static readonly Mistake Center = Plant("center", "pixel centres for corners (corners for centres)");
-    public static readonly Mistake Wm1 = Plant("wm1", "c / (width − 1), r / (height − 1)");
-    public static readonly Mistake Transpose = Plant("transpose", "row and column swapped in the picture");
-    public static readonly Mistake UUnnorm = Plant("u-unnorm", "U not normalised");
-    public static readonly Mistake WUnnorm = Plant("w-unnorm", "W not normalised");
-    public static readonly Mistake LenNoSqrt = Plant("len-nosqrt", "length without the square root");
-    public static readonly Mistake CrossY = Plant("cross-y", "cross product: sign of y");
-    public static readonly Mistake CrossZ = Plant("cross-z", "cross product: z = ax by − ay by");
-    public static readonly Mistake DirUnnorm = Plant("dir-unnorm", "d not normalised");
-    public static readonly Mistake DirUnnormA1 = Plant("dir-unnorm-a1", "d not normalised, and the sphere takes a = 1");
+    private const string SmallAreas =
+        "if (((C - B) % (ray.At(t) - B)).Length + ((A - C) % (ray.At(t) - C)).Length + ((B - A) % (ray.At(t) - A)).Length == n.Length)";
 
-    // Which hit shows.
-    public static readonly Mistake NoT0 = Plant("no-t0", "no least t at all: what lies behind shows");
-    public static readonly Mistake LastHit = Plant("last-hit", "the last model hit shows");
-    public static readonly Mistake FarHit = Plant("far-hit", "the farthest hit shows");
-    public static readonly Mistake Best0 = Plant("best0", "the best t starts at 0");
-    public static readonly Mistake ZNearT = Plant("znear-t", "zNear measures t for depth (depth for t)");
-    public static readonly Mistake ZFarT = Plant("zfar-t", "zFar measures t for depth (depth for t)");
-    public static readonly Mistake ZBothT = Plant("zboth-t", "zNear and zFar measure t for depth (depth for t)");
-    public static readonly Mistake ClipAfter = Plant("clip-after", "clipped after the nearest was chosen");
-    public static readonly Mistake NoZNear = Plant("no-znear", "zNear ignored");
-    public static readonly Mistake NoZFar = Plant("no-zfar", "zFar ignored");
-    public static readonly Mistake BiasBig = Plant("bias-big", "a bias of 1 in place of zNear");
-
-    // The shapes.
-    public static readonly Mistake RNoSq = Plant("r-nosq", "sphere: R for R²");
-    public static readonly Mistake DiscNan = Plant("disc-nan", "sphere: root of a negative number, and NaN passes for a hit");
-    public static readonly Mistake FarRoot = Plant("far-root", "sphere: the far root");
-    public static readonly Mistake NearRootOnly = Plant("near-root-only", "sphere: the near root or none");
-    public static readonly Mistake OcSign = Plant("oc-sign", "sphere: C − P for P − C");
-    public static readonly Mistake Disc2 = Plant("disc-2", "sphere: b² − ac with b = 2 …");
-    public static readonly Mistake PlaneSign = Plant("plane-sign", "plane: (P − Q)·n");
-    public static readonly Mistake PlaneCull = Plant("plane-cull", "plane: back side left out");
-    public static readonly Mistake SlabNoSwap = Plant("slab-noswap", "box: t0 and t1 not sorted");
-    public static readonly Mistake SlabMinMin = Plant("slab-minmin", "box: t_min is the least way in");
-    public static readonly Mistake Slab2Axes = Plant("slab-2axes", "box: z forgotten");
-    public static readonly Mistake SlabTMax = Plant("slab-tmax", "box: t_max shows");
-    public static readonly Mistake SlabInvNan = Plant("slab-inv-nan", "box: 0 · (1 / 0) is NaN");
-    public static readonly Mistake SlabInside = Plant("slab-inside", "box: not seen from inside");
-    public static readonly Mistake CircNoSq = Plant("circ-nosq", "circle: |X − C|² ≤ R");
-    public static readonly Mistake CircInf = Plant("circ-inf", "circle: no radius");
-    public static readonly Mistake TriUv = Plant("tri-uv", "triangle: no u + v ≤ 1");
-    public static readonly Mistake TriCull = Plant("tri-cull", "triangle: back side left out");
-    public static readonly Mistake TriNeg = Plant("tri-neg", "triangle: no u ≥ 0, v ≥ 0");
-    public static readonly Mistake TriArea = Plant("tri-area", "triangle: sum of areas compared with ==");
-
-    // The colour and the file.
-    public static readonly Mistake AttDepth = Plant("att-depth", "attenuation by depth");
-    public static readonly Mistake AttNo2 = Plant("att-no2", "1 − t / |T − P|");
-    public static readonly Mistake AttInv = Plant("att-inv", "t / (2 |T − P|)");
-    public static readonly Mistake AttNone = Plant("att-none", "no attenuation");
-    public static readonly Mistake AttOrigin = Plant("att-origin", "attenuation by the hit's distance from the origin of the world");
-    public static readonly Mistake AttInt = Plant("att-int", "attenuation cut to an integer");
-    public static readonly Mistake NoClamp = Plant("noclamp", "no clamp: a byte wraps round");
-    public static readonly Mistake X256 = Plant("x256", "256 · channel");
-    public static readonly Mistake Round = Plant("round", "truncated, not rounded");
-    public static readonly Mistake Bgr = Plant("bgr", "red and blue swapped");
-    public static readonly Mistake Gamma = Plant("gamma", "gamma of 2");
-    public static readonly Mistake WhSwap = Plant("whswap", "width and height swapped in the header");
-    public static readonly Mistake Crlf = Plant("crlf", "one byte too many before the pixels");
-    public static readonly Mistake Ppm255 = Plant("ppm-255", "255 forgotten: a channel is 0 or 1 of 1");
+    // What the other way of measuring zNear and zFar would be: depth for t, and t for depth.
+    private static readonly Edit[] other =
+    [
+        new("Ray", "ZPerT = 1;", "ZPerT = 1, OtherPerT = 1;"),
+        new("Camera", ": -(d * W) }", ": -(d * W), OtherPerT = ClipsByDistance ? -(d * W) : 1 }"),
+    ];
+    private static readonly Edit zNearOther = new("Ray", "ZNear <= z", "ZNear <= t * OtherPerT");
+    private static readonly Edit zFarOther = new("Ray", "z <= ZFar", "t * OtherPerT <= ZFar");
+    private static readonly Edit noZNear = new("Ray", "ZNear <= z", "true"), noZFar = new("Ray", "z <= ZFar", "true");
+    private static readonly Edit analytical = new("Sphere", "=> GeometricSolution", "=> AnalyticalSolution");
+    private static readonly Edit unnormalised = new("Camera", "* V - W).Normalized", "* V - W)");
 
     /// <summary>All of them, without <see cref="None"/>.</summary>
-    public static IReadOnlyList<Mistake> All => all;
+    public static IReadOnlyList<Mistake> All { get; } =
+    [
+        // The camera.
+        new("w-sign", "W = +(T − P)", new Edit("Camera", "W = -(", "W = (")),
+        new("dir-plus-w", "d = uc U + ur V + W", new Edit("Camera", "ur * V - W", "ur * V + W")),
+        new("u-cross", "U = W × up (V = W × U follows)", new Edit("Camera", "Up % W", "W % Up")),
+        new("v-cross", "V = U × W", new Edit("Camera", "W % U;", "U % W;")),
+        new("u-only", "U to the left, V kept", new Edit("Camera", "h = 2 *", "U = -U; h = 2 *")),
+        new("rows", "row r written as line r, not height − 1 − r", new Edit("Scene", "Camera.Height - 1 - r]", "r]")),
+        new("cols", "columns from the right", new Edit("Scene", "picture[c,", "picture[Camera.Width - 1 - c,")),
+        new("rad", "degrees into Math.Tan", new Edit("Camera", " * Math.PI / 180", "")),
+        new("nohalf", "h = 2 tan(fovY)", new Edit("Camera", "fovY / 2", "fovY")),
+        new("no2", "h = tan(fovY / 2)", new Edit("Camera", "2 * Math.Tan", "Math.Tan")),
+        new("aspect-inv", "w = h · height / width", new Edit("Camera", "h * Width / Height;", "h * Height / Width;")),
+        new("aspect-none", "w = h", new Edit("Camera", "h * Width / Height;", "h;")),
+        new("aspect-int", "w = h · (width / height), divided in integers", new Edit("Camera", "h * Width / Height;", "h * (Width / Height);")),
+        new("fov-horiz", "fovY taken from left to right", new Edit("Camera", "w = h * Width / Height;", "w = h; h = w * Height / Width;")),
+        new("pix-int", "w · (c / width), divided in integers",
+            new("Camera", "h * r / Height", "h * ((int)r / Height)"), new("Camera", "w * c / Width", "w * ((int)c / Width)")),
+        new("no-center", "uc, ur without − w / 2, − h / 2", new("Camera", " - h / 2", ""), new("Camera", " - w / 2", "")),
+        new("center", "pixel centres for corners (corners for centres)",
+            new("Camera", "c + SampleOffset", "c + 0.5 - SampleOffset"), new("Camera", "r + SampleOffset", "r + 0.5 - SampleOffset")),
+        new("wm1", "c / (width − 1), r / (height − 1)",
+            new("Camera", "r / Height", "r / (Height - 1)"), new("Camera", "c / Width", "c / (Width - 1)")),
+        new("transpose", "row and column swapped in the picture",
+            new("Scene", "Picture(Camera.Width, Camera.Height)", "Picture(Camera.Height, Camera.Width)"),
+            new("Scene", "picture[c, Camera.Height - 1 - r]", "picture[Camera.Height - 1 - r, c]")),
+        new("u-unnorm", "U not normalised", new Edit("Camera", "(Up % W).Normalized", "(Up % W)")),
+        new("w-unnorm", "W not normalised", new Edit("Camera", "(Target - Position).Normalized", "(Target - Position)")),
+        new("len-nosqrt", "length without the square root", new Edit("Vector3", "Math.Sqrt(this * this)", "this * this")),
+        new("cross-y", "cross product: sign of y", new Edit("Vector3", "a.Z * b.X - a.X * b.Z", "a.X * b.Z - a.Z * b.X")),
+        new("cross-z", "cross product: z = ax by − ay by", new Edit("Vector3", "a.X * b.Y - a.Y * b.X", "a.X * b.Y - a.Y * b.Y")),
+        new("dir-unnorm", "d not normalised", unnormalised, analytical),
+        new("dir-unnorm-a1", "d not normalised, and the sphere takes |d| = 1", unnormalised),
 
-    /// <summary>A short name without blanks, the same for ever.</summary>
-    public string Id { get; }
+        // Which hit shows.
+        new("no-t0", "no least t at all: what lies behind shows", new("Ray", "Bias == 0 ? t >= 0 : t > Bias", "true"), noZNear),
+        new("last-hit", "the last model hit shows", new Edit("Ray", "|| t >= HitParameter", "")),
+        new("far-hit", "the farthest hit shows",
+            new Edit("Ray", "t >= HitParameter", "HitModel != null && t <= HitParameter")),
+        new("best0", "the best t starts at 0", new Edit("Ray", "HitParameter = double.PositiveInfinity", "HitParameter = 0")),
+        new("znear-t", "zNear measures t for depth (depth for t)", [.. other, zNearOther]),
+        new("zfar-t", "zFar measures t for depth (depth for t)", [.. other, zFarOther]),
+        new("zboth-t", "zNear and zFar measure t for depth (depth for t)", [.. other, zNearOther, zFarOther]),
+        new("clip-after", "clipped after the nearest was chosen", noZNear, noZFar, new("Scene", "ray.HitModel == null",
+            "!(ray.ZNear <= ray.HitParameter * ray.ZPerT && ray.HitParameter * ray.ZPerT <= ray.ZFar)")),
+        new("no-znear", "zNear ignored", noZNear),
+        new("no-zfar", "zFar ignored", noZFar),
+        new("bias-big", "a bias of 1 in place of zNear", new("Ray", "Bias == 0 ? t >= 0 : t > Bias", "t > 1"), noZNear),
 
-    /// <summary>What is wrong, in a few words.</summary>
-    public string What { get; }
+        // The shapes.
+        new("r-nosq", "sphere: R for R²", new("Sphere", "> R * R", "> R"), new("Sphere", "Sqrt(R * R - D", "Sqrt(R - D")),
+        new("disc-nan", "sphere: root of a negative number, and NaN passes for a hit",
+            new("Sphere", "if (D * D > R * R) return;", ""), new("Ray", "!Counts(t)", "!Counts(t) && t == t")),
+        new("far-root", "sphere: the far root", new Edit("Sphere", "ray.Hit(t_ca - t_hc, this);", "")),
+        new("near-root-only", "sphere: the near root or none", new Edit("Sphere", "ray.Hit(t_ca + t_hc, this);", "")),
+        new("oc-sign", "sphere: C − P for P − C", new Edit("Sphere", "C - ray.Origin", "ray.Origin - C")),
+        new("disc-2", "sphere: b² − ac with b = 2 …", analytical, new("Sphere", "b * b - 4 * a * c", "b * b - a * c")),
+        new("plane-sign", "plane: (P − Q)·n", new Edit("Plane", "Q - ray.Origin", "ray.Origin - Q")),
+        new("plane-cull", "plane: back side left out", new Edit("Plane", "n == 0", "n >= 0")),
+        new("slab-noswap", "box: t0 and t1 not sorted", new Edit("Aabb", "t0 <= t1 ? (t0, t1) : (t1, t0)", "(t0, t1)")),
+        new("slab-minmin", "box: t_min is the least way in",
+            new Edit("Aabb", "Math.Max(x0, Math.Max(y0, z0))", "Math.Min(x0, Math.Min(y0, z0))")),
+        new("slab-2axes", "box: z forgotten",
+            new Edit("Aabb", "Slab(B0.Z, B1.Z, P.Z, d.Z)", "(double.NegativeInfinity, double.PositiveInfinity)")),
+        new("slab-tmax", "box: t_max shows", new Edit("Aabb", "ray.Hit(t_min, this);", "")),
+        new("slab-inv-nan", "box: 0 · (1 / 0) is NaN",
+            new("Aabb", "if (d == 0)", "if (false)"), new("Aabb", "t0 = (B0 - P) / d", "t0 = (B0 - P) * (1 / d)"),
+            new("Aabb", "t1 = (B1 - P) / d", "t1 = (B1 - P) * (1 / d)"),
+            new("Aabb", "t0 <= t1 ? (t0, t1) : (t1, t0)", "(Math.Min(t0, t1), Math.Max(t0, t1))")),
+        new("slab-inside", "box: not seen from inside", new Edit("Aabb", "ray.Hit(t_max, this);", "")),
+        new("circ-nosq", "circle: |X − C|² ≤ R", new Edit("Circle", "(X - C).Length", "(X - C) * (X - C)")),
+        new("circ-inf", "circle: no radius", new Edit("Circle", "if ((X - C).Length <= R)", "")),
+        new("tri-uv", "triangle: no u + v ≤ 1", new Edit("Triangle", "w / sum >= 0", "true")),
+        new("tri-cull", "triangle: back side left out", new Edit("Triangle", "d * n == 0", "d * n >= 0")),
+        new("tri-neg", "triangle: no u ≥ 0, v ≥ 0", new Edit("Triangle", "u / sum >= 0 && v / sum >= 0", "true")),
+        new("tri-area", "triangle: sum of areas compared with ==",
+            new Edit("Triangle", "if (u / sum >= 0 && v / sum >= 0 && w / sum >= 0)", SmallAreas)),
+
+        // The colour and the file.
+        new("att-depth", "attenuation by depth", new Edit("Camera", "ray.HitParameter /", "ray.HitParameter * -(ray.Direction * W) /")),
+        new("att-no2", "1 − t / |T − P|", new Edit("Camera", "2 * (Target - Position)", "1 * (Target - Position)")),
+        new("att-inv", "t / (2 |T − P|)", new Edit("Camera", "attenuation = 1 - ", "attenuation = ")),
+        new("att-none", "no attenuation", new Edit("Camera", "Math.Max(0, attenuation) * ", "")),
+        new("att-origin", "attenuation by the hit's distance from the origin of the world",
+            new Edit("Camera", "ray.HitParameter /", "ray.At(ray.HitParameter).Length /")),
+        new("att-int", "attenuation cut to an integer", new Edit("Camera", "Math.Max(0, attenuation)", "Math.Max(0, (int)attenuation)")),
+        new("noclamp", "no clamp: a byte wraps round",
+            new("Camera", "Math.Max(0, attenuation)", "attenuation"),
+            new("Color", "(byte)(Math.Clamp(channel, 0, 1) * 255 + 0.5)", "unchecked((byte)(int)(channel * 255 + 0.5))")),
+        new("x256", "256 · channel",
+            new("Color", "* 255 + 0.5", "* 256"), new("Color", "Math.Clamp(channel, 0, 1)", "Math.Clamp(channel, 0, 255 / 256.0)")),
+        new("round", "truncated, not rounded", new Edit("Color", "* 255 + 0.5", "* 255")),
+        new("bgr", "red and blue swapped", new Edit("Color", "(ToByte(R), ToByte(G), ToByte(B))", "(ToByte(B), ToByte(G), ToByte(R))")),
+        new("gamma", "gamma of 2", new Edit("Color", "Math.Clamp(channel, 0, 1)", "Math.Sqrt(Math.Clamp(channel, 0, 1))")),
+        new("whswap", "width and height swapped in the header", new Edit("Scene", "return picture;",
+            "var file = new Picture(picture.Height, picture.Width); picture.Rgb.CopyTo(file.Rgb, 0); return file;")),
+        new("crlf", "one byte too many before the pixels",
+            new Edit("Scene", "return picture;",
+                "Array.Copy(picture.Rgb, 0, picture.Rgb, 1, picture.Rgb.Length - 1); picture.Rgb[0] = 10; return picture;")),
+        new("ppm-255", "255 forgotten: a channel is 0 or 1 of 1",
+            new Edit("Color", "Math.Clamp(channel, 0, 1) * 255 + 0.5", "(int)Math.Clamp(channel, 0, 1) * 255")),
+    ];
 
     /// <summary>The mistake of that name.</summary>
-    public static Mistake Named(string id) => all.Single(mistake => mistake.Id == id);
-
-    private static Mistake Plant(string id, string what)
-    {
-        var mistake = new Mistake(id, what);
-        all.Add(mistake);
-        return mistake;
-    }
+    public static Mistake Named(string id) => id == None.Id ? None : All.Single(mistake => mistake.Id == id);
 }

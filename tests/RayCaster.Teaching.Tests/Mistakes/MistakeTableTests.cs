@@ -28,11 +28,11 @@ public class MistakeTableTests
     private static string[] Table()
     {
         var read = scenes.Select(SceneFolder.Read).ToArray();
-        var right = read.Select(scene => SlideCaster.Render(scene, Mistake.None)).ToArray();
+        var right = read.Select(scene => EditedLab.Render(scene, Mistake.None)).ToArray();
         string Share(int scene, Mistake mistake)
         {
             var camera = read[scene].Camera;
-            var count = ChangedPixels.Count(right[scene], SlideCaster.Render(read[scene], mistake), VisibleLevels);
+            var count = ChangedPixels.Count(right[scene], EditedLab.Render(read[scene], mistake), VisibleLevels);
             return count == 0 ? "–" : (100.0 * count / (camera.Width * camera.Height)).ToString("0.0", CultureInfo.InvariantCulture);
         }
         return

@@ -1,0 +1,82 @@
+using System.Collections.Concurrent;
+using System.Reflection;
+using System.Text.RegularExpressions;
+using Microsoft.CodeAnalysis;
+using Microsoft.CodeAnalysis.CSharp;
+
+namespace RayCaster.Teaching.Tests.Mistakes;
+
+/// <summary>The lab that is handed out (src/RayCaster.Lab), with mistakes: its source is edited, compiled and run.</summary>
+internal static partial class EditedLab
+{
+    private const string Entry = """
+        global using System;
+        global using System.Collections.Generic;
+        global using System.Linq;
+        public static class Entry
+        {
+            public static RayCaster.Picture Draw(RayCaster.Scene scene) => Lab.SceneFile.Of(scene).Draw();
+        }
+        """;
+
+    private static readonly string[] files =
+        ["Aabb", "Camera", "Circle", "Color", "Model", "Plane", "Ray", "Scene", "SceneFile", "Sphere", "Triangle", "Vector3"];
+
+    private static readonly Dictionary<string, string> source =
+        files.ToDictionary(file => file, file => File.ReadAllText(ProjectFolder.PathOf($"src/RayCaster.Lab/{file}.cs")));
+
+    private static readonly MetadataReference[] references =
+    [
+        .. ((Assembly[])[typeof(object).Assembly, typeof(Enumerable).Assembly, Assembly.Load("System.Runtime"), typeof(Scene).Assembly])
+            .Select(assembly => MetadataReference.CreateFromFile(assembly.Location)),
+    ];
+
+    private static readonly ConcurrentDictionary<(Manner, string, string), Lazy<Func<Scene, Picture>>> programs = [];
+
+    /// <summary>The picture that a program with that mistake writes; two of them turn its size.</summary>
+    public static Picture Render(Scene scene, Mistake mistake) => Render(scene, Manner.OfTheSlides, mistake, Mistake.None);
+
+    /// <summary>The picture that a program with both mistakes writes, in its own manner; where both change one line, the first has it.</summary>
+    public static Picture Render(Scene scene, Manner manner, Mistake mistake, Mistake second) =>
+        programs.GetOrAdd((manner, mistake.Id, second.Id), _ => new(() => Compile(Edited(manner, mistake, second)))).Value(scene);
+
+    /// <summary>The files with the mistakes' edits and the manner's.</summary>
+    /// <exception cref="InvalidOperationException">The lab does not have an edit's text once.</exception>
+    private static IEnumerable<string> Edited(Manner manner, Mistake mistake, Mistake second)
+    {
+        var text = new Dictionary<string, string>(source);
+        foreach (var (file, old, @new) in mistake.Edits.Concat(second.Edits).Concat(manner.Edits))
+        {
+            if (source[file].Split(old).Length != 2) throw new InvalidOperationException($"the lab's {file}.cs must have \"{old}\" once: Mistake.cs edits it");
+            text[file] = text[file].Replace(old, @new, StringComparison.Ordinal);
+        }
+        return manner.Float ? text.Select(file => InFloats(file.Key, file.Value)) : text.Values;
+    }
+
+    private static string InFloats(string file, string text)
+    {
+        if (file == "SceneFile") text = NumberOfTheScene().Replace(text, "(float)$0");
+        text = text.Replace("double", "float", StringComparison.Ordinal);
+        return DecimalLiteral().Replace(OfMath().Replace(text, "MathF.$1"), "$0f");
+    }
+
+    private static Func<Scene, Picture> Compile(IEnumerable<string> texts)
+    {
+        var compilation = CSharpCompilation.Create(
+            $"Lab{Guid.NewGuid():N}", texts.Append(Entry).Select(text => CSharpSyntaxTree.ParseText(text)), references,
+            new(OutputKind.DynamicallyLinkedLibrary, optimizationLevel: OptimizationLevel.Release));
+        using var bytes = new MemoryStream();
+        var result = compilation.Emit(bytes);
+        if (!result.Success) throw new InvalidOperationException(string.Join('\n', result.Diagnostics));
+        return Assembly.Load(bytes.ToArray()).GetType("Entry")!.GetMethod("Draw")!.CreateDelegate<Func<Scene, Picture>>();
+    }
+
+    [GeneratedRegex(@"\b(view|v|c|s)\.(FovY|ZNear|ZFar|Bias|Radius|[XYZRGB])\b")]
+    private static partial Regex NumberOfTheScene();
+
+    [GeneratedRegex(@"\bMath\.(Sqrt|Tan|PI)\b")]
+    private static partial Regex OfMath();
+
+    [GeneratedRegex(@"\b\d+(\.\d+|e-?\d+)\b")]
+    private static partial Regex DecimalLiteral();
+}
