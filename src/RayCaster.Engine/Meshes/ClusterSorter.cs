@@ -8,36 +8,34 @@ namespace RayCaster.Engine;
 internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, TriangleSorter each) where N : struct, IPacket<N>, IReal<N>
 {
     /// <summary>In a larger rectangle of pixels the triangles are sorted one by one: they are large, or far from each other.</summary>
-    private const long LargeArea = Tile.MaxSide * Tile.MaxSide;
+    private const long LargeArea = 4 * Tile.MaxSide * Tile.MaxSide;
 
+    /// <summary>At depth 1 a ray is at least this far from the eye along the axis that it follows most: 1/√3.</summary>
+    private const double LeastAlong = 0.57;
+
+    private readonly (int Axis, double At, double Right, double Up)[] mainAxes = [.. MainAxes(screen)];
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
-    private uint sides; // a bit for each box: which side of its triangles is seen; only the order of work depends on it
-
-    public TileLists Lists { get; } = new(screen.Camera.Width);
+    private int firstOfMost = -1; // the first of the clusters whose greatest w is known
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Add(int first, int end)
     {
-        Lists.Items.Reserve(end - first);
+        each.Lists.Items.Reserve(end - first);
         for (; first < end; first += N.Count)
         {
             var (fit, shows) = Project(first);
-            if (end - first < N.Count) (fit, shows) = (fit | ~0u << (end - first), shows & ~(~0u << (end - first)));
-            for (var unfit = ~fit & (1u << N.Count) - 1; unfit != 0; unfit &= unfit - 1)
+            var all = (1u << Math.Min(N.Count, end - first)) - 1;
+            for (var unfit = ~fit & all; unfit != 0; unfit &= unfit - 1)
             {
                 var (begin, stop) = boxes.TrianglesOf(first + BitOperations.TrailingZeroCount(unfit));
                 each.Add(begin, stop);
             }
-            for (; shows != 0; shows &= shows - 1)
-            {
-                var i = BitOperations.TrailingZeroCount(shows);
-                Place(first + i, i);
-            }
+            for (shows &= all; shows != 0; shows &= shows - 1) Place(first, BitOperations.TrailingZeroCount(shows));
         }
     }
 
-    /// <summary>The rectangles on the screen and the ranges of w of some boxes.</summary>
+    /// <summary>Finds the rectangles of some boxes on the screen.</summary>
     /// <remarks>
     /// Rounding moves a rectangle's sides by some 2⁻⁵³ of (distance + size) / least depth, in units of the scale; the size is held below the least
     /// depth, and so that is less than <see cref="ScreenSpace.DoubleMargin"/>, by which the formula, too, may see a corner elsewhere.
@@ -45,9 +43,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private (uint Fit, uint Shows) Project(int first)
     {
-        N unit = boxes.Unit;
-        Vector3<N> middle = boxes.Middle - screen.Camera.Position;
-        var (low, high) = (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
+        var (low, high) = Bounds(first);
         var (center, half) = ((N)0.5 * (low + high), (N)0.5 * (high - low));
         var (nearest, farthest) = Range(-screen.Camera.W, center, half);
         var (inverse, inverseFar) = ((N)1.0 / nearest, (N)1.0 / farthest);
@@ -58,13 +54,9 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         Project(screen.Camera.V, screen.CenterY, screen.Camera.Height, bottom, top);
 
         // The w of a sliver may be stretched; see TriangleSetUp.
-        var (one, stretch) = ((N)1.0, size * (N)(4 / screen.Scale));
-        var leastW = w0 * (N)(1 - 1e-5) * (one - stretch);
-        var mostW = N.Select(stretch < one, w1 * (N)(1 + 1e-5) * (one + stretch), double.PositiveInfinity);
-        mostW.Store(most, 0);
-        shows &= (mostW >= (N)(double)screen.LeastW) & (leastW <= (N)(double)screen.MostW);
+        var leastW = w0 * (N)(1 - 1e-5) * ((N)1.0 - size * (N)(4 / screen.Scale));
+        shows &= leastW <= (N)(double)screen.MostW;
         if (!N.All(fit)) fit |= IsOutside(center, half);
-        sides = N.Bits(boxes.Normals<N>(first) * center > (N)0.0);
         return (N.Bits(fit), N.Bits(shows));
 
         // in a larger method, the compiler would turn operators into calls
@@ -80,6 +72,53 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
             size += most - least;
             Keep(first, least, end - (N)1.0);
             Keep(last, most, end - (N)1.0);
+        }
+    }
+
+    /// <summary>Finds the greatest w of hits in some boxes.</summary>
+    /// <remarks>The formula finds hits, also in triangles seen edge-on, only between their corners along the axis that the ray follows most. A ray
+    /// that is at a at depth 1 reaches the box's nearer side b at depth b / a, where w is a / b; over the rectangle a is greatest in a
+    /// corner.</remarks>
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void FindMost(int first)
+    {
+        var (low, high) = Bounds(first);
+        N most = 0.0, none = 0.0, mainly = LeastAlong;
+        foreach (var (axis, at, right, up) in mainAxes)
+        {
+            var along = (N)at + (N)right * N.Load(right > 0 ? this.right : left, 0) + (N)up * N.Load(up > 0 ? top : bottom, 0);
+            var isMain = along >= mainly;
+            if (N.Bits(isMain) == 0) continue;
+            var near = axis switch { 0 => low.X, 1 => low.Y, 2 => low.Z, 3 => -high.X, 4 => -high.Y, _ => -high.Z };
+            most = N.Max(most, N.Select(isMain, N.Select(near > none, along / near, double.PositiveInfinity), none));
+        }
+        (most * (N)(screen.Unit * (1 + 1e-5))).Store(this.most, 0);
+        firstOfMost = first;
+    }
+
+    /// <summary>Boxes seen from the camera's position.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private (Vector3<N> Low, Vector3<N> High) Bounds(int first)
+    {
+        N unit = boxes.Unit;
+        Vector3<N> middle = boxes.Middle - screen.Camera.Position;
+        return (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
+    }
+
+    /// <summary>The axes (0 to 2), and the directions against them (3 to 5), that a ray may follow most, with the place along them of the ray of
+    /// pixel (0, 0) at depth 1, and its change from column to column and from row to row.</summary>
+    private static IEnumerable<(int Axis, double At, double Right, double Up)> MainAxes(ScreenSpace screen)
+    {
+        var camera = screen.Camera;
+        var (right, up) = (1 / screen.Scale * camera.U, 1 / screen.Scale * camera.V);
+        var corner = -camera.W - screen.CenterX * right - screen.CenterY * up;
+        for (var axis = 0; axis < 6; axis++)
+        {
+            var sign = axis < 3 ? 1 : -1;
+            var (at, x, y) = (sign * Along(corner), sign * Along(right), sign * Along(up));
+            if (at + Math.Max(0, x * camera.Width) + Math.Max(0, y * camera.Height) >= LeastAlong) yield return (axis, at, x, y);
+
+            double Along(Vector3 v) => (axis % 3) switch { 0 => v.X, 1 => v.Y, _ => v.Z };
         }
     }
 
@@ -107,10 +146,12 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     private void Place(int cluster, int i)
     {
         if (Math.Ceiling(left[i]) > right[i] || Math.Ceiling(bottom[i]) > top[i]) return; // between samples
-        var (first, end) = boxes.TrianglesOf(cluster);
+        if (firstOfMost != cluster) FindMost(cluster);
+        if (!(most[i] >= screen.LeastW)) return;
+        var (first, end) = boxes.TrianglesOf(cluster + i);
         var (x0, x1, y0, y1) = (Pixel(left[i]), Pixel(right[i]), Pixel(bottom[i]), Pixel(top[i]));
         if ((x1 - x0 + 1L) * (y1 - y0 + 1L) > LargeArea) each.Add(first, end);
-        else Lists.Add(first, (float)most[i], (int)(sides >> i) & 1, x0, x1, y0, y1);
+        else each.Lists.Add(new(first, boxes.Length), (float)most[i], x0, x1, y0, y1);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

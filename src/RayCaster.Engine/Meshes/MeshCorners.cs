@@ -6,6 +6,9 @@ namespace RayCaster.Engine;
 /// than arithmetic.</summary>
 internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
 {
+    /// <summary>How many numbers memory fetches at once.</summary>
+    private const int LineLength = 16;
+
     public override int Count => indices.Length / 3;
 
     public override void See(ReadOnlySpan<int> triangles, out EightTriangles seen)
@@ -15,35 +18,19 @@ internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int
         See(triangles, 2, out seen.C);
     }
 
-    public override void Fetch(int group)
+    public override void Fetch(int first, int count)
     {
-        for (var i = 0; i < 3; i++) Lanes.Fetch(ref indices[Math.Min(3 * group + i * TriangleCluster.Length, indices.Length - 1)]);
+        for (var i = 3 * first; i < 3 * (first + count) && i < indices.Length; i += LineLength) Lanes.Fetch(ref indices[i]);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public override void FetchVertices(int group)
+    public override void FetchVertices(int first, int count)
     {
-        if (group + TriangleCluster.Length > Count) return;
+        if (first + count > Count) return;
         var points = new RawSpan<Vector3>(vertices);
         var places = new RawSpan<int>(indices);
-        for (var i = 3 * group; i < 3 * (group + TriangleCluster.Length); i += 9) // most vertices are next to others
-        {
-            Lanes.Fetch(ref points[places[i]]);
-            Lanes.Fetch(ref points[places[i + 1]]);
-        }
-    }
-
-    public override void Fetch(ReadOnlySpan<int> triangles)
-    {
-        foreach (var triangle in triangles) Lanes.Fetch(ref indices[3 * triangle]);
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public override void FetchVertices(ReadOnlySpan<int> triangles)
-    {
-        var points = new RawSpan<Vector3>(vertices);
-        foreach (var triangle in triangles)
-            for (var i = 3 * triangle; i < 3 * triangle + 3; i++) Lanes.Fetch(ref points[indices[i]]);
+        var step = count > 1 ? 4 : 1; // most vertices are next to others
+        for (var i = 3 * first; i < 3 * (first + count); i += step) Lanes.Fetch(ref points[places[i]]);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]

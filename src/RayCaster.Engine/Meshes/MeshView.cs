@@ -29,7 +29,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
 
         var whole = new ScreenTriangles<N>(
             screen, new MeshCorners<N>(screen, vertices, indices), null,
-            TriangleBoxes.Of(mesh, isKept, threads), () => new Duplicates(vertices, indices), threads);
+            TriangleBoxes.Of(mesh, screen.Camera, isKept, threads), () => new Duplicates(vertices, indices), threads);
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);

@@ -6,7 +6,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     private const int LeastForAThread = 1 << 15;
 
     private readonly int tilesAcross;
-    private readonly Bins<TriangleCluster> triangles, groups; // two places for each tile, one for each side of a triangle
+    private readonly Bins<TriangleCluster> triangles;
 
     /// <param name="owners">The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</param>
     /// <param name="boxes">The boxes of the clusters; null if triangles are sorted one by one.</param>
@@ -26,14 +26,12 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         });
 
         triangles = new(Array.ConvertAll(sorters, sorter => sorter.Lists.Items));
-        groups = new(Array.ConvertAll(clusterSorters, sorter => sorter.Lists.Items));
         foreach (var sorter in sorters)
         {
             Large.AddRange(sorter.Large);
             Unfit.AddRange(sorter.Unfit);
             Extend(sorter.Lists.Extent);
         }
-        foreach (var sorter in clusterSorters) Extend(sorter.Lists.Extent);
     }
 
     public Corners Corners { get; }
@@ -48,24 +46,15 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     public List<int> Unfit { get; } = [];
 
     /// <summary>Triangles that may show in any tile.</summary>
-    public List<int> Large { get; } = [];
+    public List<TriangleRun> Large { get; } = [];
 
-    /// <summary>The triangles of a tile whose corners run one way (0) or the other way (1) around, except those in clusters.</summary>
-    public ReadOnlySpan<TriangleCluster> Of(in Tile tile, int side) => triangles[2 * PlaceOf(tile) + side];
-
-    /// <summary>The clusters of a tile whose middle triangle runs one way or the other way around.</summary>
-    public ReadOnlySpan<TriangleCluster> ClustersOf(in Tile tile, int side) => groups[2 * PlaceOf(tile) + side];
+    /// <summary>What may show in a tile.</summary>
+    public ReadOnlySpan<TriangleCluster> Of(in Tile tile) => triangles[tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide];
 
     /// <summary>Returns rented memory; the object cannot be used any more.</summary>
-    public void Free()
-    {
-        triangles.Free();
-        groups.Free();
-    }
+    public void Free() => triangles.Free();
 
     private void Extend((int Left, int Right, int Bottom, int Top) other) => Extent = (
         Math.Min(Extent.Left, other.Left), Math.Max(Extent.Right, other.Right),
         Math.Min(Extent.Bottom, other.Bottom), Math.Max(Extent.Top, other.Top));
-
-    private int PlaceOf(in Tile tile) => tile.Row / Tile.MaxSide * tilesAcross + tile.Column / Tile.MaxSide;
 }

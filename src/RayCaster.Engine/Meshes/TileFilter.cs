@@ -9,14 +9,11 @@ namespace RayCaster.Engine;
 /// left out, group by group, then triangles that cover no sample, eight at once.</summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
-    /// <summary>After so many clusters or triangles it is found out anew what is hidden.</summary>
-    private const int ClustersAtOnce = 32, TrianglesAtOnce = 128;
+    /// <summary>After so many runs or triangles it is found out anew what is hidden.</summary>
+    private const int RunsAtOnce = 128, TrianglesAtOnce = 512;
 
-    /// <summary>How many clusters ahead memory is fetched.</summary>
-    private const int Ahead = 4;
-
-    /// <summary>How many single triangles ahead.</summary>
-    private const int VerticesAhead = 24, IndicesAhead = 64;
+    /// <summary>How many runs ahead memory is fetched.</summary>
+    private const int Ahead = 16;
 
     private readonly ScreenSpace screen;
     private readonly TilePixels pixels = new();
@@ -55,18 +52,17 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         isEmpty = true;
         foreach (var set in sets)
         {
-            // Most of what is seen of a closed mesh faces the camera with the same side; that side first, most of the other is found to be hidden.
-            for (var large = CollectionsMarshal.AsSpan(set.Large); large.Length > 0; large = large[Math.Min(TrianglesAtOnce, large.Length)..])
+            for (var large = CollectionsMarshal.AsSpan(set.Large); large.Length > 0; large = large[Math.Min(RunsAtOnce, large.Length)..])
             {
-                AddTriangles(set, large[..Math.Min(TrianglesAtOnce, large.Length)]);
+                if (isEmpty) Begin();
+                AddRuns(set, large[..Math.Min(RunsAtOnce, large.Length)]);
                 Refresh();
             }
-            var nearer = MeanW(set, tile, 0) < MeanW(set, tile, 1) ? 1 : 0;
-            Add(set, set.ClustersOf(tile, nearer), areClusters: true);
-            Add(set, set.Of(tile, nearer), areClusters: false);
+            // Near triangles first: most of the others are then found to be hidden.
+            var middle = MiddleW(set.Of(tile));
+            Add(set, middle, areNear: true);
             if (!isEmpty) Refresh();
-            Add(set, set.ClustersOf(tile, 1 - nearer), areClusters: true);
-            Add(set, set.Of(tile, 1 - nearer), areClusters: false);
+            Add(set, middle, areNear: false);
         }
         if (isEmpty)
         {
@@ -87,14 +83,14 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
     /// <inheritdoc cref="TileHits{N}.Paint"/>
     public void Paint(MeshPainter painter, byte[] rgb, int first, int step) => hits.Paint(painter, rgb, first, step);
 
-    private static float MeanW(ScreenTriangles<N> set, in Tile tile, int side)
+    /// <summary>A w between those of near and of far triangles.</summary>
+    private static float MiddleW(ReadOnlySpan<TriangleCluster> all)
     {
-        const int Samples = 8;
-        var some = set.ClustersOf(tile, side) is { Length: > 0 } clusters ? clusters : set.Of(tile, side);
-        if (some.Length == 0) return 0;
-        var (sum, step) = (0f, (some.Length + Samples - 1) / Samples);
-        for (var i = 0; i < some.Length; i += step) sum += some[i].MostW;
-        return sum / ((some.Length + step - 1) / step);
+        const int Samples = 16;
+        var (least, most) = (float.PositiveInfinity, 0f);
+        for (var i = 0; i < all.Length; i += all.Length / Samples + 1)
+            (least, most) = (Math.Min(least, all[i].MostW), Math.Max(most, all[i].MostW));
+        return 0.3f * least + 0.7f * most;
     }
 
     /// <summary>Comes to a tile in which there may be something; all that is known is of another one.</summary>
@@ -106,57 +102,58 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         cover.Enter(tile);
     }
 
-    /// <summary>Adds what is not hidden.</summary>
+    /// <summary>Adds what is not hidden of near triangles, or of the others.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles<N> set, ReadOnlySpan<TriangleCluster> all, bool areClusters)
+    private void Add(ScreenTriangles<N> set, float middle, bool areNear)
     {
+        var all = set.Of(tile);
         if (all.Length == 0) return;
         if (isEmpty) Begin();
         var firstRow = tile.Row % Tile.MaxSide;
-        Span<int> seen = stackalloc int[TrianglesAtOnce];
-        if (areClusters) seen = seen[..ClustersAtOnce];
+        Span<TriangleRun> seen = stackalloc TriangleRun[RunsAtOnce];
         for (var next = 0; next < all.Length;)
         {
-            var count = 0;
-            for (; next < all.Length && count < seen.Length; next++)
-                if (!coarse.Hides(all[next].Cells, firstRow, all[next].MostW))
-                    seen[count++] = all[next].First;
-            if (areClusters) AddClusters(set, seen[..count]);
-            else AddTriangles(set, seen[..count]);
+            var (count, triangles) = (0, 0);
+            for (; next < all.Length && count < seen.Length && triangles < TrianglesAtOnce; next++)
+            {
+                if (all[next].MostW >= middle != areNear || coarse.Hides(all[next].Cells, firstRow, all[next].MostW)) continue;
+                seen[count++] = all[next].Run;
+                triangles += all[next].Run.Count;
+            }
+            AddRuns(set, seen[..count]);
             if (next < all.Length) Refresh();
         }
         AddWaiting();
     }
 
     /// <remarks>Their indices and vertices lie anywhere; to wait for them would take longer than all that is computed.</remarks>
-    private void AddClusters(ScreenTriangles<N> set, ReadOnlySpan<int> clusters)
+    private void AddRuns(ScreenTriangles<N> set, ReadOnlySpan<TriangleRun> runs)
     {
-        for (var i = -Ahead; i < clusters.Length; i++)
+        var (corners, last) = (set.Corners, Vector128.Create(set.Corners.Count - 1));
+        Span<int> ids = stackalloc int[12];
+        var count = 0;
+        for (var i = -Ahead; i < runs.Length; i++)
         {
-            if (i + Ahead < clusters.Length) set.Corners.Fetch(clusters[i + Ahead]);
-            if (i + Ahead / 2 is >= 0 and var near && near < clusters.Length) set.Corners.FetchVertices(clusters[near]);
+            if (i + Ahead < runs.Length) corners.Fetch(runs[i + Ahead].First, runs[i + Ahead].Count);
+            if (i + Ahead / 2 is >= 0 and var near && near < runs.Length) corners.FetchVertices(runs[near].First, runs[near].Count);
             if (i < 0) continue;
-            var end = Math.Min(clusters[i] + TriangleCluster.Length, set.Corners.Count);
-            for (var first = clusters[i]; first < end; first += 8)
+            var end = Math.Min(runs[i].First + runs[i].Count, corners.Count);
+            for (var first = runs[i].First; first < end; first += 4)
             {
-                set.Corners.SeeRun(first, out eight);
-                Add(set, Vector256.Create(first) + Vector256<int>.Indices, end - first);
+                Vector128.Min(Vector128.Create(first) + Vector128<int>.Indices, last).CopyTo(ids[count..]);
+                count += Math.Min(4, end - first);
+                if (count < 8) continue;
+                AddEight(ids, 8);
+                ids[8..].CopyTo(ids);
+                count -= 8;
             }
         }
-    }
+        if (count > 0) AddEight(ids, count);
 
-    private void AddTriangles(ScreenTriangles<N> set, ReadOnlySpan<int> triangles)
-    {
-        if (isEmpty) Begin();
-        Span<int> ids = stackalloc int[8];
-        set.Corners.Fetch(triangles[..Math.Min(IndicesAhead, triangles.Length)]);
-        for (var first = 0; first < triangles.Length; first += 8)
+        void AddEight(ReadOnlySpan<int> ids, int count)
         {
-            if (first + IndicesAhead + 8 <= triangles.Length) set.Corners.Fetch(triangles.Slice(first + IndicesAhead, 8));
-            if (first + VerticesAhead + 8 <= triangles.Length) set.Corners.FetchVertices(triangles.Slice(first + VerticesAhead, 8));
-            for (var i = 0; i < 8; i++) ids[i] = triangles[Math.Min(first + i, triangles.Length - 1)];
-            set.Corners.See(ids, out eight);
-            Add(set, Vector256.Create<int>(ids), triangles.Length - first);
+            corners.See(ids[..8], out eight);
+            Add(set, Vector256.Create(ids), count);
         }
     }
 
@@ -174,7 +171,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         var bottom = Vector256.MaxNative(Vector256.Ceiling(minY - margin), row);
         var top = Vector256.MinNative(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
         var isSingle = Vector256.Equals(left, right) & Vector256.Equals(bottom, top);
-        var passes = TriangleSetUp.Pass(t, left, bottom, maxX - minX + (maxY - minY), margin, out _);
+        var passes = TriangleSetUp.Pass(t, left, bottom, maxX - minX + (maxY - minY), margin);
         var shows = Vector256.AndNot(Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top), isSingle & passes)
             .ExtractMostSignificantBits();
         if (count < 8) shows &= (1u << count) - 1;

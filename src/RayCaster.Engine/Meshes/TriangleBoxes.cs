@@ -3,9 +3,9 @@ using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
-/// <summary>What depends only on a mesh: a box around each cluster of consecutive triangles, and the normal of the triangle in the middle.</summary>
-/// <remarks>The numbers are floats relative to a point and a length of the mesh, so they suit a scene of any size. They take 2.3 bytes for each
-/// triangle; a mesh whose triangles share their corners takes 24.</remarks>
+/// <summary>What depends only on a mesh: a box around each cluster of consecutive triangles.</summary>
+/// <remarks>The numbers are floats relative to a point and a length of the mesh, so they suit a scene of any size. They take 1.5 bytes for each
+/// triangle, or 3 with short clusters; a mesh whose triangles share their corners takes 24.</remarks>
 internal sealed class TriangleBoxes
 {
     /// <summary>The number of clusters that a thread takes at once.</summary>
@@ -15,18 +15,21 @@ internal sealed class TriangleBoxes
     /// indices, which must be there first.</summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
+    /// <summary>How many clusters tell how large a mesh's clusters are on the screen, and in how many pixels they are large.</summary>
+    private const int Samples = 32, LargeArea = Tile.MaxSide * Tile.MaxSide;
+
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
 
     private readonly Vector3[] vertices;
     private readonly int[] indices;
     private readonly Vector256<double> middle, perUnit;
-    private readonly float[][] numbers = new float[9][]; // lows, highs and normals
+    private readonly float[][] numbers = new float[6][]; // lows and highs
 
     /// <param name="indices">Three for each triangle. Each of them is checked here, once for all.</param>
-    public TriangleBoxes(Vector3[] vertices, int[] indices, int threads)
+    public TriangleBoxes(Vector3[] vertices, int[] indices, int threads, int length = TriangleCluster.Length)
     {
-        (this.vertices, this.indices) = (vertices, indices);
-        Count = (indices.Length / 3 + TriangleCluster.Length - 1) / TriangleCluster.Length;
+        (this.vertices, this.indices, Length) = (vertices, indices, length);
+        Count = (indices.Length / 3 + Length - 1) / Length;
         var bounds = Bounds.Empty;
         for (var i = 0; i < vertices.Length; i += vertices.Length / 1024 + 1)
             if (double.IsFinite(vertices[i].X + vertices[i].Y + vertices[i].Z))
@@ -49,17 +52,41 @@ internal sealed class TriangleBoxes
 
     public int Count { get; }
 
+    /// <summary>The number of triangles in a box; less at the mesh's end.</summary>
+    public int Length { get; }
+
     /// <summary>The boxes of a mesh.</summary>
     /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
+    /// <param name="camera">What sees it: the boxes suit any camera, but short clusters pay only where triangles are large on the screen.</param>
     /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>
-    public static TriangleBoxes Of(Mesh mesh, bool isKept, int threads) => isKept
-        ? kept.GetValue(mesh, mesh => new(mesh.Vertices, mesh.Indices, threads))
-        : new(mesh.Vertices, mesh.Indices, threads);
+    public static TriangleBoxes Of(Mesh mesh, Camera camera, bool isKept, int threads)
+    {
+        var length = LengthFor(mesh, camera);
+        if (isKept && kept.TryGetValue(mesh, out var boxes) && boxes.Length <= length) return boxes;
+        boxes = new(mesh.Vertices, mesh.Indices, threads, length);
+        if (isKept) kept.AddOrUpdate(mesh, boxes);
+        return boxes;
+    }
+
+    /// <summary>How many triangles a cluster should hold: a large box says little about where each of its triangles shows.</summary>
+    private static int LengthFor(Mesh mesh, Camera camera)
+    {
+        var (small, large, step) = (0, 0, mesh.TriangleCount / Samples + 1);
+        for (var first = 0; first < mesh.TriangleCount; first += step)
+        {
+            var (a, b) = (mesh[first], mesh[Math.Min(first + TriangleCluster.Length, mesh.TriangleCount) - 1]);
+            var bounds = Bounds.Empty.With(a.A).With(a.B).With(a.C).With(b.A).With(b.B).With(b.C);
+            var area = Tile.Of(bounds.PaddedFrom(camera.Position), camera).Area;
+            if (area > LargeArea) large++;
+            else if (area > 0) small++;
+        }
+        return large > small ? TriangleCluster.ShortLength : TriangleCluster.Length;
+    }
 
     public (int First, int End) TrianglesOf(int cluster)
     {
-        var first = cluster * TriangleCluster.Length;
-        return (first, Math.Min(first + TriangleCluster.Length, indices.Length / 3));
+        var first = cluster * Length;
+        return (first, Math.Min(first + Length, indices.Length / 3));
     }
 
     /// <summary>The least coordinates of several clusters, one in each lane. A corner that is NaN does not count, since it is part of no
@@ -69,10 +96,6 @@ internal sealed class TriangleBoxes
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> Highs<N>(int first) where N : struct, IPacket<N> => Load<N>(3, first);
-
-    /// <summary>The normals of the middle triangles; they have any length.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector3<N> Normals<N>(int first) where N : struct, IPacket<N> => Load<N>(6, first);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector3<N> Load<N>(int kind, int first) where N : struct, IPacket<N> =>
@@ -88,7 +111,6 @@ internal sealed class TriangleBoxes
             (low, high) = ((low - middle) * perUnit, (high - middle) * perUnit);
             Set(0, cluster, low - Padding(low));
             Set(3, cluster, high + Padding(high));
-            Set(6, cluster, NormalOf((first + end) / 2));
         }
 
         // Rounding to a float changes a number by at most 2⁻²⁴ of itself.
@@ -103,15 +125,6 @@ internal sealed class TriangleBoxes
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private Vector256<double> NormalOf(int triangle)
-    {
-        var a = CornerAt(3 * triangle);
-        var (b, c) = ((CornerAt(3 * triangle + 1) - a) * perUnit, (CornerAt(3 * triangle + 2) - a) * perUnit);
-        var turn = Vector256.Create(1L, 2, 0, 3); // a × b is b turned times a less a turned times b, turned
-        return Vector256.Shuffle(b * Vector256.Shuffle(c, turn) - Vector256.Shuffle(b, turn) * c, turn);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector256<double> CornerAt(int place)
     {
         ref readonly var point = ref vertices[indices[place]];
@@ -122,7 +135,7 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {
-        if (end - first != TriangleCluster.Length || !AreBeforeTheLast(3 * first)) return AroundFew(first, end);
+        if (end - first != Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundFew(first, end);
         var places = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
         if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Fetch(first);
@@ -158,11 +171,11 @@ internal sealed class TriangleBoxes
 
     /// <summary>Whether all indices of a cluster are valid, and none is the last vertex.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private bool AreBeforeTheLast(int first)
+    private bool AreBeforeTheLast(int first, int end)
     {
         var places = new RawSpan<int>(indices);
         var most = Vector256<uint>.Zero; // as unsigned numbers, negative indices are the largest
-        for (var i = first; i < first + 3 * TriangleCluster.Length; i += Vector256<int>.Count)
+        for (var i = first; i < end; i += Vector256<int>.Count)
             most = Vector256.Max(most, places.Load256(i).AsUInt32());
         return Vector256.LessThanAll(most, Vector256.Create((uint)vertices.Length - 1));
     }
@@ -172,7 +185,7 @@ internal sealed class TriangleBoxes
     private void Fetch(int first)
     {
         var places = new RawSpan<int>(indices);
-        for (var i = 3 * first; i < 3 * (first + TriangleCluster.Length); i += TriangleCluster.Length)
+        for (var i = 3 * first; i < 3 * (first + Length); i += TriangleCluster.Length)
         {
             Lanes.Fetch(ref places[i + 3 * IndicesAhead]);
             FetchVertex(places[i + 3 * VerticesAhead]);

@@ -98,18 +98,16 @@ internal static class TriangleSetUp
     /// <summary>Where a sample in a triangle's box is certainly outside the triangle.</summary>
     /// <param name="size">The boxes' widths and heights together.</param>
     /// <param name="margin">How far off the corners may be.</param>
-    /// <param name="area">Twice the triangles' areas; below 0 where the corners are seen the other way around.</param>
     /// <remarks><see cref="Of"/> derives the error of the areas. The orientation of a sliver is not known, so one area must certainly be below 0,
     /// and one above.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Pass(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
-        Vector256<float> margin, out Vector256<float> area)
+        Vector256<float> margin)
     {
         var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);
         var (ay, by, cy) = (t.A.Y - row, t.B.Y - row, t.C.Y - row);
         var (u, v, w) = (bx * cy - by * cx, cx * ay - cy * ax, ax * by - ay * bx);
         var slack = Vector256.Create(6f) * margin * size;
-        area = u + v + w;
         return Vector256.LessThan(Lanes.Least(u, v, w), -slack) & Vector256.GreaterThan(Lanes.Most(u, v, w), slack);
     }
 

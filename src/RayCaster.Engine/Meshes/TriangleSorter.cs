@@ -17,7 +17,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
     public TileLists Lists { get; } = new(screen.Camera.Width);
 
     /// <summary>Triangles in many tiles.</summary>
-    public List<int> Large { get; } = [];
+    public List<TriangleRun> Large { get; } = [];
 
     /// <summary>Triangles with a corner that is not fit for floats.</summary>
     public List<int> Unfit { get; } = [];
@@ -36,8 +36,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
         Span<float> w = stackalloc float[8];
         for (; first < end; first += 8)
         {
-            for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i + Ahead, corners.Count - 1);
-            corners.FetchVertices(ids);
+            corners.FetchVertices(first + Ahead, 8);
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
             corners.See(ids, out var t);
             var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
@@ -58,7 +57,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
 
             // If the box holds only one sample, the edges tell whether it is outside. (Others are tested in their tiles.)
-            var passes = TriangleSetUp.Pass(t, column0, row0, size, margin, out var area);
+            var passes = TriangleSetUp.Pass(t, column0, row0, size, margin);
             var single = Vector256.Equals(column0, column1) & Vector256.Equals(row0, row1);
             shows &= ~(passes & single) & fit;
 
@@ -72,7 +71,6 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             var bits = shows.ExtractMostSignificantBits() & inRange;
             if (bits == 0) continue;
 
-            var turned = Vector256.LessThan(area, zero).ExtractMostSignificantBits();
             Vector256.ConvertToInt32(column0).CopyTo(box);
             Vector256.ConvertToInt32(column1).CopyTo(box[8..]);
             Vector256.ConvertToInt32(row0).CopyTo(box[16..]);
@@ -81,21 +79,21 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             for (; bits != 0; bits &= bits - 1)
             {
                 var i = BitOperations.TrailingZeroCount(bits);
-                Place(first + i, w[i], (int)(turned >> i) & 1, (uint)box[i], (uint)box[i + 8], (uint)box[i + 16], (uint)box[i + 24]);
+                Place(first + i, w[i], (uint)box[i], (uint)box[i + 8], (uint)box[i + 16], (uint)box[i + 24]);
             }
         }
     }
 
-    private void Place(int triangle, float mostW, int side, uint left, uint right, uint bottom, uint top)
+    private void Place(int triangle, float mostW, uint left, uint right, uint bottom, uint top)
     {
         var tiles = TileLists.TilesOf(left, right, bottom, top);
         if (tiles > 1 && twins is not null && twins.HasEarlier(triangle)) return;
         if (tiles <= ManyTiles)
         {
-            Lists.Add(triangle, mostW, side, left, right, bottom, top);
+            Lists.Add(new(triangle, 1), mostW, left, right, bottom, top);
             return;
         }
         Lists.Extend(left, right, bottom, top);
-        Large.Add(triangle);
+        Large.Add(new(triangle, 1));
     }
 }

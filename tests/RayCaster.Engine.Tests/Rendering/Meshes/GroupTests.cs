@@ -5,42 +5,63 @@ public class GroupTests
 {
     private static readonly Camera camera = new(new(new(5, 0.4, 0.3), Vector3.Zero) { Width = 640, Height = 480 });
 
-    /// <summary>Otherwise a tile's groups would be drawn with its triangles that face away.</summary>
     [Theory]
-    [InlineData(0)]
-    [InlineData(1)]
-    public void AGroupIsSeenTheWayAroundThatItsTrianglesAre(int turn)
+    [InlineData(TriangleCluster.Length)]
+    [InlineData(TriangleCluster.ShortLength)]
+    public void AGroupIsInTheTileOfItsTriangles(int length)
     {
-        var (vertices, indices) = Specks(TriangleCluster.Length, turn);
+        var (vertices, indices) = Specks(length);
         var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
         var corners = new MeshCorners<Packet>(screen, vertices, indices);
-        var inGroups = new ScreenTriangles<Packet>(
-            screen, corners, null, new TriangleBoxes(vertices, indices, 1), null, 1);
+        var inGroups = new ScreenTriangles<Packet>(screen, corners, null, new TriangleBoxes(vertices, indices, 1, length), null, 1);
         var oneByOne = new ScreenTriangles<Packet>(screen, corners, null, null, null, 1);
-        int[] sides = [0, 1];
-        Assert.Equal(TriangleCluster.Length, sides.Max(side => oneByOne.Of(tile, side).Length));
-        Assert.Equal(1, sides.Sum(side => inGroups.ClustersOf(tile, side).Length));
-        Assert.Equal(Array.FindIndex(sides, side => oneByOne.Of(tile, side).Length > 0),
-            Array.FindIndex(sides, side => inGroups.ClustersOf(tile, side).Length > 0));
+        Assert.Equal(Enumerable.Range(0, length), oneByOne.Of(tile).ToArray().Select(item => item.Run.First));
+        Assert.Equal([(0, length)], inGroups.Of(tile).ToArray().Select(item => (item.Run.First, item.Run.Count)));
+    }
+
+    /// <summary>The formula finds hits of a triangle seen edge-on only between its corners along the axis that the ray follows most.</summary>
+    [Fact]
+    public void AGroupHasTheGreatestWOfItsTriangles()
+    {
+        var (vertices, indices) = Specks(TriangleCluster.Length);
+        var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
+        var corners = new MeshCorners<Packet>(screen, vertices, indices);
+        var groups = new ScreenTriangles<Packet>(screen, corners, null, new TriangleBoxes(vertices, indices, 1), null, 1);
+        var most = vertices.Max(p => screen.Unit / screen.See(p).Z);
+        Assert.InRange(groups.Of(tile)[0].MostW, most, 1.01 * most);
+    }
+
+    /// <summary>Of triangles in a plane with the eye, the formula's areas are all rounding, and so are its hits between their corners.</summary>
+    [Fact]
+    public void NoHitInAGroupSeenEdgeOnHasAGreaterW()
+    {
+        var (random, screen, hits) = (new Random(20261123), new ScreenSpace(camera), 0);
+        for (var round = 0; round < 300; round++)
+        {
+            var rays = Enumerable.Range(0, 2).Select(_ => camera.CastRay(random.Next(320, 384), random.Next(192, 256))).ToArray();
+            Vector3 Point() => camera.Position + (3 + random.NextDouble()) * rays[random.Next(2)].Direction;
+            var mesh = new Mesh([.. Enumerable.Range(0, 48).Select(_ => Point())], [.. Enumerable.Range(0, 48)]);
+            var corners = new MeshCorners<Packet>(screen, mesh.Vertices, mesh.Indices);
+            var groups = new ScreenTriangles<Packet>(screen, corners, null, new TriangleBoxes(mesh.Vertices, mesh.Indices, 1), null, 1);
+            if (groups.Of(new(320, 192, 64, 64)).ToArray() is not [var group]) continue; // so near that they are sorted one by one
+            foreach (var ray in rays)
+            {
+                if (mesh.Intersect(ray) is not { } t) continue;
+                hits++;
+                Assert.InRange(screen.Unit / (t * -(ray.Direction * camera.W)), 0, group.MostW);
+            }
+        }
+        Assert.InRange(hits, 100, 600);
     }
 
     [Theory]
-    [InlineData(1)]
-    [InlineData(7)]
-    [InlineData(16)]
-    [InlineData(19)]
-    public void ARunOfTrianglesIsSeenWhereEachOfThemIs(int count)
+    [InlineData(715_000_000, 1)]
+    [InlineData(715_000_000, 8)]
+    [InlineData(16, 16)]
+    public void ARunKeepsItsTriangles(int first, int count)
     {
-        var (vertices, indices) = Specks(count, 0);
-        var corners = new MeshCorners<Packet>(new(camera), vertices, indices);
-        for (var first = 0; first < count; first += 8)
-        {
-            int[] ids = [.. Enumerable.Range(first, 8).Select(i => Math.Min(i, count - 1))];
-            corners.See(ids, out var each);
-            corners.SeeRun(first, out var run);
-            Assert.Equal([each.A.X, each.A.Y, each.A.W, each.B.X, each.B.Y, each.B.W], [run.A.X, run.A.Y, run.A.W, run.B.X, run.B.Y, run.B.W]);
-            Assert.Equal([each.C.X, each.C.Y, each.C.W], [run.C.X, run.C.Y, run.C.W]);
-        }
+        var run = new TriangleRun(first, count);
+        Assert.Equal((first, count), (run.First, run.Count));
     }
 
     [Theory]
@@ -50,7 +71,7 @@ public class GroupTests
     [InlineData(19)]
     public void TheBoxesOfGroupsReachToEachOfTheirCorners(int count)
     {
-        var (vertices, indices) = Specks(count, 0);
+        var (vertices, indices) = Specks(count);
         AssertBoxes(vertices, indices);
     }
 
@@ -60,7 +81,7 @@ public class GroupTests
     [InlineData(2)]
     public void TheBoxOfAGroupWithTheLastVertexButFewReachesToItsCorners(int spare)
     {
-        var (vertices, indices) = Specks(16, 0);
+        var (vertices, indices) = Specks(16);
         AssertBoxes([.. vertices, .. new Vector3[spare]], indices);
     }
 
@@ -71,7 +92,7 @@ public class GroupTests
     [InlineData(1, 1e6)]
     public void TheBoxesOfGroupsReachToTheirCornersAtAnyScale(double scale, double offset)
     {
-        var (vertices, indices) = Specks(40, 0);
+        var (vertices, indices) = Specks(40);
         AssertBoxes([.. vertices.Select(p => new Vector3(scale * p.X + offset, scale * p.Y - offset, scale * p.Z))], indices);
     }
 
@@ -120,15 +141,15 @@ public class GroupTests
     [InlineData(53, int.MaxValue)]
     public void ACornerThatIsNotThereIsFoundBeforeItIsRead(int place, int index)
     {
-        var (vertices, indices) = Specks(18, 0);
+        var (vertices, indices) = Specks(18);
         indices[place] = index;
         if (index == 48) vertices = vertices[..48];
         var scene = new Scene(camera, [new Mesh(vertices, indices)]);
         Assert.Throws<IndexOutOfRangeException>(() => new Renderer(scene, 1).CastHits());
     }
 
-    /// <summary>Small triangles about the origin, all seen the same way around.</summary>
-    private static (Vector3[] Vertices, int[] Indices) Specks(int count, int turn)
+    /// <summary>Small triangles about the origin.</summary>
+    private static (Vector3[] Vertices, int[] Indices) Specks(int count)
     {
         var random = new Random(count);
         var vertices = new Vector3[3 * count];
@@ -136,7 +157,6 @@ public class GroupTests
         {
             Vector3 At(double y, double z) => new(0.01 * random.NextDouble(), 0.05 + 0.01 * i % 0.04 + y, 0.02 + z);
             (vertices[3 * i], vertices[3 * i + 1], vertices[3 * i + 2]) = (At(0, 0), At(0.02, 0), At(0, 0.02));
-            if (turn == 1) (vertices[3 * i], vertices[3 * i + 1]) = (vertices[3 * i + 1], vertices[3 * i]);
         }
         return (vertices, [.. Enumerable.Range(0, 3 * count)]);
     }

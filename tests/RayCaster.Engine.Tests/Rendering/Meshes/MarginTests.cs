@@ -63,7 +63,7 @@ public class MarginTests
                     var hit = new Mesh(mesh.Vertices, mesh.Indices[(3 * i)..(3 * i + 3)]).Intersect(camera.CastRay((int)column, (int)row));
                     if (hit is null) continue;
                     bool Passes(float margin) => 0 != TriangleSetUp.Pass(
-                        t, Vector256.Create(column), Vector256.Create(row), right - left + (top - bottom), Vector256.Create(margin), out _)[0];
+                        t, Vector256.Create(column), Vector256.Create(row), right - left + (top - bottom), Vector256.Create(margin))[0];
                     Assert.False(Passes(screen.Margin), $"triangle {i} at {column}, {row}");
                     if (Passes(0)) missing++;
                 }
