@@ -82,18 +82,16 @@ internal static class HitMistakes
             .Or("the best t starts at 1", lab => lab.Start.Is(() => 1))
             .Or("the best t starts at 10", lab => lab.Start.Is(() => 10))
             .Or("the best t starts at |T − P|", lab => lab.Start.Is(() => lab.Length.Do(lab.T - lab.P))),
-        new Mistake("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
+        new("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)),
             "What the near plane cuts is cut along a wrong line.",
             "What does the scene's \"clip\" say that zNear measures?",
-            "For \"depth\": zNear ≤ t · (−d·W); for \"distance\": zNear ≤ t.")
-            .Or("zNear compared with t / (−d·W)", lab => lab.Near.Becomes(near => (t, depth) => near(t, t * t / depth))),
-        new Mistake("zfar-t", Concerns.Hit, Slides.ClipPlanes, "zFar compared with t where depth is meant (with depth where t is meant)",
+            "For \"depth\": zNear ≤ t · (−d·W); for \"distance\": zNear ≤ t."),
+        new("zfar-t", Concerns.Hit, Slides.ClipPlanes, "zFar compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Far.Becomes(far => (t, depth) => far(depth, t)),
             "What the far plane cuts is cut along a wrong line: round for straight, or straight for round.",
             "What does the scene's \"clip\" say that zFar measures?",
-            "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar.")
-            .Or("zFar compared with t / (−d·W)", lab => lab.Far.Becomes(far => (t, depth) => far(t, t * t / depth))),
+            "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar."),
         new Mistake("zboth-t", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
             lab =>
             {
