@@ -101,7 +101,7 @@ public sealed class Diagnosis
             var strict = new Evidence(scene, right, picture, Pixels, forgiveOutlines: false);
             if (prepared.Known.Any(mistake => IsAll(mistake, strict))) evidence = strict;
         }
-                if (WrongCount == 0 || (TooManyModels && evidence.IsOnlyOutlines))
+        if (WrongCount == 0 || (TooManyModels && evidence.IsOnlyOutlines))
         {
             Finding = Finding.Matches;
             return;

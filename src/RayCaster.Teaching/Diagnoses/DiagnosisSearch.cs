@@ -123,6 +123,10 @@ internal sealed class DiagnosisSearch(
         return Sorted(all);
     }
 
+    /// <summary>Trials, and others with one of their mistakes in another wording, beside what was looked at; the best first.</summary>
+    public List<WrongProgram> With(List<WrongProgram> trials, List<WrongProgram> ranked) =>
+        Sorted([.. ranked, .. Measured(trials, 1), .. Best(Reworded(trials, trials.Count))]);
+
     /// <summary>Leaves out the mistakes beside others, and the missing parts, without which as much is explained.</summary>
     public WrongProgram WithoutIdle(WrongProgram trial)
     {

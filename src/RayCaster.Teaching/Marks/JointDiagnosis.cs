@@ -12,6 +12,9 @@ internal sealed class JointDiagnosis
     /// <summary>If one kind of shape has a greater share of the pixels in the wrong light, its formula may be the reason.</summary>
     private const double OneKind = 0.9;
 
+    /// <summary>How many pictures are diagnosed by themselves where no program explains all.</summary>
+    private const int Consulted = 2;
+
     /// <summary>Losses that differ by less are taken as equal.</summary>
     private const double Alike = 0.01;
 
@@ -25,7 +28,7 @@ internal sealed class JointDiagnosis
         ScenePicture[] wrong = [.. pictures.Where(picture => !picture.Evidence.IsRight)];
         if (wrong.Length == 0) return;
         TellsNothing = pictures.All(picture => picture.Evidence.Picture.IsOneColor);
-        if (!TellsNothing) Decide(new([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null));
+        if (!TellsNothing) Decide(new([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null), wrong);
         Unexplained = [.. wrong.Where(picture => !picture.Evidence.IsExplainedBy(Verdict))];
         if (2 * Unexplained.Count <= wrong.Length)
         {
@@ -62,9 +65,12 @@ internal sealed class JointDiagnosis
     /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
     public bool TellsNothing { get; }
 
-    private void Decide(DiagnosisSearch search)
+    private void Decide(DiagnosisSearch search, ScenePicture[] wrong)
     {
         var ranked = search.Run();
+        // All pairs of mistakes that change whole pictures are tried on few pixels of each, so single pictures are asked, too.
+        if (wrong.Count(picture => picture.Evidence.IsExplainedBy(ranked[0])) < wrong.Length)
+            ranked = search.With([.. wrong.Take(Consulted).SelectMany(NamedFor)], ranked);
         Verdict = search.WithoutIdle(ranked[0]);
         Alternatives =
         [
@@ -72,6 +78,12 @@ internal sealed class JointDiagnosis
                 .Select(search.WithoutIdle).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id),
         ];
     }
+
+    /// <summary>What a diagnosis of a single picture names, each mistake in the wording that fits.</summary>
+    private static IEnumerable<WrongProgram> NamedFor(ScenePicture picture) =>
+        from suspect in picture.Of.Judge.Judge(picture.Evidence.Picture).Suspects
+        let way = new Unfinished(suspect.NotYet)
+        select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)], suspect.OtherSample && suspect.Mistakes.All(m => m.Id != "center"));
 
     private bool IsHardlyExplained(Evidence picture)
     {
