@@ -83,7 +83,8 @@ internal sealed class JointDiagnosis
     private static IEnumerable<WrongProgram> NamedFor(ScenePicture picture) =>
         from suspect in picture.Of.Judge.Judge(picture.Evidence.Picture).Suspects
         let way = new Unfinished(suspect.NotYet)
-        select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)], suspect.OtherSample && suspect.Mistakes.All(m => m.Id != "center"));
+        select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)],
+            suspect.OtherSample && suspect.Mistakes.All(mistake => mistake.Id != "center"));
 
     private bool IsHardlyExplained(Evidence picture)
     {
