@@ -44,7 +44,7 @@ internal sealed partial class Lab
 
     /// <summary>The shapes whose own formulas its mistakes change.</summary>
     public Concerns ChangedShapes =>
-        (Plane.IsChanged ? Concerns.Planes : 0) | (Sphere.IsChanged || geometric ? Concerns.Spheres : 0)
+        (Plane.IsChanged ? Concerns.Planes : 0) | (Sphere.IsChanged || geometric || analytical ? Concerns.Spheres : 0)
         | (Box.IsChanged || slabs ? Concerns.Boxes : 0) | (Circle.IsChanged ? Concerns.Circles : 0)
         | (Triangle.IsChanged ? Concerns.Triangles : 0);
 

@@ -86,11 +86,12 @@ internal sealed partial class Lab
     public void TriangleIs(Func<Triangle, Vector3, Crossed> formula) => (TriangleFormula, TrianglesReachOut) = (formula, true);
 
     /// <summary>L, tca, D², thc.</summary>
-    private Crossed Geometric(Sphere s, Vector3 d)
+    /// <param name="fromTheRay">Whether D² is that of L − tca d, as the hand-out has it; with d·d = 1 it is the same.</param>
+    public Crossed Geometric(Sphere s, Vector3 d, bool fromTheRay = false)
     {
         var L = s.Center - P;
         var tca = L * d;
-        var distance = D2.Do(L * L, tca);
+        var distance = fromTheRay && L - tca * d is var D ? D * D : D2.Do(L * L, tca);
         return PassesBy.Do(s.Radius, distance) ? SlideFormulas.None : Roots.Do(tca, Thc.Do(s.Radius, distance));
     }
 

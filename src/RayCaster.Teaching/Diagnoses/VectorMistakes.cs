@@ -70,11 +70,10 @@ internal static class VectorMistakes
             .Or("the length without its square root, in circles too, and the sphere takes d·d = 1 and D = L − tca d",
                 SquareLength + ReadByCircles + MeasureFromTheRay)
             .Or(Readers("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach))
-            .Or(Readers("the same, with t = |X − P|",
-                SquareLength + DoubleReach + (lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d)))))
+            .Or(Readers("the same, with t = |X − P|", SquareLength + DoubleReach + ByLength))
             .Or(Readers("the same, with d = ux U + uy V − W / tan(fovY / 2) before it is normalised", SquareLength + DoubleReach + Zoom))
             .Or(Readers("the same, with t = |X − P| and d = ux U + uy V − W / tan(fovY / 2)",
-                SquareLength + DoubleReach + Zoom + (lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d)))))
+                SquareLength + DoubleReach + Zoom + ByLength))
             .Or(Readers("the same, and triangles compare areas", SquareLength + DoubleReach + ByAreas))
             .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
             .Or(from part in Parts
@@ -206,6 +205,9 @@ internal static class VectorMistakes
     private static (string, Action<Lab>)[] WithBothSpheres(string what, Action<Lab> deviate) =>
         [(what, deviate + AllowAnyLength), (what + ", and the sphere takes d·d = 1", deviate + AssumeUnitLength)];
 
+    /// <summary>The light fades with |X − P|, where X − P = t d.</summary>
+    private static Action<Lab> ByLength => lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d));
+
     private static Action<Lab> SquareLength => lab => lab.Length.Becomes(length => a => length(a) * length(a));
 
     /// <summary>Twice the length, where the length of twice the vector is another.</summary>
@@ -223,13 +225,7 @@ internal static class VectorMistakes
     private static void AssumeUnitLength(Lab lab) => lab.TakesUnitLength = true;
 
     /// <summary>The hand-out's geometric formula for d·d = 1, with any d: D leads from the ray's nearest point to C.</summary>
-    private static void MeasureFromTheRay(Lab lab) => lab.Sphere.Is((sphere, d) =>
-    {
-        var L = sphere.Center - lab.P;
-        var tca = L * d;
-        var D = L - tca * d;
-        return lab.PassesBy.Do(sphere.Radius, D * D) ? SlideFormulas.None : lab.Roots.Do(tca, lab.Thc.Do(sphere.Radius, D * D));
-    });
+    private static void MeasureFromTheRay(Lab lab) => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d, fromTheRay: true));
 
     /// <summary>A component with another sign, with + for −, or with one letter wrong; in the camera alone and in triangles, too.</summary>
     /// <param name="axis">Which component.</param>

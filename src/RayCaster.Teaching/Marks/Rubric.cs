@@ -44,9 +44,10 @@ public sealed class Rubric
     /// <summary>The same for a mistake in a certain wording: one that changes only the formulas of another item's shapes costs that item.</summary>
     internal RubricItem? ItemOf(Mistake wording)
     {
-        if (ItemOf(wording.Id) is not { } item || ShapesOf(item) is not (> 0 and var own)) return ItemOf(wording.Id);
+        var item = ItemOf(wording.Id);
+        if (item is null || ShapesOf(item) == 0) return item;
         var changed = new Lab(Scenes[0].Scene, wording).ChangedShapes;
-        return changed == 0 || (own & changed) != 0 ? item : Items.FirstOrDefault(other => (ShapesOf(other) & changed) != 0) ?? item;
+        return (ShapesOf(item) & changed) != 0 ? item : Items.FirstOrDefault(other => (ShapesOf(other) & changed) != 0) ?? item;
     }
 
     private static Concerns ShapesOf(RubricItem item) => item.Undone.Aggregate((Concerns)0, (shapes, part) => shapes | Mistake.KindOf(part));

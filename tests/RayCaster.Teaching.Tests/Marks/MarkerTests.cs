@@ -3,7 +3,7 @@ using Planted = RayCaster.Teaching.Tests.Mistakes.Mistake;
 
 namespace RayCaster.Teaching.Tests.Marks;
 
-/// <summary>Points for pictures that <see cref="EditedLab"/> draws, which shares no formula with the library.</summary>
+/// <summary>Points for pictures that <see cref="EditedLab"/> draws.</summary>
 public class MarkerTests
 {
     private static readonly Rubric whole = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
@@ -39,12 +39,10 @@ public class MarkerTests
             scene => draw(scene.Scene) is { } picture ? new SubmittedPicture(scene, picture, null) : new(scene, null, "no picture"))]);
 
     private static StudentMarks Mark(string mistake, string second = "ok", string undone = "") => Mark(scene =>
-        EditedLab.Render(Without(scene, undone), Manner.OfTheSlides, Named(mistake), Named(second)));
+        EditedLab.Render(Without(scene, undone), Manner.OfTheSlides, Planted.Named(mistake), Planted.Named(second)));
 
     private static Scene Without(Scene scene, string kinds) =>
         scene with { Models = [.. scene.Models.Where(model => !kinds.Split(' ').Contains(model.Kind))] };
-
-    private static Planted Named(string id) => Planted.Named(id);
 
     private static string[] Lost(StudentMarks marks) =>
         [.. marks.Items.Where(item => item.Points < item.Of).Select(item => item.Name.Split(' ')[0])];
@@ -94,7 +92,7 @@ public class MarkerTests
     [InlineData("rows", "nohalf", "4")]
     public void TwoMistakesThatChangeWholePicturesCostTheirItems(string mistake, string second, string lost)
     {
-        var marks = Mark(two, scene => EditedLab.Render(scene, Manner.OfTheSlides, Named(mistake), Named(second)));
+        var marks = Mark(two, scene => EditedLab.Render(scene, Manner.OfTheSlides, Planted.Named(mistake), Planted.Named(second)));
         Assert.Equal((lost, 0.0), (string.Join(' ', Lost(marks)), marks.Open));
     }
 
