@@ -72,7 +72,7 @@ public sealed class Diagnosis
     /// <summary>Of what mistakes leave, so much may another number of the scene leave to be told instead: beside one mistake, beside two.</summary>
     private const double NumberForOne = 0.25, NumberForPair = 0.8;
 
-    /// <summary>Of what is left beside shapes that are missing, so much may mistakes leave to be named in their place.</summary>
+    /// <summary>Of what is left beside shapes that are missing, or beside a missing model, so much may mistakes leave to be named in their place.</summary>
     private const double Much = 0.25;
 
     /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all; of two, less.</summary>
@@ -90,6 +90,7 @@ public sealed class Diagnosis
     private readonly SceneDiagnosis prepared;
     private readonly Evidence evidence;
     private readonly Predicate<Mistake>? likely;
+    private double leftByMissingModel;
 
     internal Diagnosis(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Mistake>? likely)
     {
@@ -178,7 +179,7 @@ public sealed class Diagnosis
         var left = best.Misfit.Unexplained / WrongCount;
         // where one missing model is enough, two mistakes are not assumed
         var isNamed = MissingModel is null ? left <= Math.Max(Explained, MayLeave(best))
-            : left <= Explained && best.Wordings.Count < 2;
+            : left <= Explained && (best.Wordings.Count < 2 || best.Misfit.Unexplained < Much * leftByMissingModel);
         var isCertain = false;
         // two mistakes of the camera may by chance make the very picture of another angle of view
         var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Concerns == Concerns.Camera);
@@ -253,7 +254,9 @@ public sealed class Diagnosis
         for (var i = 0; i < prepared.Scene.Models.Count; i++)
         {
             var without = new Lab(prepared.Scene with { Models = [.. prepared.Scene.Models.Where((_, place) => place != i)] });
-            if (Explains(without, 0.1) && Explains(without, 1)) return ModelName.Of(prepared.Scene, i);
+            if (!Explains(without, 0.1) || !Explains(without, 1)) continue;
+            leftByMissingModel = evidence.Misfit(without).Unexplained;
+            return ModelName.Of(prepared.Scene, i);
         }
         return null;
 
@@ -280,7 +283,7 @@ public sealed class Diagnosis
                 .Where(other => other.Id != named.Id && other.Wordings.Any(
                     wording => evidence.AreAlike(drawn, new WrongProgram(way, [wording], trial.OtherSample).Draw(prepared.Scene))))];
         }
-        var isSame = !own.Scatters && !likeliest.Scatters && evidence.AreAlike(drawn, likeliest);
+        var isSame = own.Scatters == likeliest.Scatters && evidence.AreAlike(drawn, likeliest);
         var isTypical = trial.Misfit.Unexplained <= Explained * WrongCount && trial.Unusual == 0;
         return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet, isSame, isTypical);
     }

@@ -46,14 +46,11 @@ internal sealed class DiagnosisSearch(
     private const int Partners = 10, UnfinishedPartners = 4;
 
     /// <summary>How many second mistakes get a closer look beside each first one, and of all pairs.</summary>
-    private const int Seconds = 8, Closer = 400;
+    private const int Seconds = 8, Closer = 100;
 
     /// <summary>By what factor a mistake that is not among the likely ones costs more. Between mistakes that explain a picture equally well, or
     /// nearly so, it decides; two likely mistakes still cost more than one other.</summary>
     private const double Unlikely = 1.5;
-
-    /// <summary>How many wordings of a mistake are tried where all pairs are.</summary>
-    private const int MostWordings = 12;
 
     /// <summary>How many of the nearest mistakes are tried with rays through the other place of each pixel, too.</summary>
     private const int OtherSamples = 6;
@@ -107,7 +104,7 @@ internal sealed class DiagnosisSearch(
         ]);
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
         if (IsDone([.. all.Where(trial => !trial.Base.Kinds.Any())], Certain) || IsDone(all, Nearly)) return Sorted(all);
-        if (IsDone(all)) return Sorted([.. all, .. Best(Pairs([.. Sorted(all).SelectMany(Written)], 2))]);
+        if (IsDone(all)) return Sorted([.. all, .. BestPairs(Pairs([.. Sorted(all).SelectMany(Written)], everySingle, 2))]);
 
         Unfinished[] ways = [.. Unfinished.ByColors(pictures, done).Take(Ways)];
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
@@ -115,11 +112,12 @@ internal sealed class DiagnosisSearch(
         all.AddRange(onTop);
         if (IsDone(all)) return Sorted(all);
 
-        var pairs = Best([.. Pairs(singles, Partners), .. Pairs(onTop, UnfinishedPartners)]);
-        all.AddRange([.. pairs, .. IsDone(pairs, Certain) ? [] : Best(Reworded(pairs, Besides))]);
-        if (!IsDone(all, Certain) && singles[0].Wordings[0].Concerns is var shape && BitOperations.IsPow2((int)shape) && (shape & Everything) == 0)
-            all.AddRange(Best(AllPairs(everySingle, shape, MostWordings)));
-        if (!IsDone(all, Certain)) all.AddRange(Best(Reworded(Best(AllPairs(everySingle, Everything, 1)), UnfinishedPartners)));
+        foreach (var pairs in PairsByEffort(singles, everySingle, onTop))
+        {
+            var best = BestPairs(pairs);
+            all.AddRange([.. best, .. IsDone(best, Certain) ? [] : Best(Reworded(best, Besides))]);
+            if (IsDone(all, Certain)) break;
+        }
         return Sorted(all);
     }
 
@@ -176,52 +174,57 @@ internal sealed class DiagnosisSearch(
         return [.. singles.Where(trial => !trial.OtherSample || trial.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
     }
 
+    /// <summary>Beside the nearest mistakes, in the formula of the shape that these change, and of all that change whole pictures.</summary>
+    private IEnumerable<List<WrongProgram>> PairsByEffort(List<WrongProgram> singles, List<WrongProgram> everySingle, List<WrongProgram> onTop)
+    {
+        yield return [.. Pairs(singles, everySingle, Partners), .. Pairs(onTop, [], UnfinishedPartners)];
+        var shape = singles.Take(OtherSamples).Select(ChangedShapes).FirstOrDefault(shape => BitOperations.IsPow2((int)shape));
+        if (shape != 0) yield return AllPairs([.. everySingle.Where(single => ChangedShapes(single) == shape)]);
+        yield return AllPairs([.. everySingle.Where(IsOfAll).DistinctBy(single => (single.Id, single.Misfit))]);
+    }
+
+    /// <summary>The shape whose formula a mistake changes, where it changes nothing else.</summary>
+    private Concerns ChangedShapes(WrongProgram single) => IsOfAll(single) ? 0 : single.Draw(pictures[0].Scene).ChangedShapes;
+
+    private static bool IsOfAll(WrongProgram single) => (single.Wordings[0].Concerns & Everything) != 0;
+
     /// <summary>The nearest single mistakes, each with those others that explain most of what it leaves.</summary>
-    private List<WrongProgram> Pairs(List<WrongProgram> singles, int partners) =>
+    private List<WrongProgram> Pairs(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners) =>
     [
-        .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)]).Take(partners + 1)
+        .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)], everySingle, partners)
            let left = pictures.Select(picture => picture.Beside(first.Draw(picture.Scene))).ToArray()
-           let seconds = from other in known
-                         where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
-                         from wording in other.Wordings
-                         select first with { Wordings = [first.Wordings[0], wording] }
-           from pair in Measured(Measured([.. seconds], Glance, left)[..Math.Min(60, seconds.Count())], 0.03, left).Take(Seconds)
+           let seconds = Those(
+               from other in known
+               where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
+               from wording in other.Wordings
+               select first with { Wordings = [first.Wordings[0], wording] }, trial => left.Any(picture => picture.IsHelpedBy(trial.Draw(picture.Scene))))
+           from pair in Measured(Measured(seconds, Glance, left)[..Math.Min(60, seconds.Count)], 0.03, left).Take(Seconds)
            select pair,
     ];
 
-    /// <summary>The nearest wording of each mistake; first the next one of a mistake that explains nearly all: a second may make it right.</summary>
-    private IEnumerable<WrongProgram> Firsts(List<WrongProgram> singles) =>
-        singles.Where(trial => singles[0].Misfit.Unexplained < 0.1 * Wrong && trial.Id == singles[0].Id
-            && trial.OtherSample == singles[0].OtherSample && trial.Misfit != singles[0].Misfit).Take(1)
-        .Concat(singles.DistinctBy(trial => (trial.Id, trial.OtherSample)));
-
-    /// <summary>All pairs of mistakes that change the same, so that neither is near by itself, in their commonest and nearest wordings.</summary>
-    /// <param name="singles">Every mistake in every wording, the nearest first.</param>
-    /// <param name="concerns">What they change.</param>
-    /// <param name="firsts">How many wordings of the first of both are tried.</param>
-    private List<WrongProgram> AllPairs(List<WrongProgram> singles, Concerns concerns, int firsts)
+    /// <summary>The nearest wording of each mistake, and the nearest other wordings: beside a second mistake one of these may be right.</summary>
+    private static IEnumerable<WrongProgram> Firsts(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners)
     {
-        Mistake[][] nearest =
-        [
-            .. from single in singles
-               where !single.OtherSample && (single.Wordings[0].Concerns & concerns) != 0
-               group single by single.Id into wordings
-               let alike = wordings.DistinctBy(single => single.Misfit).Take(MostWordings).Select(single => single.Wordings[0])
-               select alike.Prepend(MistakeCatalog.Named(wordings.Key)!).Distinct().ToArray(),
-        ];
-        List<WrongProgram> pairs =
-        [
-            .. from one in nearest
-               from other in nearest
-               where one != other
-               from first in one.Take(firsts)
-               from wording in other
-               select new WrongProgram(Unfinished.Nothing, [first, wording], false),
-        ];
-        foreach (var (share, most) in ((double, int)[])[(Glance / 4, pairs.Count / 4), (Glance, Closer)])
-            pairs = [.. Measured(pairs, share).Take(most)];
-        return pairs;
+        WrongProgram[] nearest = [.. singles.DistinctBy(trial => (trial.Id, trial.OtherSample)).Take(partners + 1)];
+        return nearest.Concat(everySingle.DistinctBy(trial => trial.Misfit)
+            .Where(trial => Array.TrueForAll(nearest, other => other.Wordings[0] != trial.Wordings[0])).Take(partners / 2));
     }
+
+    /// <summary>All pairs of some single mistakes, since neither of both may be near by itself.</summary>
+    private List<WrongProgram> AllPairs(WrongProgram[] singles)
+    {
+        var pairs = Those(
+            from i in Enumerable.Range(0, singles.Length)
+            from k in Enumerable.Range(0, i)
+            where singles[i].Id != singles[k].Id
+            select singles[i] with { Wordings = [singles[k].Wordings[0], singles[i].Wordings[0]] },
+            trial => pictures.Any(picture => !picture.IsRight && picture.MayBeExplainedBy(trial.Draw(picture.Scene))));
+        return [.. Measured(pairs, Glance).Take(Closer)];
+    }
+
+    /// <summary>Those of many trials that some pixels do not rule out.</summary>
+    private List<WrongProgram> Those(IEnumerable<WrongProgram> trials, Func<WrongProgram, bool> may) =>
+        [.. trials.AsParallel().AsOrdered().WithDegreeOfParallelism(threads ?? Environment.ProcessorCount).Where(may)];
 
     /// <summary>The best trials with one of their mistakes in another wording; pairs also with rays through the other place of each pixel.</summary>
     private static List<WrongProgram> Reworded(List<WrongProgram> trials, int most) =>
@@ -233,8 +236,13 @@ internal sealed class DiagnosisSearch(
            select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)], OtherSample = otherSample },
     ];
 
+    /// <summary>Looks closer at once: what a second mistake explains may be little.</summary>
+    private List<WrongProgram> BestPairs(List<WrongProgram> pairs) => Best(pairs, [(0.04, int.MaxValue), .. rounds[1..]]);
+
     /// <summary>Looks at all, looks closer at the best, and sorts these.</summary>
-    private List<WrongProgram> Best(List<WrongProgram> trials)
+    private List<WrongProgram> Best(List<WrongProgram> trials) => Best(trials, rounds);
+
+    private List<WrongProgram> Best(List<WrongProgram> trials, (double Share, int Trials)[] rounds)
     {
         if (trials.Count > Many) trials = Measured(trials, Glance)[..(trials.Count / 4)];
         foreach (var (share, most) in rounds)

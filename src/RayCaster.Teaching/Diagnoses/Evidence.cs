@@ -12,6 +12,9 @@ internal sealed class Evidence
     /// <summary>About as many triangles as are tried in a first look and in the last, where a ray must try every triangle of a mesh.</summary>
     private const int LeastTests = 50_000, MostTests = 1_000_000;
 
+    /// <summary>So many pixels rule most pairs of mistakes out.</summary>
+    private const int Few = 5;
+
     /// <summary>What part of a pixel is left unexplained that a mistake explains only because its pixels may lie anywhere.</summary>
     private const double Chance = 0.3;
 
@@ -134,6 +137,23 @@ internal sealed class Evidence
     /// <summary>What speaks for a second mistake beside a first one.</summary>
     public Evidence Beside(Lab first) => new(this, first);
 
+    /// <summary>Whether a program may explain the picture: of a few pixels it draws all but one as the picture has them.</summary>
+    public bool MayBeExplainedBy(Lab lab)
+    {
+        if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong) return false;
+        var off = 0;
+        for (var k = 0; k < Few && off < 2; k++)
+        {
+            if (k < wrongPixels.Length && !IsDrawnBy(lab, wrongPixels[k])) off++;
+            if (off < 2 && k < otherPixels.Length && !IsDrawnBy(lab, otherPixels[k])) off++;
+        }
+        return off < 2 || lab.Scatters;
+    }
+
+    /// <summary>Whether a program draws one of the first few wrong pixels right.</summary>
+    public bool IsHelpedBy(Lab lab) => (lab.Width, lab.Height) == (Picture.Width, Picture.Height) && !lab.TakesTooLong
+        && wrongPixels.Take(Few).Any(pixel => IsDrawnBy(lab, pixel));
+
     /// <summary>What a misfit is beside those of other pictures: 0 for nothing, 1 for all that is wrong, or more.</summary>
     public double Loss(Misfit misfit) => Math.Min(1,
         Math.Log(1 + misfit.Weight / PixelCount / LeastShare) / Math.Log(1 + Math.Max((double)WrongCount / PixelCount, LeastShare) / LeastShare));
@@ -193,6 +213,8 @@ internal sealed class Evidence
 
     /// <summary>Where a pixel is.</summary>
     private (int X, int Y) At(int pixel) => (pixel % Picture.Width, pixel / Picture.Width);
+
+    private bool IsDrawnBy(Lab lab, int pixel) => At(pixel) is var (x, y) && IsNear(lab[x, y], Picture[x, y]);
 
     private static bool IsNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) => PictureDifference.Levels(a, b) <= Tolerance;
 
