@@ -82,9 +82,7 @@ internal static class BoxMistakes
                 Corners(box => new(box.Min - 0.5 * box.Max, box.Min + 0.5 * box.Max)))
             .Or("box: the first corner taken for its middle, the second for half its size",
                 Corners(box => new(box.Min - box.Max, box.Min + box.Max)))
-            .Or("box: the first corner taken for its middle", Corners(box => new(1.5 * box.Min - 0.5 * box.Max, 0.5 * (box.Min + box.Max))))
-            .Or("box: half as large from its first corner on", Corners(box => new(box.Min, 0.5 * (box.Min + box.Max))))
-            .Or("box: from its middle on as large as it is", Corners(box => new(0.5 * (box.Min + box.Max), 1.5 * box.Max - 0.5 * box.Min))),
+            .Or("box: half as large from its first corner on", Corners(box => new(box.Min, 0.5 * (box.Min + box.Max)))),
     ];
 
     /// <summary>The ways into a slab and out of it, for a ray along it.</summary>

@@ -101,7 +101,6 @@ internal static class ColorMistakes
             "Clamp each channel to 0 … 1 before you multiply by 255.")
             .Or("the same, and truncated", Wraps(channel => channel, channel => 255 * channel))
             .Or("the same, and rounded by Math.Round", Wraps(channel => channel, channel => Math.Round(255 * channel)))
-            .Or("multiplied by 255 twice", Wraps(channel => channel, channel => 255 * 255 * channel))
             .Or("only what is less than 0 is not clamped", Wraps(channel => Math.Min(channel, 1), channel => 255 * channel + 0.5))
             .Or("256 · channel, which is 0 again where the channel is 1", lab => lab.Byte.Is(channel => Wrapped(256 * channel))),
         new("x256", Concerns.Color, Slides.Template, "256 · channel",
@@ -119,7 +118,7 @@ internal static class ColorMistakes
             "The picture is too bright and pale; black and full light are right.",
             "Is there anything between the channel and × 255?",
             "No gamma: the channel between 0 and 1, times 255, rounded.")
-            .Or(from gamma in (double[])[2.2, 1.8, 2.4, 3] select (FormattableString.Invariant($"a gamma of {gamma}"), Gamma(1 / gamma)))
+            .Or(from gamma in (double[])[2.2, 1.8] select (FormattableString.Invariant($"a gamma of {gamma}"), Gamma(1 / gamma)))
             .Or("the gamma of sRGB", lab => lab.Clamp.Becomes(clamp => channel =>
                 clamp(channel) is var c and <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(clamp(channel), 1 / 2.4) - 0.055))
             .Or("a gamma of 2 the wrong way: each channel squared", Gamma(2))

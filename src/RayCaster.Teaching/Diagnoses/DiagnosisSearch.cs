@@ -202,10 +202,11 @@ internal sealed class DiagnosisSearch(
            select pair,
     ];
 
-    /// <summary>The nearest wording of each mistake, and the nearest other wordings: beside a second mistake one of these may be right.</summary>
+    /// <summary>The nearest wording of each mistake, and some other wordings that draw something else: beside a second mistake one of these may
+    /// be right.</summary>
     private static IEnumerable<WrongProgram> Firsts(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners)
     {
-        WrongProgram[] nearest = [.. singles.DistinctBy(trial => (trial.Id, trial.OtherSample)).Take(partners + 1)];
+        WrongProgram[] nearest = [.. singles.Concat(everySingle).DistinctBy(trial => (trial.Id, trial.OtherSample)).Take(partners + 1)];
         return nearest.Concat(everySingle.DistinctBy(trial => trial.Misfit)
             .Where(trial => Array.TrueForAll(nearest, other => other.Wordings[0] != trial.Wordings[0])).Take(partners / 2));
     }

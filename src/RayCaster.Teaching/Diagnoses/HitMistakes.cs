@@ -11,8 +11,6 @@ internal static class HitMistakes
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
             .Or(from kind in Kinds select ($"no least t for {kind.Name}", (Action<Lab>)(lab => BackToo(lab, kind.Shapes))))
-            .Or(from kind in Kinds.Skip(1).Take(2)
-                select ($"no least t for the far crossing of {kind.Name}", (Action<Lab>)(lab => BackToo(lab, kind.Shapes, far: true))))
             .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
             {
                 lab.Ahead.Is(t => t > double.NegativeInfinity);
@@ -62,12 +60,7 @@ internal static class HitMistakes
                 lab.Replaces.Is((t, best) => t < best);
                 lab.Better.Is((_, _) => true);
             })
-            .Or("the best t stays that of the first hit", lab => lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best)))
-            .Or("the best t stays that of the first hit, and the colour is computed from each lesser one", lab =>
-            {
-                lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best));
-                lab.Lights.Is((t, best) => lab.Better.Do(t, best));
-            }),
+            .Or("the best t stays that of the first hit", lab => lab.Replaces.Is((_, best) => double.IsPositiveInfinity(best))),
         new Mistake("far-hit", Concerns.Hit, Slides.RayCasting, "the farthest hit shows",
             Farthest,
             "Far things cover near ones.",
@@ -196,11 +189,11 @@ internal static class HitMistakes
     private static Crossings<Scalar> Closest(Crossings<Scalar> crossed) =>
         new(Math.Abs(crossed.Far) < Math.Abs(crossed.Near) ? crossed.Far : crossed.Near);
 
-    /// <summary>The first crossing of such shapes counts, behind the camera too; or the far one where the near one does not count.</summary>
-    private static void BackToo(Lab lab, Concerns shapes, bool far = false) => lab.Hit.Becomes(hit => (model, d) =>
+    /// <summary>The first crossing of such shapes counts, behind the camera too.</summary>
+    private static void BackToo(Lab lab, Concerns shapes) => lab.Hit.Becomes(hit => (model, d) =>
     {
         if ((Mistake.KindOf(model) & shapes) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);
-        double t = far && !lab.Counts(crossed.Near, d) ? crossed.Far : crossed.Near;
+        double t = crossed.Near;
         return t <= double.MaxValue && lab.Far.Do(t, lab.Depth.Do(t, d)) ? t : null;
     });
 }

@@ -21,7 +21,6 @@ internal static class ImagePlaneMistakes
             .Or("fovY · 3 / 180: π cut to an integer", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 3 / Math.PI)))
             .Or("2 tan(fovY / 2) · π / 180", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180 / Math.PI) * Math.PI / 180))
             .Or("2 tan(fovY / 2) · 180 / π", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY * 180 / Math.PI) * 180 / Math.PI))
-            .Or("2 tan(fovY) · π / 180 / 2", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY * 180 / Math.PI) * Math.PI / 360))
             .Or(OneSide("degrees in the tangent", a => Math.Tan(a * 180 / Math.PI))),
         new Mistake("nohalf", Concerns.Camera, Slides.Camera, "h = 2 tan(fovY): the half of the angle is missing",
             lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY)),
@@ -31,8 +30,7 @@ internal static class ImagePlaneMistakes
             .Or("h = tan(fovY)", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY) / 2))
             .Or("h = tan(fovY) / 2", lab => lab.PlaneHeight.Becomes(h => fovY => h(2 * fovY) / 4))
             .Or("h = 2 tan(fovY / 4): the angle is halved twice", lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY / 2)))
-            .Or(OneSide("tan(fovY)", a => Math.Tan(2 * a)))
-            .Or(OneSide("tan(fovY / 4)", a => Math.Tan(a / 2))),
+            .Or(OneSide("tan(fovY)", a => Math.Tan(2 * a))),
         new Mistake("no2", Concerns.Camera, Slides.Camera, "h = tan(fovY / 2): half of the plane's height",
             lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / 2),
             "Everything is twice as large as it should be.",
@@ -58,14 +56,10 @@ internal static class ImagePlaneMistakes
             .Or("h = 1 and w = 1: uc and ur run from −1/2 to 1/2", Square(1))
             .Or("w = width / height, without h", lab => lab.PlaneWidth.Is(_ => lab.Wide))
             .Or("w = 2 · width / height, without h", lab => lab.PlaneWidth.Is(_ => 2 * lab.Wide))
-            .Or("h = fovY, in degrees", lab => lab.Tan.Is(a => a * 180 / Math.PI))
             .Or("1 / (2 tan)", lab => lab.Tan.Is(a => 0.5 / Math.Tan(a)))
             .Or("sin · cos for the tangent", lab => lab.Tan.Is(a => Math.Sin(a) * Math.Cos(a)))
             .Or(OneSide("fovY / 2, in radians", a => a))
-            .Or(OneSide("2 sin(fovY / 2)", Math.Sin))
-            .Or(OneSide("2, whatever fovY is", _ => 1))
-            .Or(OneSide("1, whatever fovY is", _ => 0.5))
-            .Or(OneSide("2 / tan(fovY / 2)", a => 1 / Math.Tan(a))),
+            .Or(OneSide("2, whatever fovY is", _ => 1)),
         new Mistake("aspect-inv", Concerns.Camera, Slides.Camera, "w = h · height / width",
             lab => lab.PlaneWidth.Is(h => h * lab.Camera.Height / lab.Camera.Width),
             "All is far too long along the picture's longer side, as if stretched.",

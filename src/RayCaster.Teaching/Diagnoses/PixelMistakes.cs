@@ -49,16 +49,14 @@ internal static class PixelMistakes
             "Where in its pixel does the scene's \"sample\" want the ray?",
             "For corners uc = w c / width − w / 2; for centres c + 0.5 and r + 0.5 take the places of c and r.")
             .Or("the same for columns alone", Sampled(1, 0))
-            .Or("the same for rows alone", Sampled(0, 1))
-            .Or("c − 0.5 and r − 0.5 where c and r are meant (c + 1 and r + 1 where c + 0.5 and r + 0.5 are meant)", Sampled(-1, -1)),
+            .Or("the same for rows alone", Sampled(0, 1)),
         new Mistake("wm1", Concerns.Camera, Slides.PixelTranslation, "c / (width − 1) and r / (height − 1)",
             lab => Count(lab, -1, -1),
             "Only outlines differ: not at the lower left, and ever more towards the right and the top, up to a pixel.",
             "By what does the slide divide c?",
             "uc = w c / width − w / 2, ur = h r / height − h / 2.")
             .Or("only c / (width − 1)", lab => Count(lab, -1, 0))
-            .Or("only r / (height − 1)", lab => Count(lab, 0, -1))
-            .Or("c / (width + 1) and r / (height + 1)", lab => Count(lab, 1, 1)),
+            .Or("only r / (height − 1)", lab => Count(lab, 0, -1)),
         new Mistake("size-mixed", Concerns.Camera, Slides.PixelTranslation,
             "width and height swapped in the mapping: uc = w c / height − w / 2, ur = h r / width − h / 2",
             SidesMixed().First().Deviate,

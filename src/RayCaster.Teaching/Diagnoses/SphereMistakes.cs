@@ -16,6 +16,7 @@ internal static class SphereMistakes
             .Or("sphere: R⁴ where R² is meant", SphereRadius(R => R * R))
             .Or("sphere: D² > R asked where D² > R² is meant", lab => lab.PassesBy.Is((R, D2) => D2 > R))
             .Or("sphere: thc = √(R − D²), and D² > R² asked rightly", lab => lab.Thc.Is((R, D2) => Math.Sqrt(R - D2)))
+            .Or("sphere: thc = √|R − D²|", lab => lab.Thc.Is((R, D2) => Math.Sqrt(Math.Abs(R - D2))))
             .Or("sphere: thc = √(2 R − D²), D² > R² asked rightly", lab => lab.Thc.Is((R, D2) => Math.Sqrt(2 * R - D2)))
             .Or("sphere: D > R² asked where D > R is meant", lab => lab.PassesBy.Is((R, D2) => D2 > R * R * R * R)),
         new Mistake("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
@@ -51,8 +52,6 @@ internal static class SphereMistakes
             "Is the discriminant b² − 4ac or (b/2)² − ac? Which one fits your b?",
             "With b = 2 d·(P − C): b² − 4ac and t = (−b ∓ √…) / 2a.")
             .Or(OtherFactors())
-            .Or("sphere: discriminant 2 b − 4 a c", lab => lab.Discriminant.Is((a, b, c) => 2 * b - 4 * a * c))
-            .Or("sphere: b = d·(P − C) without its 2, and √(b² − c) / 2", HalfB + (lab => lab.Discriminant.Is((a, b, c) => b * b - c)))
             .Or("sphere: discriminant b − 4 a c", lab => lab.Discriminant.Is((a, b, c) => b - 4 * a * c))
             .Or("sphere: −b − √… / 2a without brackets", lab => lab.Solution.Is((a, b, D) => Around(-b, Math.Sqrt(D) / (2 * a))))
             .Or("sphere: c = (P − C)² + R²", lab => lab.R2.Is(R => -R * R)),
@@ -66,12 +65,12 @@ internal static class SphereMistakes
             "Spheres have a wrong size, or are dented: too flat or too deep.",
             "D is a length. What is it taken from?",
             "thc = √(R² − D²), D² = L² − tca².")
+            .Or("sphere: thc = √|R² − D|", lab => lab.Thc.Is((R, D2) => Math.Sqrt(Math.Abs(R * R - Math.Sqrt(D2)))))
             .Or("sphere: D > R² asked too", lab => lab.D2.Becomes(D2 => (L2, tca) => Math.Sqrt(D2(L2, tca))))
             .Or("sphere: thc = √(R² − D⁴)", Unasked((R, D2) => Math.Sqrt(R * R - D2 * D2)))
             .Or("sphere: D² = |L| − tca²", Distance((L2, tca) => Math.Sqrt(L2) - tca * tca))
             .Or("sphere: D² = L² − tca", Distance((L2, tca) => L2 - tca))
             .Or("sphere: D = |L| − tca", Distance((L2, tca) => (Math.Sqrt(L2) - tca) * (Math.Sqrt(L2) - tca)))
-            .Or("sphere: D = |L|", Distance((L2, _) => L2))
             .Or("sphere: D² = |L| − tca", Distance((L2, tca) => Math.Sqrt(L2) - tca))
             .Or("sphere: D² = L² + tca²", Distance((L2, tca) => L2 + tca * tca))
             .Or("sphere: D² = tca² − L²", Distance((L2, tca) => tca * tca - L2))
@@ -134,8 +133,6 @@ internal static class SphereMistakes
         if (inB is not null) lab.InB.Is(inB);
         if (inC is not null) lab.InC.Is(inC);
     };
-
-    private static Action<Lab> HalfB => lab => lab.InB.Becomes(inB => (P, C) => 0.5 * inB(P, C));
 
     /// <summary>Other numbers for the 2 in b, the 4 in b² − 4ac and the 2 in / 2a, at most two of them wrong.</summary>
     private static IEnumerable<(string, Action<Lab>)> OtherFactors() =>

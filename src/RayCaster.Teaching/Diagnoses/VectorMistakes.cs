@@ -30,14 +30,7 @@ internal static class VectorMistakes
                 from ofV in (int[])[0, 1]
                 select ($"U = {up.Name} × (P − T){(ofV == 0 ? ", and V is normalised" : ", V = W × U")}",
                     Longer(1, ofV, lab => lab.Cross.Do(up.Of(lab), lab.P - lab.T))))
-            .Or("V = (T − P) × U", lab => lab.AxisV.Becomes(V => (w, u) => -lab.Length.Do(lab.T - lab.P) * V(w, u)))
-            .Or("W is not normalised, but V is", lab =>
-            {
-                LengthenW(lab);
-                lab.Depth.Becomes(depth => (t, d) => depth(t, d) * lab.Length.Do(lab.T - lab.P));
-            })
-            .Or("W is not normalised, but the depth is measured along W normalised",
-                lab => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur * lab.Length.Do(lab.T - lab.P)))),
+            .Or("V = (T − P) × U", lab => lab.AxisV.Becomes(V => (w, u) => -lab.Length.Do(lab.T - lab.P) * V(w, u))),
         new Mistake("norm-copy", Concerns.Camera, Slides.Vectors,
             "W, U and d are not normalised: Normalize() changes a copy, or its result is not used",
             LeaveAll + AllowAnyLength,
@@ -72,8 +65,6 @@ internal static class VectorMistakes
             .Or(Readers("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach))
             .Or(Readers("the same, with t = |X − P|", SquareLength + DoubleReach + ByLength))
             .Or(Readers("the same, with d = ux U + uy V − W / tan(fovY / 2) before it is normalised", SquareLength + DoubleReach + Zoom))
-            .Or(Readers("the same, with t = |X − P| and d = ux U + uy V − W / tan(fovY / 2)",
-                SquareLength + DoubleReach + Zoom + ByLength))
             .Or(Readers("the same, and triangles compare areas", SquareLength + DoubleReach + ByAreas))
             .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
             .Or(from part in Parts
@@ -84,7 +75,6 @@ internal static class VectorMistakes
             .Or(Lengths("|a| = |x| + |y| + |z|", a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
             .Or(Lengths("|a| = (x² + y² + z²) / 2", a => a * a / 2))
             .Or(Lengths("|a| with its root taken twice", a => Math.Sqrt(a.Length)))
-            .Or(Lengths("|a| = x + y + z", a => a.X + a.Y + a.Z))
             .Or(Lengths("|a| = √(x² + y²) + z²", a => Math.Sqrt(a.X * a.X + a.Y * a.Y) + a.Z * a.Z))
             .Or(from k in (int[])[0, 1, 2]
                 from letters in (int[])[1, 2, 4, 8] // one of both replaced by the next or by the last letter, or both
@@ -93,11 +83,6 @@ internal static class VectorMistakes
                 from wording in WithBothSpheres($"|a| with {"xyz"[l]} {"xyz"[m]} for {"xyz"[k]}²",
                     ReadByCircles + DoubleReach + (lab => lab.Length.Is(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(l) * a.At(m)))))
                 select wording)
-            .Or("W is divided by x² + y² + z²", ShortenW)
-            .Or("W is divided by x² + y² + z², but V is of length 1",
-                ShortenW + (lab => lab.AxisV.Becomes(V => (w, u) => lab.Unit.Do(V(w, u)))))
-            .Or("U is divided by x² + y² + z²",
-                lab => lab.AxisU.Becomes(U => (up, w) => U(up, w) / lab.Length.Do(lab.Cross.Do(up, w))))
             .Or(WithBothSpheres("d is divided by x² + y² + z²", lab => lab.Direction.Is(d => d / (d * d))))
             .Or(WithBothSpheres("d = ux U + uy V − W / tan(fovY / 2) is divided by x² + y² + z²",
                 Zoom + (lab => lab.Direction.Is(d => d / (d * d)))))
@@ -156,16 +141,9 @@ internal static class VectorMistakes
         return towards(uc * (ofU == 0 ? 1 : length), ur * (ofV == 0 ? 1 : length));
     });
 
-    private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) => Farther(lab, towards, uc, ur));
-
-    private static Action<Lab> ShortenW => lab => lab.AxisW.Becomes(W => (p, t) => W(p, t) / lab.Length.Do(t - p));
-
     /// <summary>uc U + ur V − |T − P| W.</summary>
-    private static Vector3 Farther(Lab lab, Func<double, double, Vector3> towards, double uc, double ur)
-    {
-        var length = lab.Length.Do(lab.T - lab.P);
-        return length * towards(uc / length, ur / length);
-    }
+    private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) =>
+        lab.Length.Do(lab.T - lab.P) is var length ? length * towards(uc / length, ur / length) : default);
 
     private static Action<Lab> LeaveDirection => lab => lab.Direction.Is(d => d);
 
@@ -258,6 +236,8 @@ internal static class VectorMistakes
                 _ => n with { Z = component(a, b) },
             };
             foreach (var wording in Crosses($"{axis} is {what}", Other).Skip(what == first ? 1 : 0)) yield return wording;
+            foreach (var (cause, deviate) in Crosses($"{axis} is {what}", Other).Take(5).Where((_, i) => i is 0 or 3 or 4))
+                yield return ($"{cause}; V is up without its part along W, U = V × W", deviate + ProjectUp);
         }
     }
 
@@ -277,6 +257,13 @@ internal static class VectorMistakes
             ($"the cross product's {which}, and triangles compare sides", inCamera + (lab => lab.TriangleIs(lab.TriangleBySides))),
             ($"the cross product's {which}, but triangles do without it", inCamera),
         ];
+    }
+
+    /// <summary>V = up − (up·W) W normalised, and U = V × W: another way to the same axes.</summary>
+    private static void ProjectUp(Lab lab)
+    {
+        lab.AxisV.Is((w, _) => lab.Unit.Do(lab.Camera.Up - (lab.Camera.Up * w) * w));
+        lab.AxisU.Is((_, w) => lab.Cross.Do(lab.AxisV.Do(w, default), w));
     }
 
     private static Action<Lab> ByAreas => lab => lab.TriangleIs((triangle, d) => lab.TriangleByAreas(triangle, d, 1e-9));
