@@ -72,7 +72,7 @@ public sealed class Diagnosis
     /// <summary>Of what mistakes leave, so much may another number of the scene leave to be told instead: beside one mistake, beside two.</summary>
     private const double NumberForOne = 0.25, NumberForPair = 0.8;
 
-    /// <summary>Of what is left beside shapes that are missing, or beside a missing model, so much may mistakes leave to be named in their place.</summary>
+    /// <summary>Of what is left where shapes or a model are missing, so much may mistakes leave to be named in their place.</summary>
     private const double Much = 0.25;
 
     /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all; of two, less.</summary>

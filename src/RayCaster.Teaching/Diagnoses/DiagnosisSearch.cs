@@ -174,7 +174,8 @@ internal sealed class DiagnosisSearch(
         return [.. singles.Where(trial => !trial.OtherSample || trial.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
     }
 
-    /// <summary>Beside the nearest mistakes, in the formula of the shape that these change, and of all that change whole pictures.</summary>
+    /// <summary>Pairs, the cheapest to try first: the nearest mistakes beside others, two in the formula of one shape, two that change whole
+    /// pictures.</summary>
     private IEnumerable<List<WrongProgram>> PairsByEffort(List<WrongProgram> singles, List<WrongProgram> everySingle, List<WrongProgram> onTop)
     {
         yield return [.. Pairs(singles, everySingle, Partners), .. Pairs(onTop, [], UnfinishedPartners)];
@@ -183,7 +184,7 @@ internal sealed class DiagnosisSearch(
         yield return AllPairs([.. everySingle.Where(IsOfAll).DistinctBy(single => (single.Id, single.Misfit))]);
     }
 
-    /// <summary>The shape whose formula a mistake changes, where it changes nothing else.</summary>
+    /// <summary>The shapes whose formulas a mistake changes; none where it changes whole pictures.</summary>
     private Concerns ChangedShapes(WrongProgram single) => IsOfAll(single) ? 0 : single.Draw(pictures[0].Scene).ChangedShapes;
 
     private static bool IsOfAll(WrongProgram single) => (single.Wordings[0].Concerns & Everything) != 0;
@@ -193,11 +194,11 @@ internal sealed class DiagnosisSearch(
     [
         .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)], everySingle, partners)
            let left = pictures.Select(picture => picture.Beside(first.Draw(picture.Scene))).ToArray()
-           let seconds = Those(
+           let seconds = Those(trial => left.Any(picture => picture.IsHelpedBy(trial.Draw(picture.Scene))),
                from other in known
                where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
                from wording in other.Wordings
-               select first with { Wordings = [first.Wordings[0], wording] }, trial => left.Any(picture => picture.IsHelpedBy(trial.Draw(picture.Scene))))
+               select first with { Wordings = [first.Wordings[0], wording] })
            from pair in Measured(Measured(seconds, Glance, left)[..Math.Min(60, seconds.Count)], 0.03, left).Take(Seconds)
            select pair,
     ];
@@ -214,17 +215,16 @@ internal sealed class DiagnosisSearch(
     /// <summary>All pairs of some single mistakes, since neither of both may be near by itself.</summary>
     private List<WrongProgram> AllPairs(WrongProgram[] singles)
     {
-        var pairs = Those(
+        var pairs = Those(trial => pictures.Any(picture => !picture.IsRight && picture.MayBeExplainedBy(trial.Draw(picture.Scene))),
             from i in Enumerable.Range(0, singles.Length)
             from k in Enumerable.Range(0, i)
             where singles[i].Id != singles[k].Id
-            select singles[i] with { Wordings = [singles[k].Wordings[0], singles[i].Wordings[0]] },
-            trial => pictures.Any(picture => !picture.IsRight && picture.MayBeExplainedBy(trial.Draw(picture.Scene))));
+            select singles[i] with { Wordings = [singles[k].Wordings[0], singles[i].Wordings[0]] });
         return [.. Measured(pairs, Glance).Take(Closer)];
     }
 
     /// <summary>Those of many trials that some pixels do not rule out.</summary>
-    private List<WrongProgram> Those(IEnumerable<WrongProgram> trials, Func<WrongProgram, bool> may) =>
+    private List<WrongProgram> Those(Func<WrongProgram, bool> may, IEnumerable<WrongProgram> trials) =>
         [.. trials.AsParallel().AsOrdered().WithDegreeOfParallelism(threads ?? Environment.ProcessorCount).Where(may)];
 
     /// <summary>The best trials with one of their mistakes in another wording; pairs also with rays through the other place of each pixel.</summary>
@@ -237,7 +237,7 @@ internal sealed class DiagnosisSearch(
            select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)], OtherSample = otherSample },
     ];
 
-    /// <summary>Looks closer at once: what a second mistake explains may be little.</summary>
+    /// <summary>The same with more pixels at first, since a second mistake may explain only a few.</summary>
     private List<WrongProgram> BestPairs(List<WrongProgram> pairs) => Best(pairs, [(0.04, int.MaxValue), .. rounds[1..]]);
 
     /// <summary>Looks at all, looks closer at the best, and sorts these.</summary>
