@@ -13,7 +13,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     /// <summary>At depth 1 a ray is at least this far from the eye along the axis that it follows most: 1/√3.</summary>
     private const double LeastAlong = 0.57;
 
-    private readonly (int Axis, double At, double Right, double Up)[] mainAxes = [.. MainAxes(screen)];
+    private readonly List<MainAxis> mainAxes = MainAxesOf(screen);
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
     private int firstOfMost = -1; // the first of the clusters whose greatest w is known
@@ -105,21 +105,21 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         return (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
     }
 
-    /// <summary>The axes (0 to 2), and the directions against them (3 to 5), that a ray may follow most, with the place along them of the ray of
-    /// pixel (0, 0) at depth 1, and its change from column to column and from row to row.</summary>
-    private static IEnumerable<(int Axis, double At, double Right, double Up)> MainAxes(ScreenSpace screen)
+    /// <summary>The axes (0 to 2), and the directions against them (3 to 5), that a ray may follow most.</summary>
+    private static List<MainAxis> MainAxesOf(ScreenSpace screen)
     {
-        var camera = screen.Camera;
+        var (axes, camera) = (new List<MainAxis>(), screen.Camera);
         var (right, up) = (1 / screen.Scale * camera.U, 1 / screen.Scale * camera.V);
         var corner = -camera.W - screen.CenterX * right - screen.CenterY * up;
         for (var axis = 0; axis < 6; axis++)
         {
             var sign = axis < 3 ? 1 : -1;
             var (at, x, y) = (sign * Along(corner), sign * Along(right), sign * Along(up));
-            if (at + Math.Max(0, x * camera.Width) + Math.Max(0, y * camera.Height) >= LeastAlong) yield return (axis, at, x, y);
+            if (at + Math.Max(0, x * camera.Width) + Math.Max(0, y * camera.Height) >= LeastAlong) axes.Add(new(axis, at, x, y));
 
             double Along(Vector3 v) => (axis % 3) switch { 0 => v.X, 1 => v.Y, _ => v.Z };
         }
+        return axes;
     }
 
     /// <summary>Where boxes lie on the outer side of a plane through the camera and an edge of the picture.</summary>
@@ -165,3 +165,8 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         return (middle - spread, middle + spread);
     }
 }
+
+/// <param name="At">The place along the axis of the ray of pixel (0, 0) at depth 1.</param>
+/// <param name="Right">Its change from column to column.</param>
+/// <param name="Up">Its change from row to row.</param>
+internal sealed record MainAxis(int Axis, double At, double Right, double Up);
