@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Runtime.Intrinsics;
@@ -18,51 +17,32 @@ internal readonly ref struct RawSpan<T>(ReadOnlySpan<T> items) where T : struct
     public ref T this[int place]
     {
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        get
-        {
-            Check(place, 1);
-            return ref Unsafe.Add(ref first, place);
-        }
+        get => ref From(place, 1);
     }
 
     /// <summary>The numbers from a position on, as many as fill 16 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector128<T> Load128(int place)
-    {
-        Check(place, Vector128<T>.Count);
-        return Vector128.LoadUnsafe(ref Unsafe.Add(ref first, place));
-    }
+    public Vector128<T> Load128(int place) => Vector128.LoadUnsafe(ref From(place, Vector128<T>.Count));
 
     /// <summary>The eight numbers from a place on, or as many as fill 32 bytes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<T> Load256(int place)
-    {
-        Check(place, Vector256<T>.Count);
-        return Vector256.LoadUnsafe(ref Unsafe.Add(ref first, place));
-    }
+    public Vector256<T> Load256(int place) => Vector256.LoadUnsafe(ref From(place, Vector256<T>.Count));
 
     /// <summary>Writes numbers.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(Vector256<T> numbers, int place)
-    {
-        Check(place, Vector256<T>.Count);
-        numbers.StoreUnsafe(ref Unsafe.Add(ref first, place));
-    }
+    public void Store(Vector256<T> numbers, int place) => numbers.StoreUnsafe(ref From(place, Vector256<T>.Count));
 
     /// <inheritdoc cref="Store(Vector256{T}, int)"/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Store(Vector512<T> numbers, int place)
-    {
-        Check(place, Vector512<T>.Count);
-        numbers.StoreUnsafe(ref Unsafe.Add(ref first, place));
-    }
+    public void Store(Vector512<T> numbers, int place) => numbers.StoreUnsafe(ref From(place, Vector512<T>.Count));
 
-    [Conditional("CHECKED")]
-    private void Check(int place, int count)
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private ref T From(int place, int count)
     {
 #if CHECKED
         if (place < 0 || place > length - count) throw new IndexOutOfRangeException($"{count} numbers from {place} on, of {length}");
 #endif
+        return ref Unsafe.Add(ref first, place);
     }
 }
 
