@@ -37,23 +37,22 @@ internal sealed class FloatShader
 
     /// <inheritdoc cref="HitShader.Shade(RayStream, byte[], int, int)"/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public unsafe void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
+    public void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
     {
-        fixed (long* packed = colors.Packed)
+        var isPacked = colors.Packed.Length > 0;
+        var packed = new RawSpan<long>(colors.Packed);
+        for (var i = 0; i < rays.Length; i += 2 * WideFloatPacket.Count)
         {
-            for (var i = 0; i < rays.Length; i += 2 * WideFloatPacket.Count)
-            {
-                // the last sixteen are done twice if they have no partner
-                var j = Math.Min(i + WideFloatPacket.Count, rays.Length - WideFloatPacket.Count);
-                var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
-                var light = scene.Attenuation(new WideFloatPacket(NearestAt(rays, i), NearestAt(rays, j))) * colors.Step;
-                var (a, b) = (colors.At(packed, lower), colors.At(packed, upper));
-                var red = Color.Level(light * new WideFloatPacket(a.R, b.R));
-                var green = Color.Level(light * new WideFloatPacket(a.G, b.G));
-                var blue = Color.Level(light * new WideFloatPacket(a.B, b.B));
-                Write(rays, i, lower, red.Lower, green.Lower, blue.Lower, exact, rgb, first, step);
-                Write(rays, j, upper, red.Upper, green.Upper, blue.Upper, exact, rgb, first, step);
-            }
+            // the last sixteen are done twice if they have no partner
+            var j = Math.Min(i + WideFloatPacket.Count, rays.Length - WideFloatPacket.Count);
+            var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
+            var light = scene.Attenuation(new WideFloatPacket(NearestAt(rays, i), NearestAt(rays, j))) * colors.Step;
+            var (a, b) = (colors.At(isPacked, packed, lower), colors.At(isPacked, packed, upper));
+            var red = Color.Level(light * new WideFloatPacket(a.R, b.R));
+            var green = Color.Level(light * new WideFloatPacket(a.G, b.G));
+            var blue = Color.Level(light * new WideFloatPacket(a.B, b.B));
+            Write(rays, i, lower, red.Lower, green.Lower, blue.Lower, exact, rgb, first, step);
+            Write(rays, j, upper, red.Upper, green.Upper, blue.Upper, exact, rgb, first, step);
         }
     }
 
