@@ -17,20 +17,14 @@ internal sealed class FloatColors
     private readonly long[] packed = [];
 
     /// <param name="light">Red, green and blue of the background, then of the models.</param>
-    public FloatColors(double[] light, int threads = 1)
+    /// <param name="most">The greatest of them.</param>
+    public FloatColors(double[] light, double most, int threads = 1)
     {
-        var (count, shares) = (light.Length / 3, ThreadTeam.SharesOf(light.Length / 3, threads));
-        var most = new double[shares];
-        ThreadTeam.Shares(shares, light.Length, (share, first, end) =>
-        {
-            var greatest = 0.0;
-            foreach (var channel in light.AsSpan(first..end)) greatest = Math.Max(greatest, channel);
-            most[share] = greatest;
-        });
+        var count = light.Length / 3;
         MostSteps = count <= Few ? 1 << 24 : ChannelMask; // floats are exact up to 2²⁴
-        Step = Math.Max(most.Max(), double.Epsilon * MostSteps) / MostSteps;
+        Step = Math.Max(most, double.Epsilon * MostSteps) / MostSteps;
         if (count > Few) packed = new long[count];
-        ThreadTeam.Shares(shares, count, (_, first, end) =>
+        ThreadTeam.Shares(ThreadTeam.SharesOf(count, threads), count, (_, first, end) =>
         {
             for (var i = first; i < end; i++)
             {

@@ -14,10 +14,10 @@ internal sealed class FloatShader
     private readonly double error;
     private readonly int background; // its three bytes
 
-    private FloatShader(Scene scene, double[] light, int threads)
+    private FloatShader(Scene scene, double[] light, double most, int threads)
     {
         this.scene = scene;
-        colors = new(light, threads);
+        colors = new(light, most, threads);
         var (r, g, b) = scene.Background.ToBytes();
         background = r | g << 8 | b << 16;
         // Beyond this t there is no light, even after rounding.
@@ -29,8 +29,9 @@ internal sealed class FloatShader
 
     /// <summary>A shader for a scene; null if the machine or the scene does not allow it.</summary>
     /// <param name="light">Red, green and blue of its background, then of its models.</param>
-    public static FloatShader? For(Scene scene, double[] light, int threads) =>
-        FloatBytes.IsWide && new FloatShader(scene, light, threads) is { error: < MostError } shader ? shader : null;
+    /// <param name="most">The greatest of them.</param>
+    public static FloatShader? For(Scene scene, double[] light, double most, int threads) =>
+        FloatBytes.IsWide && new FloatShader(scene, light, most, threads) is { error: < MostError } shader ? shader : null;
 
     /// <summary>Whether it can shade a stream of this form.</summary>
     public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % WideFloatPacket.Count == 0;
