@@ -13,6 +13,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     /// <summary>At depth 1 a ray is at least this far from the eye along the axis that it follows most: 1/√3.</summary>
     private const double LeastAlong = 0.57;
 
+    private readonly Vector3 ahead = -screen.Camera.W, middle = boxes.Middle - screen.Camera.Position;
     private readonly List<MainAxis> mainAxes = MainAxesOf(screen);
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
@@ -45,7 +46,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     {
         var (low, high) = Bounds(first);
         var (center, half) = ((N)0.5 * (low + high), (N)0.5 * (high - low));
-        var (nearest, farthest) = Range(-screen.Camera.W, center, half);
+        var (nearest, farthest) = Range(ahead, center, half);
         var (inverse, inverseFar) = ((N)1.0 / nearest, (N)1.0 / farthest);
         var (w0, w1) = ((N)screen.Unit * inverseFar, (N)screen.Unit * inverse);
 
@@ -84,12 +85,12 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     {
         var (low, high) = Bounds(first);
         N most = 0.0, none = 0.0, mainly = LeastAlong;
-        foreach (var (axis, at, right, up) in mainAxes)
+        foreach (var main in mainAxes)
         {
-            var along = (N)at + (N)right * N.Load(right > 0 ? this.right : left, 0) + (N)up * N.Load(up > 0 ? top : bottom, 0);
+            var along = (N)main.At + (N)main.Right * N.Load(main.Right > 0 ? right : left, 0) + (N)main.Up * N.Load(main.Up > 0 ? top : bottom, 0);
             var isMain = along >= mainly;
             if (N.Bits(isMain) == 0) continue;
-            var near = axis switch { 0 => low.X, 1 => low.Y, 2 => low.Z, 3 => -high.X, 4 => -high.Y, _ => -high.Z };
+            var near = main.Axis switch { 0 => low.X, 1 => low.Y, 2 => low.Z, 3 => -high.X, 4 => -high.Y, _ => -high.Z };
             most = N.Max(most, N.Select(isMain, N.Select(near > none, along / near, double.PositiveInfinity), none));
         }
         (most * (N)(screen.Unit * (1 + 1e-5))).Store(this.most, 0);
@@ -101,7 +102,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     private (Vector3<N> Low, Vector3<N> High) Bounds(int first)
     {
         N unit = boxes.Unit;
-        Vector3<N> middle = boxes.Middle - screen.Camera.Position;
+        Vector3<N> middle = this.middle;
         return (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
     }
 
@@ -128,7 +129,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     private N IsOutside(Vector3<N> center, Vector3<N> half)
     {
         const double Margin = 1;
-        var (camera, ahead) = (screen.Camera, -screen.Camera.W);
+        var camera = screen.Camera;
         return IsBehind(screen.Scale * camera.U + (screen.CenterX + Margin) * ahead)
             | IsBehind(-screen.Scale * camera.U + (camera.Width - screen.CenterX + Margin) * ahead)
             | IsBehind(screen.Scale * camera.V + (screen.CenterY + Margin) * ahead)
