@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>
@@ -60,7 +58,6 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         return hard is null ? range : range with { Least = 0 };
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public override void Meet(RayStream rays, int index)
     {
         if (shows) OwnFilter().Meet(rays, index);

@@ -39,7 +39,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
 
     public void Enter(in Tile tile) => (this.tile, greatestW) = (tile, Vector256<float>.Zero);
 
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void AddSmall(TriangleQueue triangles)
     {
         for (var first = 0; first < triangles.Count; first += 8)
@@ -50,7 +49,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         triangles.Clear();
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void AddLarge(TriangleQueue triangles)
     {
         for (var first = 0; first < triangles.Count; first += 8)

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Finds the nearest hits for the pixels of a tile; each thread has its own. A strip is cut into tiles, and a tile in which several models
@@ -171,7 +169,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     }
 
     /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part with few models that are all single shapes.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void CastRows(in Tile part, List<Candidate> list)
     {
         var isSmall = list.Count <= Few && part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);

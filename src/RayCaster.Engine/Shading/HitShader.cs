@@ -26,7 +26,6 @@ internal sealed class HitShader
     /// <summary>Writes the pixels of a stream.</summary>
     /// <param name="first">The position of the lowest row's first pixel.</param>
     /// <param name="step">The distance from a pixel to the one above it.</param>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, byte[] rgb, int first, int step)
     {
         if (floats is not null && FloatShader.Takes(rays)) floats.Shade(rays, this, rgb, first, step);
