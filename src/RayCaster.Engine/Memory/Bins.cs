@@ -14,12 +14,10 @@ internal sealed class Bins<T> where T : struct
     /// <param name="lists">What to sort, each list on a thread; the lists are emptied.</param>
     public Bins(PooledList<(int Place, T Thing)>[] lists)
     {
-        var (firsts, lasts, last, total) = (new int[lists.Length], new int[lists.Length], -1, 0);
-        ThreadTeam.Each(lists.Length, lists.Length, list => (firsts[list], lasts[list]) = RangeOf(lists[list].Items));
-        first = int.MaxValue;
-        for (var i = 0; i < lists.Length; i++)
-            (first, last, total) = (Math.Min(first, firsts[i]), Math.Max(last, lasts[i]), total + lists[i].Count);
-        var places = Math.Max(0, last - first + 1);
+        var ranges = new (int First, int Last)[lists.Length];
+        ThreadTeam.Each(lists.Length, lists.Length, list => ranges[list] = RangeOf(lists[list].Items));
+        first = ranges.Length > 0 ? ranges.Min(range => range.First) : 0;
+        var (places, total) = (ranges.Length > 0 ? Math.Max(0, ranges.Max(range => range.Last) - first + 1) : 0, lists.Sum(list => list.Count));
         sorted = total > 0 ? ArrayPool<T>.Shared.Rent(total) : [];
         starts = CountingSort.Sort(
             lists.Length, places, (list, counts) => Count(lists[list].Items, counts), (list, next) => Put(lists[list].Items, next));

@@ -13,8 +13,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     /// <summary>At depth 1 a ray is at least this far from the eye along the axis that it follows most: 1/√3.</summary>
     private const double LeastAlong = 0.57;
 
-    private readonly Vector3 ahead = -screen.Camera.W, middle = boxes.Middle - screen.Camera.Position;
-    private readonly List<MainAxis> mainAxes = MainAxesOf(screen);
+    private readonly (int Axis, double At, double Right, double Up)[] mainAxes = [.. MainAxes(screen)];
     private readonly double[] left = new double[N.Count], right = new double[N.Count];
     private readonly double[] bottom = new double[N.Count], top = new double[N.Count], most = new double[N.Count];
     private int firstOfMost = -1; // the first of the clusters whose greatest w is known
@@ -46,7 +45,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     {
         var (low, high) = Bounds(first);
         var (center, half) = ((N)0.5 * (low + high), (N)0.5 * (high - low));
-        var (nearest, farthest) = Range(ahead, center, half);
+        var (nearest, farthest) = Range(-screen.Camera.W, center, half);
         var (inverse, inverseFar) = ((N)1.0 / nearest, (N)1.0 / farthest);
         var (w0, w1) = ((N)screen.Unit * inverseFar, (N)screen.Unit * inverse);
 
@@ -85,12 +84,12 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     {
         var (low, high) = Bounds(first);
         N most = 0.0, none = 0.0, mainly = LeastAlong;
-        foreach (var main in mainAxes)
+        foreach (var (axis, at, right, up) in mainAxes)
         {
-            var along = (N)main.At + (N)main.Right * N.Load(main.Right > 0 ? right : left, 0) + (N)main.Up * N.Load(main.Up > 0 ? top : bottom, 0);
+            var along = (N)at + (N)right * N.Load(right > 0 ? this.right : left, 0) + (N)up * N.Load(up > 0 ? top : bottom, 0);
             var isMain = along >= mainly;
             if (N.Bits(isMain) == 0) continue;
-            var near = main.Axis switch { 0 => low.X, 1 => low.Y, 2 => low.Z, 3 => -high.X, 4 => -high.Y, _ => -high.Z };
+            var near = axis switch { 0 => low.X, 1 => low.Y, 2 => low.Z, 3 => -high.X, 4 => -high.Y, _ => -high.Z };
             most = N.Max(most, N.Select(isMain, N.Select(near > none, along / near, double.PositiveInfinity), none));
         }
         (most * (N)(screen.Unit * (1 + 1e-5))).Store(this.most, 0);
@@ -102,25 +101,25 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     private (Vector3<N> Low, Vector3<N> High) Bounds(int first)
     {
         N unit = boxes.Unit;
-        Vector3<N> middle = this.middle;
+        Vector3<N> middle = boxes.Middle - screen.Camera.Position;
         return (unit * boxes.Lows<N>(first) + middle, unit * boxes.Highs<N>(first) + middle);
     }
 
-    /// <summary>The axes (0 to 2), and the directions against them (3 to 5), that a ray may follow most.</summary>
-    private static List<MainAxis> MainAxesOf(ScreenSpace screen)
+    /// <summary>The axes (0 to 2), and the directions against them (3 to 5), that a ray may follow most, with the place along them of the ray of
+    /// pixel (0, 0) at depth 1, and its change from column to column and from row to row.</summary>
+    private static IEnumerable<(int Axis, double At, double Right, double Up)> MainAxes(ScreenSpace screen)
     {
-        var (axes, camera) = (new List<MainAxis>(), screen.Camera);
+        var camera = screen.Camera;
         var (right, up) = (1 / screen.Scale * camera.U, 1 / screen.Scale * camera.V);
         var corner = -camera.W - screen.CenterX * right - screen.CenterY * up;
         for (var axis = 0; axis < 6; axis++)
         {
             var sign = axis < 3 ? 1 : -1;
             var (at, x, y) = (sign * Along(corner), sign * Along(right), sign * Along(up));
-            if (at + Math.Max(0, x * camera.Width) + Math.Max(0, y * camera.Height) >= LeastAlong) axes.Add(new(axis, at, x, y));
+            if (at + Math.Max(0, x * camera.Width) + Math.Max(0, y * camera.Height) >= LeastAlong) yield return (axis, at, x, y);
 
             double Along(Vector3 v) => (axis % 3) switch { 0 => v.X, 1 => v.Y, _ => v.Z };
         }
-        return axes;
     }
 
     /// <summary>Where boxes lie on the outer side of a plane through the camera and an edge of the picture.</summary>
@@ -129,7 +128,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
     private N IsOutside(Vector3<N> center, Vector3<N> half)
     {
         const double Margin = 1;
-        var camera = screen.Camera;
+        var (camera, ahead) = (screen.Camera, -screen.Camera.W);
         return IsBehind(screen.Scale * camera.U + (screen.CenterX + Margin) * ahead)
             | IsBehind(-screen.Scale * camera.U + (camera.Width - screen.CenterX + Margin) * ahead)
             | IsBehind(screen.Scale * camera.V + (screen.CenterY + Margin) * ahead)
@@ -166,8 +165,3 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         return (middle - spread, middle + spread);
     }
 }
-
-/// <param name="At">The place along the axis of the ray of pixel (0, 0) at depth 1.</param>
-/// <param name="Right">Its change from column to column.</param>
-/// <param name="Up">Its change from row to row.</param>
-internal sealed record MainAxis(int Axis, double At, double Right, double Up);

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>
@@ -25,7 +23,6 @@ internal sealed class Duplicates(Vector3[] vertices, int[] indices)
     public void Clear() => round++;
 
     /// <summary>Whether a triangle that was seen before, and is earlier in the mesh, has the same corners.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public bool HasEarlier(int triangle)
     {
         var (a, b, c) = (vertices[indices[3 * triangle]], vertices[indices[3 * triangle + 1]], vertices[indices[3 * triangle + 2]]);
@@ -44,7 +41,6 @@ internal sealed class Duplicates(Vector3[] vertices, int[] indices)
         return Bits(other.X) == Bits(point.X) && Bits(other.Y) == Bits(point.Y) && Bits(other.Z) == Bits(point.Z);
     }
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static long HashOf(in Vector3 p) => Bits(p.X) + 7 * Bits(p.Y) + 31 * Bits(p.Z);
 
     private static long Bits(double number) => BitConverter.DoubleToInt64Bits(number);

@@ -38,7 +38,7 @@ internal sealed class TileLists(int width)
         else Items.Add((PlaceOf(left / Tile.MaxSide, bottom / Tile.MaxSide), new(run, mostW, Cells.Of(left, right, bottom, top))));
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private void AddToTiles(TriangleRun run, float mostW, uint left, uint right, uint bottom, uint top)
     {
         for (var y = bottom / Tile.MaxSide; y <= top / Tile.MaxSide; y++)

@@ -59,7 +59,6 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         triangles.Clear();
     }
 
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private uint SetUp(TriangleQueue triangles, int first)
     {
         var shows = TriangleSetUp.Of(triangles, first, screen, tile, setup);

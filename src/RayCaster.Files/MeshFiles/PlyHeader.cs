@@ -8,7 +8,7 @@ internal enum PlyRole { X, Y, Z, Corners, Skipped }
 internal enum PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 }
 
 /// <summary>One value of each row of an element; a list if it has a type for its count.</summary>
-internal sealed record PlyProperty(PlyRole Role, PlyType Type, PlyType? CountType)
+internal readonly record struct PlyProperty(PlyRole Role, PlyType Type, PlyType? CountType)
 {
     public int Size => SizeOf(Type);
 
