@@ -31,7 +31,7 @@ public static class AnimationFile
                 var header = png.Header;
                 Check(header, first ?? header, frames[0]);
                 if (png.IsAnimation) throw new PictureFileException("it is an animation, not a single picture");
-                png.CheckLines(); // otherwise the animation could contain damaged data
+                png.ReadLines(_ => { }); // otherwise the animation could contain damaged data
                 if (first is null)
                 {
                     output.Write(PngChunk.Signature);

@@ -49,19 +49,17 @@ public sealed class PartSet
     public void Write(PictureWriter writer, Action<int>? linesDone = null, CancellationToken cancellation = default)
     {
         if (parts.Count == 0 || problems.Count > 0 || Missing.Count > 0) throw new InvalidOperationException("these parts do not make a picture");
-        var line = new byte[3 * Size.Width];
         foreach (var (path, facts) in parts)
         {
             PartFile.Open(path, (png, found) =>
             {
                 if (found != facts) throw new PictureFileException("it was replaced in the meantime");
-                for (var i = 0; i < facts.Lines.Count; i++)
+                png.ReadLines(line =>
                 {
                     cancellation.ThrowIfCancellationRequested();
-                    png.ReadLine(line);
                     writer.WriteRows(line);
                     linesDone?.Invoke(1);
-                }
+                });
                 return true;
             });
         }
