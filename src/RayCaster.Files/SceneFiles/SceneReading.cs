@@ -16,6 +16,9 @@ public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
     /// <summary>The full paths of the mesh files that the scene names, also of those that could not be read.</summary>
     public IReadOnlyCollection<string> MeshFiles { get; init; } = [];
 
+    /// <summary>The file's bytes, also if they contain mistakes; empty if it cannot be read.</summary>
+    public ReadOnlyMemory<byte> Text { get; init; }
+
     /// <summary>The first problems as text for people, errors before warnings; empty if there are none.</summary>
     public string Report()
     {
