@@ -36,29 +36,20 @@ public static class SceneReader
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, int? threads = null)
     {
-        IReadOnlyCollection<string> meshFiles = [];
-        var scene = Parse(utf8, displayName, folder, "the scene", Read, out var problems, threads);
-        return new(scene, problems) { MeshFiles = meshFiles, Text = utf8 };
-
-        Scene? Read(SceneObject o)
-        {
-            var read = ReadScene(o);
-            meshFiles = o.Document!.MeshFiles;
-            return read;
-        }
+        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var document, threads);
+        return new(scene, document.Problems()) { MeshFiles = document.MeshFiles, Text = utf8 };
     }
 
     /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>
     /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string, int?)"/>
     /// <param name="name">The name of the outermost object in messages.</param>
     internal static T? Parse<T>(
-        ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,
+        ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out SceneDocument document,
         int? threads = null) where T : class
     {
-        var document = new SceneDocument(new SourceText(displayName, utf8), folder, threads);
+        document = new SceneDocument(new SourceText(displayName, utf8), folder, threads);
         var root = ReadRoot(document, name);
         var result = root is null ? null : read(root);
-        problems = document.Problems();
         return document.ErrorCount == 0 ? result : null;
     }
 

@@ -10,8 +10,8 @@ internal static class ShortFile
     public static T? Read<T>(string path, int mostBytes, string name, Func<SceneObject, T?> read, out string report) where T : class
     {
         if (!TryRead(path, mostBytes, out var utf8, out report)) return null;
-        var result = SceneReader.Parse(utf8, path, "", name, read, out var problems);
-        report = new SceneReading(null, problems).Report();
+        var result = SceneReader.Parse(utf8, path, "", name, read, out var document);
+        report = new SceneReading(null, document.Problems()).Report();
         return result;
     }
 
