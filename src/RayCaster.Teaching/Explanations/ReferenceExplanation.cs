@@ -10,7 +10,6 @@ public sealed record ReferenceExplanation(
 {
     private const int MostCauses = 6;
 
-    /// <summary>Compares a pixel with another picture.</summary>
     /// <exception cref="ArgumentException">The pictures have different sizes.</exception>
     public static ReferenceExplanation Of(PixelExplanation pixel, Picture reference)
     {
