@@ -8,7 +8,7 @@ internal sealed partial class Tab
 
     private async Task TellMapAsync(SceneState state)
     {
-        if (isMoving || !Takes(Wishes.Map) || map is not { } kind) return;
+        if (isMoving || !Takes(Pending.Map) || map is not { } kind) return;
         var scene = (view with { Look = Teaching.Look.Plain, Model = -1 }).Of(state.Scene!);
         var drawn = await server.Studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
         await SendAsync(drawn.Legend());
@@ -17,8 +17,8 @@ internal sealed partial class Tab
 
     private async Task TellComparisonAsync(SceneState state)
     {
-        if (!Takes(Wishes.Comparison)) return;
-        var (diagnoses, level) = (Takes(Wishes.Diagnosis), hint);
+        if (!Takes(Pending.Comparison)) return;
+        var (diagnoses, level) = (Takes(Pending.Diagnosis), hint);
         var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio).WaitAsync(end.Token);
         if (!ReferenceEquals(comparison, compared))
         {
@@ -39,7 +39,7 @@ internal sealed partial class Tab
     /// <summary>Compares with the user's picture as it is now.</summary>
     public void CompareAgain()
     {
-        lock (sync) wishes |= Wishes.Comparison | Wishes.Explanation;
+        lock (sync) pending |= Pending.Comparison | Pending.Explanation;
         Wake();
     }
 }

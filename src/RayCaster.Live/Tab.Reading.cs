@@ -71,21 +71,21 @@ internal sealed partial class Tab
                     break;
                 case "hover":
                     hover = new(value[0].GetInt32(), value[1].GetInt32());
-                    wishes |= Wishes.Hover;
+                    pending |= Pending.Hover;
                     break;
                 case "explain":
                     explained = IsNull(value) ? null : new(value[0].GetInt32(), value[1].GetInt32());
-                    wishes |= Wishes.Explanation;
+                    pending |= Pending.Explanation;
                     break;
                 case "map":
                     map = IsNull(value) ? null : MapKinds.Named(value.GetString()!);
-                    wishes |= Wishes.Map;
+                    pending |= Pending.Map;
                     break;
                 case "hint":
                     hint = Enum.Parse<HintLevel>(value.GetString()!, ignoreCase: true);
                     break;
                 case "diagnose":
-                    wishes |= Wishes.Diagnosis | Wishes.Comparison;
+                    pending |= Pending.Diagnosis | Pending.Comparison;
                     break;
                 case "forgetMine":
                     server.Mine.Forget();
@@ -111,7 +111,7 @@ internal sealed partial class Tab
         if (server.Scene.State.Scene is not { } scene) return;
         view = view with { Camera = move(view.Camera ?? scene.Camera) };
         isMoving = true;
-        wishes |= Wishes.Frame;
+        pending |= Pending.Frame;
         outdated.Cancel();
     }
 
@@ -120,7 +120,7 @@ internal sealed partial class Tab
     {
         if (view.Camera is { } camera) view = view with { Camera = CameraMotion.Rounded(camera) };
         isMoving = false;
-        wishes |= Wishes.Camera;
+        pending |= Pending.Camera;
         Refresh();
     }
 

@@ -18,7 +18,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private Task sending = Task.CompletedTask;
 
     private readonly Lock sync = new(); // for the fields below, which the reading loop writes, and the sending loop reads after Takes
-    private Wishes wishes;
+    private Pending pending;
     private View view = new();
     private bool isMoving;
     private int divisor = 1;
@@ -28,9 +28,9 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private SceneState? known; // the state that the page knows
     private CancellationTokenSource outdated = new();
 
-    /// <summary>What the page has not been sent yet.</summary>
+    /// <summary>What is still to be sent to the page.</summary>
     [Flags]
-    private enum Wishes { Hover = 1, Frame = 2, Camera = 4, Explanation = 8, Map = 16, Comparison = 32, Diagnosis = 64, Ledger = 128 }
+    private enum Pending { Hover = 1, Frame = 2, Camera = 4, Explanation = 8, Map = 16, Comparison = 32, Diagnosis = 64, Ledger = 128 }
 
     /// <summary>A pixel of the picture that the page shows, from the left and from the top.</summary>
     private sealed record Place(int Column, int Line);
@@ -103,27 +103,27 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
             known = state;
             if (!state.IsGood) return;
             Refresh();
-            wishes |= Wishes.Camera | Wishes.Comparison;
+            pending |= Pending.Camera | Pending.Comparison;
         }
     }
 
     /// <summary>Notes that the page needs again everything that depends on the scene and the view.</summary>
-    private void Refresh() => wishes |= Wishes.Frame | Wishes.Explanation | Wishes.Map | Wishes.Ledger;
+    private void Refresh() => pending |= Pending.Frame | Pending.Explanation | Pending.Map | Pending.Ledger;
 
-    /// <summary>Whether the page wants this. It is then about to be sent; a wish that comes later is another one.</summary>
-    private bool Takes(Wishes wish)
+    /// <summary>Whether something is still to be sent; from now on it is not, unless it is requested again.</summary>
+    private bool Takes(Pending message)
     {
         lock (sync)
         {
-            var isWanted = wishes.HasFlag(wish);
-            wishes &= ~wish;
-            return isWanted;
+            var isPending = pending.HasFlag(message);
+            pending &= ~message;
+            return isPending;
         }
     }
 
     private async Task TellFrameAsync(SceneState state)
     {
-        if (sent - shown >= MostUnseen || !Takes(Wishes.Frame)) return;
+        if (sent - shown >= MostUnseen || !Takes(Pending.Frame)) return;
         var moves = isMoving;
         var wanted = moves ? view with { Divisor = divisor } : view;
         var frame = moves
@@ -135,21 +135,21 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
 
     private async Task TellCameraAsync(SceneState state)
     {
-        if (!Takes(Wishes.Camera)) return;
+        if (!Takes(Pending.Camera)) return;
         var camera = view.Camera;
         await SendAsync(Messages.OfCamera(camera ?? state.Scene!.Camera, camera is not null));
     }
 
     private async Task TellHoverAsync(SceneState state)
     {
-        if (!Takes(Wishes.Hover) || hover is not { } place) return;
+        if (!Takes(Pending.Hover) || hover is not { } place) return;
         var scene = view.Of(state.Scene!);
         if (IsIn(scene, place)) await SendAsync(Messages.OfHover(scene, place.Column, place.Line));
     }
 
     private async Task TellExplanationAsync(SceneState state)
     {
-        if (isMoving || !Takes(Wishes.Explanation) || explained is not { } place) return;
+        if (isMoving || !Takes(Pending.Explanation) || explained is not { } place) return;
         var seen = view;
         if (!IsIn(seen.Of(state.Scene!), place)) return;
         await SendAsync(await Task.Run(() =>
@@ -162,7 +162,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
 
     private async Task TellLedgerAsync(SceneState state)
     {
-        if (isMoving || !Takes(Wishes.Ledger)) return;
+        if (isMoving || !Takes(Pending.Ledger)) return;
         var scene = view.Of(state.Scene!);
         var ledger = await Task.Run(() => HitLedger.Take(scene, Outdated()));
         await SendAsync(Messages.OfLedger(ledger, state.Version));

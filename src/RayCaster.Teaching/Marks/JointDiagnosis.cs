@@ -67,7 +67,7 @@ internal sealed class JointDiagnosis
     private void Decide(DiagnosisSearch search, SubmittedPicture[] wrong)
     {
         var ranked = search.Run();
-        // All pairs of mistakes that change whole pictures are tried on few pixels of each, so single pictures are asked, too.
+        // Pairs of mistakes that change whole pictures are tried on few pixels, so what single pictures are diagnosed with is tried, too.
         if (wrong.Count(picture => picture.Evidence.IsExplainedBy(ranked[0])) < wrong.Length)
             ranked = search.With([.. wrong.Take(Consulted).SelectMany(NamedFor)], ranked);
         Verdict = search.WithoutIdle(ranked[0]);
