@@ -16,9 +16,6 @@ public static class AnimationFile
     /// <exception cref="PictureFileException">A picture cannot be read, is damaged, or of another size or kind.</exception>
     public static void Write(Stream output, IReadOnlyList<string> frames, int framesPerSecond, CancellationToken cancellation = default)
     {
-        ArgumentOutOfRangeException.ThrowIfZero(frames.Count);
-        ArgumentOutOfRangeException.ThrowIfLessThan(framesPerSecond, 1);
-        ArgumentOutOfRangeException.ThrowIfGreaterThan(framesPerSecond, 1000);
         PngHeader? first = null;
         var sequence = 0u; // counts the chunks fcTL and fdAT
         var piece = new byte[4 + Piece];

@@ -15,7 +15,6 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
     private readonly List<Watch> watches = [];
     private Look? last;
 
-    /// <summary>Begins to watch while a submission runs.</summary>
     /// <remarks>A look at all files of a large class takes long, so the last look of another submission serves as this one's first.</remarks>
     public Watch WatchWhile(Submission submission)
     {
