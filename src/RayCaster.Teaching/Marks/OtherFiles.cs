@@ -39,14 +39,10 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
     internal sealed record Look(long Time, Dictionary<string, (long, DateTime)> Files);
 
     /// <summary>The time while a submission runs.</summary>
-    internal sealed class Watch : IDisposable
+    internal sealed class Watch(OtherFiles all, Submission own, Look before) : IDisposable
     {
-        private readonly OtherFiles all;
-        private readonly Submission own;
-        private readonly Look before;
+        private readonly Submission own = own; // which other watches look at
         private long ended = long.MaxValue;
-
-        internal Watch(OtherFiles all, Submission own, Look before) => (this.all, this.own, this.before) = (all, own, before);
 
         /// <summary>Ends the watch, and says what has changed outside its folder, in words; empty if nothing has.</summary>
         public IEnumerable<string> Changed()
