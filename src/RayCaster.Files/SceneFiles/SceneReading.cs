@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <param name="Problems">The errors and warnings in the order of the file, at most about <see cref="MostProblems"/>.</param>
@@ -21,13 +19,8 @@ public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
     /// <summary>The first problems as text for people, errors before warnings; empty if there are none.</summary>
     public string Report()
     {
-        var text = new StringBuilder();
-        var left = Printed;
-        foreach (var errors in (ReadOnlySpan<bool>)[true, false])
-            foreach (var problem in Problems)
-                if (problem.IsError == errors && left-- > 0)
-                    text.Append(problem).Append('\n');
-        if (left < 0) text.Append($"and {(Problems.Count < MostProblems ? "" : "at least ")}{-left} more\n");
-        return text.ToString();
+        if (Problems.Count == 0) return "";
+        var more = Problems.Count <= Printed ? "" : $"and {(Problems.Count < MostProblems ? "" : "at least ")}{Problems.Count - Printed} more\n";
+        return string.Concat(Problems.OrderByDescending(problem => problem.IsError).Take(Printed).Select(problem => $"{problem}\n")) + more;
     }
 }
