@@ -15,7 +15,7 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
     private readonly List<Watch> watches = [];
     private Look? last;
 
-    /// <remarks>A look at all files of a large class takes long, so the last look of another submission serves as this one's first.</remarks>
+    /// <remarks>Reading the state of all files of a large class takes long, so the state that was read last is reused as the first.</remarks>
     public Watch WatchWhile(Submission submission)
     {
         lock (watches)
@@ -47,7 +47,7 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
         /// <summary>Ends the watch, and says what has changed outside its folder, in words; empty if nothing has.</summary>
         public IEnumerable<string> Changed()
         {
-            Dispose(); // before this look, so that the next submission is not excused by this one
+            Dispose(); // before the files are read, so that this submission does not count as one beside a later one
             var now = all.Now();
             Submission[] beside;
             lock (all.watches)
