@@ -25,7 +25,6 @@ internal sealed class MinePicture : IDisposable
     /// <summary>Called when the picture changes, or is taken away.</summary>
     public event Action? Changed;
 
-    /// <summary>Follows the file until the end.</summary>
     public async Task FollowAsync()
     {
         if (path is null) return;

@@ -7,10 +7,8 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
     /// <summary>Black pixels between two pictures, and around all.</summary>
     public const int Gap = 4;
 
-    /// <summary>Pixels in a line of the sheet.</summary>
     public long Width => (long)columns * (width + Gap) + Gap;
 
-    /// <summary>Lines of the sheet.</summary>
     public long Height => (long)((pictures.Count - 1) / columns + 1) * (height + Gap) + Gap;
 
     /// <summary>The default size of small pictures: at most 160 pixels wide, with the proportions of the given picture.</summary>
@@ -46,7 +44,9 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
         var small = PngReader.OpenFile(picture, png =>
         {
             png.RequireLines();
-            return SmallPicture.Of(png.Header.Width, png.Header.Height, png.ReadLine, width, height);
+            var made = new SmallPicture(png.Header.Width, png.Header.Height, width, height);
+            png.ReadLines(made.Take);
+            return made.Picture;
         });
         for (var y = 0; y < height; y++) small.Rgb.AsSpan(3 * width * y, 3 * width).CopyTo(corner[(y * lineBytes)..]);
     }

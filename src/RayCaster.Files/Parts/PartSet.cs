@@ -7,7 +7,6 @@ public sealed class PartSet
     private readonly List<(string Path, PartFacts Facts)> parts = [];
     private readonly List<string> problems = [];
 
-    /// <summary>Reads the facts of the files.</summary>
     /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
     /// none.</param>
     /// <exception cref="PictureFileException">A file cannot be read.</exception>
@@ -27,7 +26,6 @@ public sealed class PartSet
         Missing = FindMissing();
     }
 
-    /// <summary>How many parts there are.</summary>
     public int Count => parts.Count;
 
     /// <summary>The files that are parts, from the top.</summary>
@@ -42,26 +40,22 @@ public sealed class PartSet
     /// <summary>The whole picture's size.</summary>
     public (int Width, int Height) Size => (parts[0].Facts.Width, parts[0].Facts.Height);
 
-    /// <summary>Writes the picture, a line at a time.</summary>
+    /// <summary>Writes the picture of parts without problems and without missing lines, a line at a time.</summary>
     /// <param name="writer">Receives the lines; it is not finished.</param>
-    /// <exception cref="InvalidOperationException">There are problems, or lines are missing.</exception>
     /// <exception cref="PictureFileException">A part is damaged, or was replaced.</exception>
     public void Write(PictureWriter writer, Action<int>? linesDone = null, CancellationToken cancellation = default)
     {
-        if (parts.Count == 0 || problems.Count > 0 || Missing.Count > 0) throw new InvalidOperationException("these parts do not make a picture");
-        var line = new byte[3 * Size.Width];
         foreach (var (path, facts) in parts)
         {
             PartFile.Open(path, (png, found) =>
             {
                 if (found != facts) throw new PictureFileException("it was replaced in the meantime");
-                for (var i = 0; i < facts.Lines.Count; i++)
+                png.ReadLines(line =>
                 {
                     cancellation.ThrowIfCancellationRequested();
-                    png.ReadLine(line);
                     writer.WriteRows(line);
                     linesDone?.Invoke(1);
-                }
+                });
                 return true;
             });
         }

@@ -62,16 +62,12 @@ public sealed class ReplacedFile : Stream
     /// <summary>True until the file is committed or given up.</summary>
     public override bool CanWrite => !closed;
 
-    /// <summary>Always false: nothing is read back.</summary>
     public override bool CanRead => false;
 
-    /// <summary>Always false: bytes are written in order.</summary>
     public override bool CanSeek => false;
 
-    /// <summary>Not supported.</summary>
     public override long Length => throw new NotSupportedException();
 
-    /// <summary>Not supported.</summary>
     public override long Position
     {
         get => throw new NotSupportedException();
@@ -82,7 +78,6 @@ public sealed class ReplacedFile : Stream
     /// <exception cref="PictureFileException">The disk is full, or the file cannot be put there. The old one stays.</exception>
     public void Commit()
     {
-        ObjectDisposedException.ThrowIf(closed, this);
         try
         {
             // A network drive reports only now that the quota is used up, and then the old picture must still be there.
@@ -98,7 +93,6 @@ public sealed class ReplacedFile : Stream
         }
     }
 
-    /// <summary>Writes bytes.</summary>
     /// <exception cref="PictureFileException">The disk is full or gone.</exception>
     public override void Write(ReadOnlySpan<byte> buffer)
     {
@@ -129,13 +123,10 @@ public sealed class ReplacedFile : Stream
         }
     }
 
-    /// <summary>Not supported.</summary>
     public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
-    /// <summary>Not supported.</summary>
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
 
-    /// <summary>Not supported.</summary>
     public override void SetLength(long value) => throw new NotSupportedException();
 
     /// <summary>Deletes the temporary file unless it was committed; the old file stays.</summary>

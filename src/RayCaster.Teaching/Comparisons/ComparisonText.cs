@@ -3,10 +3,8 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
-/// <summary>A comparison in words.</summary>
 public static class ComparisonText
 {
-    /// <summary>The verdict in a word or two.</summary>
     public static string Of(Likeness verdict) => verdict switch
     {
         Likeness.Identical => "identical",
@@ -50,7 +48,6 @@ public static class ComparisonText
         return text.ToString();
     }
 
-    /// <summary>The measures in one line.</summary>
     public static string Of(Measures m) => string.Create(CultureInfo.InvariantCulture,
         $"Measures, in levels of 255: maximum {m.Maximum}, MAE {m.MeanAbsoluteError:0.#####}, RMSE {m.RootMeanSquareError:0.#####}; " +
         $"PSNR {(m.Maximum == 0 ? "infinite" : $"{m.PeakSignalToNoiseRatio.ToString("0.####", CultureInfo.InvariantCulture)} dB")}, " +

@@ -1,12 +1,11 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// The difference of two pictures as single numbers, over all bytes of all channels. No such number tells whether a picture is right: a
+/// The difference of two pictures as single numbers, over all bytes of all channels. No such number shows whether a picture is right: a
 /// missing ball may change it less than truncated bytes do. All but SSIM agree with ImageMagick 6's <c>compare</c>, which has no SSIM.
 /// </summary>
 public sealed class Measures
 {
-    /// <summary>Computes all measures.</summary>
     public Measures(PictureDifference difference)
     {
         var (mine, reference) = (difference.Mine, difference.Reference);

@@ -12,7 +12,6 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
 {
     private const int Around = 720, Ahead = 400;
 
-    /// <summary>The section for an explanation.</summary>
     public static RaySection Of(PixelExplanation pixel)
     {
         var (camera, d) = (pixel.Scene.Camera, pixel.Ray.Direction);
@@ -36,19 +35,13 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
     }
 
     /// <summary>Casts rays from P in all directions of the plane. Their crossings with a shape, by its own formula, are its section.</summary>
-    private sealed class Fan
+    private sealed class Fan(Vector3 origin, Vector3 u, Vector3 v, double angle, double fovY, double farthest)
     {
-        private readonly Vector3 origin, u, v;
-        private readonly double[] angles;
-        private readonly double farthest;
-
-        public Fan(Vector3 origin, Vector3 u, Vector3 v, double angle, double fovY, double farthest)
-        {
-            (this.origin, this.u, this.v, this.farthest) = (origin, u, v, farthest);
-            var around = Enumerable.Range(0, Around).Select(i => -Math.PI + 2 * Math.PI * i / Around);
-            var ahead = Enumerable.Range(0, Ahead).Select(i => angle + fovY * ((i + 0.5) / Ahead - 0.5)); // finer near the ray
-            angles = [.. around.Concat(ahead).Order()];
-        }
+        private readonly double[] angles =
+        [
+            .. Enumerable.Range(0, Around).Select(i => -Math.PI + 2 * Math.PI * i / Around)
+                .Concat(Enumerable.Range(0, Ahead).Select(i => angle + fovY * ((i + 0.5) / Ahead - 0.5))).Order(), // finer near the ray
+        ];
 
         public ModelSection Cut(Model model, ModelExplanation explanation)
         {
@@ -120,7 +113,6 @@ public sealed record SectionView(double Left, double Right, double Bottom, doubl
         new(Math.Min(0, u) - 0.1 * length, Math.Max(0, u) + 0.2 * length, Math.Min(0, v) - 0.2 * length, Math.Max(0, v) + 0.2 * length);
 }
 
-/// <summary>The section of one model.</summary>
 /// <param name="Color">Its colour as #rrggbb.</param>
 /// <param name="Lines">Lines of points (u, v).</param>
 public sealed record ModelSection(int Index, string Name, string Color, IReadOnlyList<double[][]> Lines)
@@ -129,7 +121,6 @@ public sealed record ModelSection(int Index, string Name, string Color, IReadOnl
     public const int MostLines = 4000;
 }
 
-/// <summary>A crossing in the drawing.</summary>
 /// <param name="Model">The model's place in the scene.</param>
 /// <param name="At">Where it lies, (u, v).</param>
 /// <param name="Verdict">shows, hidden, notNeeded, refused or missed.</param>

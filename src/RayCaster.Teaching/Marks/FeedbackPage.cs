@@ -37,7 +37,7 @@ internal static class FeedbackPage
         foreach (var hint in free) page.Html($"<p>{hint}</p>");
     }
 
-    /// <summary>A hint; empty if the rubric wants none for a mistake.</summary>
+    /// <summary>A hint; empty for a mistake if the rubric has no hints.</summary>
     private static string Hint(Rubric rubric, string because) => rubric.Hint switch
     {
         null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.NotDrawn(because)) : "",

@@ -7,10 +7,9 @@ internal sealed class Marker(Rubric rubric)
     /// <param name="digest">A hash of the rubric and the submission.</param>
     public StudentMarks Mark(string student, string digest, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
-        List<ScenePicture> pictures = [
-            .. submitted.Where(picture => picture.CanBeJudged).Select(picture => new ScenePicture(picture.Scene, picture.Picture!))];
+        List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = new JointDiagnosis(pictures, rubric.Known);
-        SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
+        SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, diagnosis))];
         var verdict = diagnosis.Verdict;
         return new(student, digest, Items(diagnosis, pictures), scenes,
             [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.MistakeIds],
@@ -18,13 +17,13 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
-    private static List<MarkedScene> Told(List<ScenePicture> pictures, JointDiagnosis diagnosis) =>
-        [.. pictures.Except(diagnosis.Unexplained).Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess).Select(picture => picture.Of)];
+    private static List<MarkedScene> Told(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
+        [.. pictures.Except(diagnosis.Unexplained).Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess).Select(picture => picture.Scene)];
 
-    private List<ItemMarks> Items(JointDiagnosis diagnosis, List<ScenePicture> pictures)
+    private List<ItemMarks> Items(JointDiagnosis diagnosis, List<SubmittedPicture> pictures)
     {
         var items = new List<ItemMarks>();
-        var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Of));
+        var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Scene));
         var isAllTold = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
         foreach (var item in rubric.Items)
         {
@@ -63,16 +62,15 @@ internal sealed class Marker(Rubric rubric)
         return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
     }
 
-    private static SceneMarks Judge(SubmittedPicture submitted, ScenePicture? picture, JointDiagnosis diagnosis)
+    private static SceneMarks Judge(SubmittedPicture picture, JointDiagnosis diagnosis)
     {
-        var verdict = picture is null ? SceneVerdict.NoPicture
+        var verdict = !picture.CanBeJudged ? SceneVerdict.NoPicture
             : picture.Evidence.IsRight ? SceneVerdict.Right
             : diagnosis.Unexplained.Contains(picture) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
-        var isShown = submitted.Picture is not null && verdict != SceneVerdict.Right;
-        return new(submitted.Scene.Name, verdict, submitted.Problem, picture?.WrongShare ?? 1,
-            isShown ? Thumbnail.Of(submitted.Picture!, Thumbnail.Seen).ToPng() : [],
-            isShown ? Thumbnail.Of(submitted.Picture!, Thumbnail.Tiny).Rgb : []);
+        var shown = verdict == SceneVerdict.Right ? null : picture.Picture;
+        return new(picture.Scene.Name, verdict, picture.Problem, picture.WrongShare,
+            shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Seen).ToPng(), shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Tiny).Rgb);
     }
 
     private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
@@ -83,7 +81,7 @@ internal sealed class Marker(Rubric rubric)
         foreach (var scenes in Repeated(submitted)) yield return $"{scenes}: the same picture of different scenes";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
         if (diagnosis is { TellsNothing: false, Unexplained.Count: > 0 })
-            yield return $"{string.Join(", ", diagnosis.Unexplained.Select(picture => picture.Of.Name))}: " +
+            yield return $"{string.Join(", ", diagnosis.Unexplained.Select(picture => picture.Scene.Name))}: " +
                 (diagnosis.IsOnlyLight ? "all outlines are right, only the light is not, and no known mistake explains it"
                     : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
         foreach (var other in diagnosis.Alternatives)

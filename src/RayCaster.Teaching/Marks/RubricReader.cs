@@ -22,8 +22,7 @@ public static class RubricReader
         using var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         var sceneReports = new StringBuilder();
         var rubric = ShortFile.Read(
-            path, MostBytes, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report,
-            digest.AppendData);
+            path, MostBytes, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report);
         report += sceneReports;
         return rubric;
     }
@@ -31,6 +30,7 @@ public static class RubricReader
     /// <summary>Reads the outermost object; without text it describes the keys.</summary>
     internal static Rubric? ReadRubric(SceneObject o, string path, string folder, IncrementalHash? digest, StringBuilder sceneReports)
     {
+        digest?.AppendData(o.Document!.Text.Utf8);
         o.OptionalText("$schema", "Where editors find the schema of rubrics; the program does not use it.");
         var title = o.OptionalText("title", "What is marked, for the heads of pages.") ?? "Marks";
         var files = o.Texts("scenes", "The scene files, an array of paths that start at the rubric's folder.", true);
@@ -134,7 +134,8 @@ public static class RubricReader
         {
             var path = Path.Combine(folder, files[i].Replace('\\', '/'));
             var name = Path.GetFileNameWithoutExtension(path);
-            var reading = SceneReader.Read(path, look: text => digest?.AppendData(text));
+            var reading = SceneReader.Read(path);
+            digest?.AppendData(reading.Text.Span);
             reports.Append(reading.Report());
             if (scenes.Exists(other => other.Name == name))
                 o.Refuse("scenes", $" has a second scene that is called {name}: pictures are named after their scenes", i);

@@ -45,7 +45,7 @@ public sealed class SceneVariation
     /// <param name="folder">The folder where the paths of mesh files start.</param>
     /// <param name="seed">For example a student's name: the same seed gives the same scene.</param>
     /// <returns>The new text; null if no try succeeds.</returns>
-    public static byte[]? Of(byte[] utf8, string folder, string seed)
+    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
         if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;

@@ -5,7 +5,7 @@ namespace RayCaster.Teaching;
 /// <summary>Gets the pictures of a submission: finds them in its folder, or runs its program.</summary>
 internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runner)
 {
-    /// <summary>How many characters, and how many errors, of what a program printed are told.</summary>
+    /// <summary>How many characters, and how many errors, of what a program printed are quoted.</summary>
     private const int Quoted = 200, MostErrors = 3;
 
     /// <summary>A program that was ended for so many scenes in a row is not run for the rest: that could take hours.</summary>
