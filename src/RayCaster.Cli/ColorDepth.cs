@@ -1,5 +1,6 @@
 namespace RayCaster.Cli;
 
+/// <summary>The colours that a terminal can show.</summary>
 internal enum ColorDepth
 {
     None, // plain characters and no escape codes
@@ -7,6 +8,7 @@ internal enum ColorDepth
     Full, // 24 bits
 }
 
+/// <summary>Decides which colours to use.</summary>
 internal static class ColorDepths
 {
     /// <summary>The first of these that is set decides: --color, NO_COLOR, FORCE_COLOR, the kind of standard output.</summary>

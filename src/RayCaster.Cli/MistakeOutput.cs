@@ -3,6 +3,7 @@ namespace RayCaster.Cli;
 /// <summary>Drawing with --mistake: the picture of a wrong program, for exams and for testing a rubric.</summary>
 internal static class MistakeOutput
 {
+    /// <summary>Reads the scene, draws it with the mistakes, and writes the picture.</summary>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
         var mistakes = NameList.Of(line[Option.Mistake]!, '+', [.. MistakeCatalog.All.Select(mistake => mistake.Id)], "a mistake")

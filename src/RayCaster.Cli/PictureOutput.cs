@@ -20,6 +20,7 @@ internal static class PictureOutput
     public static PictureFormat FormatOf(CommandLine line, string output) =>
         line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
 
+    /// <summary>Opens the output, writes it and closes it.</summary>
     /// <param name="cancellation">If cancelled, the old file stays.</param>
     /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
@@ -41,6 +42,7 @@ internal static class PictureOutput
     public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>
         Write(output, cancellation, stream => PictureFile.Write(stream, picture, format));
 
+    /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
     /// <param name="watch">Also gets the lines in order; again from the first line if the picture is drawn again.</param>
     /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>

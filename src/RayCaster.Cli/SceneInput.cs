@@ -1,5 +1,6 @@
 namespace RayCaster.Cli;
 
+/// <summary>Reads the scene of a command.</summary>
 internal static class SceneInput
 {
     /// <summary>The name for standard input and for standard output.</summary>
@@ -25,6 +26,7 @@ internal static class SceneInput
         if (path != Standard && StoredReference.Contradiction(path, scene) is { } message) StandardFile.WriteError(message + Environment.NewLine);
     }
 
+    /// <summary>Reads a scene with its errors and warnings.</summary>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
     public static SceneReading Read(string path, int? threads)
     {

@@ -89,6 +89,7 @@ internal sealed class StitchCommand : Command
         return ExitCode.Done;
     }
 
+    /// <summary>Prints the reasons, one line each.</summary>
     private static int No(string answer, IReadOnlyList<string> reasons)
     {
         var shown = string.Concat(reasons.Take(Printed).Select(reason => $"  {reason}\n"));

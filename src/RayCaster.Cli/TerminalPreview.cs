@@ -24,6 +24,7 @@ internal sealed class TerminalPreview
         cells = new(width, height, across, down);
     }
 
+    /// <summary>Adds the next lines of the picture.</summary>
     public void Take(ReadOnlySpan<byte> rgb) => cells.Take(rgb);
 
     /// <summary>The characters, in whole lines.</summary>

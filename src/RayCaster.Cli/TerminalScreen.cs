@@ -13,6 +13,7 @@ internal static class TerminalScreen
         !line.Has(Option.Preview) && !line.Has(Option.Color) ? ColorDepth.None // not needed, and the console library takes time to load
         : ColorDepths.Choose(line[Option.Color], !TakesOutput, Environment.GetEnvironmentVariable);
 
+    /// <summary>Whether standard output is a terminal.</summary>
     public static bool TakesOutput => !Console.IsOutputRedirected;
 
     /// <summary>A preview that fits into the window, with a line for the prompt.</summary>

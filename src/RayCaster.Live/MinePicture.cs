@@ -25,6 +25,7 @@ internal sealed class MinePicture : IDisposable
     /// <summary>Called when the picture changes, or is taken away.</summary>
     public event Action? Changed;
 
+    /// <summary>Follows the file until the end.</summary>
     public async Task FollowAsync()
     {
         if (path is null) return;

@@ -13,6 +13,7 @@ public sealed class FileWatch : IDisposable
     private readonly Timer poll;
     private Dictionary<string, (DateTime, long)> stamps = [];
 
+    /// <summary>Watches nothing yet.</summary>
     public FileWatch() => poll = new(_ => Poll(), null, PollMilliseconds, PollMilliseconds);
 
     /// <summary>Chooses the files to watch from now on, by their full paths.</summary>

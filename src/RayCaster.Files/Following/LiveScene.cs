@@ -43,8 +43,10 @@ public sealed class LiveScene : IDisposable
     /// <summary>Cancelled as soon as the file changes.</summary>
     public CancellationToken Outdated => outdated.Token;
 
+    /// <summary>Called after each change.</summary>
     public event Action? Changed;
 
+    /// <summary>Follows the file until the end.</summary>
     public async Task FollowAsync()
     {
         while (!end.IsCancellationRequested)

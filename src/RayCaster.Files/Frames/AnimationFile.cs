@@ -10,6 +10,7 @@ public static class AnimationFile
 {
     private const int Piece = 1 << 20;
 
+    /// <summary>Writes an animation.</summary>
     /// <param name="frames">The pictures, as this program draws them: PNG of red, green and blue, 8 bits each, not interlaced; all of one
     /// size.</param>
     /// <param name="framesPerSecond">1 to 1000.</param>

@@ -7,8 +7,10 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
     /// <summary>Black pixels between two pictures, and around all.</summary>
     public const int Gap = 4;
 
+    /// <summary>Pixels in a line of the sheet.</summary>
     public long Width => (long)columns * (width + Gap) + Gap;
 
+    /// <summary>Lines of the sheet.</summary>
     public long Height => (long)((pictures.Count - 1) / columns + 1) * (height + Gap) + Gap;
 
     /// <summary>The default size of small pictures: at most 160 pixels wide, with the proportions of the given picture.</summary>

@@ -9,6 +9,7 @@ public sealed class SmallPicture(int fromWidth, int fromHeight, int width, int h
     /// <summary>The small picture. Its lines are black until all that they cover were taken.</summary>
     public Picture Picture { get; } = new(width, height);
 
+    /// <summary>Adds the next lines.</summary>
     /// <param name="rgb">Whole lines, three bytes for each pixel.</param>
     public void Take(ReadOnlySpan<byte> rgb)
     {

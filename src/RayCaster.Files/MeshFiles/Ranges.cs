@@ -2,6 +2,7 @@ using System.Runtime.ExceptionServices;
 
 namespace RayCaster.Files;
 
+/// <summary>Divides work among threads.</summary>
 internal static class Ranges
 {
     /// <summary>The elements of each range but the last: a multiple of 3, and enough work for a thread.</summary>

@@ -6,8 +6,10 @@ namespace RayCaster.Files;
 /// <param name="Last">The last line, included; not less than the first.</param>
 public readonly record struct LineRange(int First, int Last)
 {
+    /// <summary>How many lines.</summary>
     public int Count => Last - First + 1;
 
+    /// <summary>All lines of a picture.</summary>
     public static LineRange Whole(int height) => new(0, height - 1);
 
     /// <summary>The same as a <see cref="Range"/>, whose end is excluded.</summary>

@@ -16,8 +16,10 @@ namespace RayCaster.Files;
 /// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
 public sealed partial record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
 {
+    /// <summary>The keyword of the text in the file.</summary>
     public const string Keyword = "raycaster:part";
 
+    /// <summary>The version of this library.</summary>
     public static string ThisVersion => typeof(PartFacts).Assembly.GetName().Version!.ToString(3);
 
     /// <summary>The facts of a part that is drawn now.</summary>
@@ -35,6 +37,7 @@ public sealed partial record PartFacts(int Width, int Height, LineRange Lines, s
             : null;
     }
 
+    /// <summary>The text.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture,
         $"picture {Width}x{Height}\nlines {Lines}\nscene {Digest}\nraycaster {Version}\n");
 

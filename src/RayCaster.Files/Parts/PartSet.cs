@@ -7,6 +7,7 @@ public sealed class PartSet
     private readonly List<(string Path, PartFacts Facts)> parts = [];
     private readonly List<string> problems = [];
 
+    /// <summary>Reads the facts of the files.</summary>
     /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
     /// none.</param>
     /// <exception cref="PictureFileException">A file cannot be read.</exception>
@@ -26,6 +27,7 @@ public sealed class PartSet
         Missing = FindMissing();
     }
 
+    /// <summary>How many parts there are.</summary>
     public int Count => parts.Count;
 
     /// <summary>The files that are parts, from the top.</summary>

@@ -31,6 +31,7 @@ public static class PictureFile
     /// <exception cref="IOException">The stream fails.</exception>
     public static Picture Read(Stream stream) => Read(stream, MostBytes);
 
+    /// <summary>The same with a limit.</summary>
     /// <param name="mostBytes">The most bytes that the picture may take in memory, three for each pixel.</param>
     /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
     /// <exception cref="IOException">The stream fails.</exception>

@@ -13,6 +13,7 @@ public enum PictureFormat
     PpmText,
 }
 
+/// <summary>Chooses a <see cref="PictureFormat"/>.</summary>
 public static class PictureFormats
 {
     /// <summary>The format that a file's extension names: .png or .ppm, in any case.</summary>

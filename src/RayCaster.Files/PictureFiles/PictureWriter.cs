@@ -34,6 +34,7 @@ public abstract class PictureWriter : IDisposable
         _ => throw new ArgumentOutOfRangeException(nameof(format), format, null),
     };
 
+    /// <summary>Writes the next lines.</summary>
     /// <param name="rgb">Any number of whole lines, width · 3 bytes each: red, green, blue, from left to right.</param>
     /// <exception cref="ArgumentException">The last line is not whole.</exception>
     /// <exception cref="InvalidOperationException">The picture has fewer lines.</exception>

@@ -62,12 +62,16 @@ public sealed class ReplacedFile : Stream
     /// <summary>True until the file is committed or given up.</summary>
     public override bool CanWrite => !closed;
 
+    /// <summary>Always false: nothing is read back.</summary>
     public override bool CanRead => false;
 
+    /// <summary>Always false: bytes are written in order.</summary>
     public override bool CanSeek => false;
 
+    /// <summary>Not supported.</summary>
     public override long Length => throw new NotSupportedException();
 
+    /// <summary>Not supported.</summary>
     public override long Position
     {
         get => throw new NotSupportedException();
@@ -93,6 +97,7 @@ public sealed class ReplacedFile : Stream
         }
     }
 
+    /// <summary>Writes bytes.</summary>
     /// <exception cref="PictureFileException">The disk is full or gone.</exception>
     public override void Write(ReadOnlySpan<byte> buffer)
     {
@@ -123,10 +128,13 @@ public sealed class ReplacedFile : Stream
         }
     }
 
+    /// <summary>Not supported.</summary>
     public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
+    /// <summary>Not supported.</summary>
     public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
 
+    /// <summary>Not supported.</summary>
     public override void SetLength(long value) => throw new NotSupportedException();
 
     /// <summary>Deletes the temporary file unless it was committed; the old file stays.</summary>

@@ -10,6 +10,7 @@ public static class WrittenFiles
     private static readonly HashSet<string> unfinished = []; // the temporary files
     private static bool isOver;
 
+    /// <summary>How many files are finished.</summary>
     public static int Count { get; private set; }
 
     /// <summary>The last finished file, as the caller named it; null if there is none.</summary>

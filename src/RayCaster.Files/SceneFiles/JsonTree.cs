@@ -34,6 +34,7 @@ internal sealed class JsonTree
     /// <summary>How many keys were compared in searches. It must grow only in proportion to the text, also in a file with many errors.</summary>
     public long KeysLookedAt;
 
+    /// <summary>The outermost value.</summary>
     public JsonValue Root => new(this, 0);
 
     public ref Node this[int node] => ref nodes[node];
@@ -41,6 +42,7 @@ internal sealed class JsonTree
     /// <summary>The bytes between the quotes of a text or key.</summary>
     public ReadOnlySpan<byte> Written(int node) => Text.Utf8[(nodes[node].Start + 1)..(nodes[node].End - 1)];
 
+    /// <summary>The token that was added last.</summary>
     public Node Last => nodes[count - 1];
 
     /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>
@@ -61,6 +63,7 @@ internal sealed class JsonTree
         return text.ToArray();
     }
 
+    /// <summary>Reads a text.</summary>
     /// <param name="text">Valid UTF-8.</param>
     /// <param name="mistake">Why it is not JSON, if null is returned.</param>
     public static JsonTree? Parse(SourceText text, out JsonMistake mistake)

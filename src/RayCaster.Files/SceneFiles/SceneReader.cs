@@ -29,6 +29,7 @@ public static class SceneReader
     public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null) =>
         StreamBytes.TryReadToEnd(stream, MostBytes, out var bytes) ? Parse(bytes, displayName, folder, threads) : TooLong(displayName);
 
+    /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text, with or without a byte order mark.</param>
     /// <param name="displayName">Its name in messages; <c>&lt;stdin&gt;</c> for standard input.</param>
     /// <param name="folder">The folder where paths of mesh files start.</param>

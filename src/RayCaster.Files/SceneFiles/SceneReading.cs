@@ -1,5 +1,6 @@
 namespace RayCaster.Files;
 
+/// <summary>The result of reading a scene file.</summary>
 /// <param name="Problems">The errors and warnings in the order of the file, at most about <see cref="MostProblems"/>.</param>
 public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
 {

@@ -3,8 +3,10 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
+/// <summary>A comparison in words.</summary>
 public static class ComparisonText
 {
+    /// <summary>The verdict in a word or two.</summary>
     public static string Of(Likeness verdict) => verdict switch
     {
         Likeness.Identical => "identical",
@@ -48,6 +50,7 @@ public static class ComparisonText
         return text.ToString();
     }
 
+    /// <summary>The measures in one line.</summary>
     public static string Of(Measures m) => string.Create(CultureInfo.InvariantCulture,
         $"Measures, in levels of 255: maximum {m.Maximum}, MAE {m.MeanAbsoluteError:0.#####}, RMSE {m.RootMeanSquareError:0.#####}; " +
         $"PSNR {(m.Maximum == 0 ? "infinite" : $"{m.PeakSignalToNoiseRatio.ToString("0.####", CultureInfo.InvariantCulture)} dB")}, " +

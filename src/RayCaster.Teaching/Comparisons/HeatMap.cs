@@ -1,5 +1,6 @@
 namespace RayCaster.Teaching;
 
+/// <summary>The colours of differences.</summary>
 public static class HeatMap
 {
     /// <summary>The colour of a difference: black for none, clearly visible for 1 level, then by the logarithm.</summary>

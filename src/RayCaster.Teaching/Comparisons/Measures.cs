@@ -6,6 +6,7 @@ namespace RayCaster.Teaching;
 /// </summary>
 public sealed class Measures
 {
+    /// <summary>Computes all measures.</summary>
     public Measures(PictureDifference difference)
     {
         var (mine, reference) = (difference.Mine, difference.Reference);

@@ -8,6 +8,9 @@ public sealed class PictureDifference
     private readonly byte[] levels;
     private readonly int[] count = new int[256]; // of pixels by their levels
 
+    /// <summary>Compares all pixels.</summary>
+    /// <param name="mine">The picture in question.</param>
+    /// <param name="reference">The one that it should be.</param>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
     public PictureDifference(Picture mine, Picture reference)
     {
@@ -28,6 +31,7 @@ public sealed class PictureDifference
     /// <summary>The one that it should be.</summary>
     public Picture Reference { get; }
 
+    /// <summary>How many pixels a picture has.</summary>
     public int Pixels => levels.Length;
 
     /// <summary>Pixels that differ by 1 level: rounding.</summary>

@@ -44,6 +44,7 @@ internal sealed class SceneDifference
     /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
     internal IReadOnlyList<int> ModelAt => hits.Model;
 
+    /// <summary>Compares model by model.</summary>
     /// <param name="scene">The scene, in any size.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     public static SceneDifference Find(Scene scene, PictureDifference difference, int? threads = null)
@@ -54,6 +55,7 @@ internal sealed class SceneDifference
         return new(scene, difference, hits, own, threads);
     }
 
+    /// <summary>The scene in the size of a picture.</summary>
     internal static Scene InSizeOf(Scene scene, Picture picture) =>
         (scene.Camera.Width, scene.Camera.Height) == (picture.Width, picture.Height)
             ? scene

@@ -1,5 +1,6 @@
 namespace RayCaster.Teaching;
 
+/// <summary>The colour's part of an explanation.</summary>
 internal static class ColorExplanation
 {
     /// <summary>The steps from the hit to the channels, and from the channels to their levels.</summary>

@@ -19,13 +19,16 @@ public sealed class HitLedger
 
     private HitLedger(Scene scene, LedgerEntry[] entries) => (Scene, this.entries) = (scene, entries);
 
+    /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
+    /// <summary>The models in the order of the scene.</summary>
     public IReadOnlyList<LedgerEntry> Models => entries;
 
     /// <summary>How many rays were judged.</summary>
     public long Rays { get; private set; }
 
+    /// <summary>How many of them hit something.</summary>
     public long Hits { get; private set; }
 
     /// <summary>How many hits are black because t ≥ 2 |T − P|.</summary>

@@ -8,6 +8,7 @@ public sealed class LedgerEntry(string label)
     /// <summary>The model's name, or its place in the scene file and its kind.</summary>
     public string Label { get; } = label;
 
+    /// <summary>The number of rays with an outcome.</summary>
     public long this[Outcome outcome] => counts[(int)outcome];
 
     /// <summary>The rays that hit the model; in some of their pixels a nearer model hides it.</summary>

@@ -2,6 +2,7 @@ using System.Text.Json.Serialization;
 
 namespace RayCaster.Teaching;
 
+/// <summary>One model in the explanation of a pixel.</summary>
 /// <param name="Index">Its place in the scene, from 0.</param>
 /// <param name="Name">Its name, or its path in the scene file.</param>
 /// <param name="Steps">The steps of its formula; empty for a model in plain doubles and ifs, of which only t is known.</param>
@@ -46,6 +47,7 @@ public sealed record MeshExplanation(
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias only.</param>
 public sealed record OtherModels(int Hidden, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Missed)
 {
+    /// <summary>How many there are in all.</summary>
     [JsonPropertyOrder(-1)]
     public int Count => Hidden + Behind + UnderBias + BeforeNear + BeyondFar + Missed;
 }

@@ -1,5 +1,6 @@
 namespace RayCaster.Teaching;
 
+/// <summary>How one model is shown.</summary>
 public enum Look
 {
     /// <summary>Like all others.</summary>

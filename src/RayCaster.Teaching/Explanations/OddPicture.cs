@@ -13,6 +13,7 @@ public sealed class OddPicture(Color background)
     /// <summary>Whether the lines so far look like a mistake.</summary>
     public bool IsOdd => seen.Count <= 1 || (seen.Count == 2 && seen.Contains(Black) && seen.Contains(Number(background.ToBytes())));
 
+    /// <summary>Takes the next lines.</summary>
     /// <param name="rgb">Whole lines of red, green and blue.</param>
     public void Take(ReadOnlySpan<byte> rgb)
     {

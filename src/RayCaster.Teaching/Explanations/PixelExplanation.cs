@@ -23,6 +23,7 @@ public sealed class PixelExplanation
         Notes = PixelNotes.Of(this);
     }
 
+    /// <summary>Explains a pixel.</summary>
     /// <param name="column">c, from the left, from 0.</param>
     /// <param name="line">The picture's line, from the top, from 0: row r = Height − 1 − line of the formulas.</param>
     /// <exception cref="ArgumentOutOfRangeException">The picture has no such pixel.</exception>
@@ -35,6 +36,7 @@ public sealed class PixelExplanation
         return new(scene, column, line);
     }
 
+    /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
     /// <summary>c, from the left, from 0.</summary>
@@ -64,6 +66,7 @@ public sealed class PixelExplanation
     /// <summary>The place in the scene of the model that the pixel shows; null for the background.</summary>
     public int? Winner { get; }
 
+    /// <summary>What the pixels beside it show.</summary>
     public IReadOnlyList<Neighbour> Neighbours { get; }
 
     /// <summary>The steps of the attenuation; empty for the background, which is not attenuated.</summary>
@@ -75,8 +78,10 @@ public sealed class PixelExplanation
     /// <summary>The colour before it is clamped.</summary>
     public Color Color { get; }
 
+    /// <summary>The pixel's bytes in the picture.</summary>
     public (byte R, byte G, byte B) Bytes => Color.ToBytes();
 
+    /// <summary>What is special about this pixel, in words.</summary>
     public IReadOnlyList<string> Notes { get; }
 
     /// <summary>The crossings of all models, in plain doubles.</summary>
@@ -123,6 +128,7 @@ public sealed class PixelExplanation
     }
 }
 
+/// <summary>What a neighbouring pixel shows.</summary>
 /// <param name="Where">left, right, above or below.</param>
 /// <param name="Column">c, from the left.</param>
 /// <param name="Line">The picture's line, from the top.</param>

@@ -12,6 +12,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
 {
     private const int Around = 720, Ahead = 400;
 
+    /// <summary>The section for an explanation.</summary>
     public static RaySection Of(PixelExplanation pixel)
     {
         var (camera, d) = (pixel.Scene.Camera, pixel.Ray.Direction);
@@ -113,6 +114,7 @@ public sealed record SectionView(double Left, double Right, double Bottom, doubl
         new(Math.Min(0, u) - 0.1 * length, Math.Max(0, u) + 0.2 * length, Math.Min(0, v) - 0.2 * length, Math.Max(0, v) + 0.2 * length);
 }
 
+/// <summary>The section of one model.</summary>
 /// <param name="Color">Its colour as #rrggbb.</param>
 /// <param name="Lines">Lines of points (u, v).</param>
 public sealed record ModelSection(int Index, string Name, string Color, IReadOnlyList<double[][]> Lines)
@@ -121,6 +123,7 @@ public sealed record ModelSection(int Index, string Name, string Color, IReadOnl
     public const int MostLines = 4000;
 }
 
+/// <summary>A crossing in the drawing.</summary>
 /// <param name="Model">The model's place in the scene.</param>
 /// <param name="At">Where it lies, (u, v).</param>
 /// <param name="Verdict">shows, hidden, notNeeded, refused or missed.</param>

@@ -10,6 +10,7 @@ public sealed record ReferenceExplanation(
 {
     private const int MostCauses = 6;
 
+    /// <summary>Compares a pixel with another picture.</summary>
     /// <param name="reference">The other picture, of the same size.</param>
     public static ReferenceExplanation Of(PixelExplanation pixel, Picture reference)
     {

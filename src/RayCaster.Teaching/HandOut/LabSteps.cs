@@ -3,6 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>The ten steps in which students write the lab, and the picture after each, which is the hand-out's reference.</summary>
 public static class LabSteps
 {
+    /// <summary>How many steps there are.</summary>
     public const int Count = 10;
 
     /// <summary>The first step with rays; before it, the lab draws a gradient.</summary>

@@ -1,5 +1,6 @@
 namespace RayCaster.Teaching;
 
+/// <summary>The kinds of numbers that a map can have.</summary>
 public enum MapKind
 {
     /// <summary>The ray parameter of the nearest hit: its distance from the camera; +∞ where nothing is hit.</summary>
@@ -18,6 +19,7 @@ public enum MapKind
     Uv,
 }
 
+/// <summary>Names of maps.</summary>
 public static class MapKinds
 {
     /// <summary>The names on the command line and in file names.</summary>
@@ -26,7 +28,9 @@ public static class MapKinds
     /// <summary>The kind with a name; null if there is none.</summary>
     public static MapKind? Named(string name) => Array.IndexOf(Names, name) is >= 0 and var place ? (MapKind)place : null;
 
+    /// <summary>The name of a kind.</summary>
     public static string Name(this MapKind kind) => Names[(int)kind];
 
+    /// <summary>How many numbers each pixel has.</summary>
     public static int Channels(this MapKind kind) => kind is MapKind.Normal or MapKind.Uv ? 3 : 1;
 }

@@ -3,6 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>Draws a map as a picture. Pixels without a hit are black.</summary>
 public static class MapPicture
 {
+    /// <summary>Makes the picture of a map.</summary>
     public static Picture Draw(NumberMap map, MapKind kind)
     {
         var (least, greatest) = kind.Channels() == 1 && map.Range is { } range ? range : default;

@@ -5,8 +5,10 @@ namespace RayCaster.Teaching;
 /// <exception cref="OverflowException">The map would have 2³¹ numbers or more.</exception>
 public sealed class NumberMap(int width, int height, int channels)
 {
+    /// <summary>Pixels in a line.</summary>
     public int Width { get; } = width;
 
+    /// <summary>Lines.</summary>
     public int Height { get; } = height;
 
     /// <summary>Numbers of a pixel: 1 or 3.</summary>
@@ -15,6 +17,7 @@ public sealed class NumberMap(int width, int height, int channels)
     /// <summary>Width · Height · Channels numbers; from left to right, then from top to bottom.</summary>
     public float[] Values { get; } = new float[checked(width * height * channels)];
 
+    /// <summary>The numbers of a pixel.</summary>
     /// <param name="x">The column, from the left.</param>
     /// <param name="y">The line, from the top.</param>
     public Span<float> this[int x, int y] => Values.AsSpan(((y * Width) + x) * Channels, Channels);

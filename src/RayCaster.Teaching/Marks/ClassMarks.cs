@@ -29,12 +29,14 @@ public sealed class ClassMarks
         others = new([rubric.Path, .. rubric.Scenes.Select(scene => scene.Path)], submissions);
     }
 
+    /// <summary>Options for marking a class.</summary>
     /// <param name="Threads">How many submissions are marked at the same time.</param>
     /// <param name="Resume">Whether to keep finished marks if neither rubric nor submission has changed.</param>
     /// <param name="JUnit">A file for the marks as JUnit XML, which continuous integration reads; null for none.</param>
     /// <param name="Progress">Called with the number of finished submissions and the number of all.</param>
     public sealed record Options(int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null);
 
+    /// <summary>Marks all submissions in a folder.</summary>
     /// <param name="submissions">A folder that contains a folder for each student.</param>
     /// <param name="output">The folder for the results; made if it does not exist.</param>
     /// <param name="cancellation">Ends the work; finished marks are kept for <see cref="Options.Resume"/>.</param>

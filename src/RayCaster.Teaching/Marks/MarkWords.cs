@@ -1,5 +1,6 @@
 namespace RayCaster.Teaching;
 
+/// <summary>The words on the students' pages.</summary>
 internal static class MarkWords
 {
     /// <summary>What one sees of the mistakes that cost an item, without what is wrong.</summary>
@@ -25,6 +26,7 @@ internal static class MarkWords
         _ => $"No {part}s are drawn",
     };
 
+    /// <summary>A verdict in words for the student.</summary>
     public static string InWords(this SceneVerdict verdict) => verdict switch
     {
         SceneVerdict.Right => "right",

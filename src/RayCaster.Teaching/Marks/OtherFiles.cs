@@ -6,6 +6,7 @@ namespace RayCaster.Teaching;
 /// The files that a student's program must not change: the scenes and the other submissions. Only a container can keep the program from
 /// them, but a change is noticed. Submissions that run at the same time may change files in their own folders.
 /// </summary>
+/// <param name="files">Single files.</param>
 /// <param name="folder">The folder of all submissions.</param>
 internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
 {
@@ -69,6 +70,7 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
                 $"{(changed.Length > MostNamed ? $" and {changed.Length - MostNamed} more" : "")}";
         }
 
+        /// <summary>Ends the watch.</summary>
         public void Dispose()
         {
             lock (all.watches) ended = Math.Min(ended, Stopwatch.GetTimestamp());

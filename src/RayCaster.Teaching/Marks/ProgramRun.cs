@@ -15,8 +15,10 @@ internal enum ProgramEnd
 /// <param name="Printed">The end of its output, standard output and standard error together.</param>
 internal sealed record ProgramRun(ProgramEnd End, int ExitCode, string Printed)
 {
+    /// <summary>Whether it reports success.</summary>
     public bool IsDone => End == ProgramEnd.Exited && ExitCode == 0;
 
+    /// <summary>How it ended, in words.</summary>
     public string InWords(ProgramLimits limits, TimeSpan time) => End switch
     {
         ProgramEnd.NotStarted => $"cannot be started: {Printed}",

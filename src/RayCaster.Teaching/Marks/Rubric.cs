@@ -3,6 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>How a class is marked (docs/teaching.md): the scenes, how to get a submission's pictures, and what costs points.</summary>
 public sealed class Rubric
 {
+    /// <param name="scenes">The scenes.</param>
     /// <param name="digest">A hash of the rubric's text and the scenes' texts.</param>
     internal Rubric(IReadOnlyList<MarkedScene> scenes, string digest)
     {
@@ -24,8 +25,10 @@ public sealed class Rubric
     /// <summary>The parts that have points, in the order of the table.</summary>
     public required IReadOnlyList<RubricItem> Items { get; init; }
 
+    /// <summary>How to get the pictures.</summary>
     public required PictureSource Source { get; init; }
 
+    /// <summary>The sum of all items' points.</summary>
     public double Points => Items.Sum(item => item.Points);
 
     /// <summary>A hash of the rubric's text and the scenes' texts: finished marks are kept as long as it is the same.</summary>
@@ -62,6 +65,7 @@ public sealed record RubricItem(string Name, double Points, double Each, IReadOn
 /// <param name="Run">The command that draws a picture; empty if the pictures are in the folder.</param>
 public sealed record PictureSource(string Pictures, IReadOnlyList<string> Build, IReadOnlyList<string> Run, ProgramLimits Limits);
 
+/// <summary>The limits of a student's program.</summary>
 /// <param name="OutputBytes">The bytes that it may print, and the size of a file that it may write.</param>
 /// <param name="MemoryBytes">The memory of all its processes together.</param>
 /// <param name="Network">Whether it may use the network; some systems cannot forbid it.</param>

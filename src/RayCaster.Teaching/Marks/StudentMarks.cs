@@ -20,17 +20,20 @@ public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<I
             ? Scenes[0].Problem : null;
 }
 
+/// <summary>A student's points for an item.</summary>
 /// <param name="Points">The points that are certain.</param>
 /// <param name="Open">The points that are not decided.</param>
 /// <param name="Because">The ids of the mistakes and the names of the missing parts that cost points, or may cost points.</param>
 public sealed record ItemMarks(string Name, double Of, double Points, double Open, IReadOnlyList<string> Because);
 
+/// <summary>The judgement of one picture.</summary>
 /// <param name="Problem">What is unusual about the picture, in words; null if nothing is.</param>
 /// <param name="WrongShare">The share of pixels that are wrong; 1 if there is no picture of the right size.</param>
 /// <param name="Small">A small copy of the picture, as PNG; empty if the picture is right or missing.</param>
 /// <param name="Likeness">A tiny copy of the picture, for finding pictures that look alike.</param>
 public sealed record SceneMarks(string Name, SceneVerdict Verdict, string? Problem, double WrongShare, byte[] Small, byte[] Likeness);
 
+/// <summary>The result of judging a picture.</summary>
 public enum SceneVerdict
 {
     /// <summary>It is right, but for rounding and single pixels on outlines.</summary>

@@ -1,5 +1,6 @@
 namespace RayCaster.Teaching;
 
+/// <summary>Small copies of pictures.</summary>
 internal static class Thumbnail
 {
     /// <summary>The longer side of a copy for people, and of a copy for comparing.</summary>
@@ -16,6 +17,7 @@ internal static class Thumbnail
         return small.Picture;
     }
 
+    /// <summary>The bytes of a PNG file.</summary>
     public static byte[] ToPng(this Picture picture)
     {
         using var bytes = new MemoryStream();
