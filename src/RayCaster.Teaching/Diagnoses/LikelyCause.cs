@@ -126,10 +126,10 @@ internal static class LikelyCause
             wrong++;
             var (kind, color) = models[i] < 0 ? ("background", scene.Background) : (scene.Models[models[i]].Kind, scene.Models[models[i]].Color);
             if (Unfinished.IsShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
-            // Of two grey models each is a shade of the other, and black is a shade of all: there a new edge tells.
+            // Of two grey models each is a shade of the other, and black is a shade of all: there a new edge within a model tells.
             if ((x > 0 && IsNewEdge(x - 1, y)) || (y > 0 && IsNewEdge(x, y - 1))) edges++;
 
-            bool IsNewEdge(int nx, int ny) =>
+            bool IsNewEdge(int nx, int ny) => models[ny * right.Width + nx] == models[i] &&
                 PictureDifference.Levels(right[x, y], right[nx, ny]) <= 8 && PictureDifference.Levels(shown, picture[nx, ny]) > 40;
         }
         // A cut through an area is about as long as its side.
