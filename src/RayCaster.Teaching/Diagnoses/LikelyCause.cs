@@ -136,7 +136,7 @@ internal static class LikelyCause
         return count.Values.Sum() >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong) ? count : none;
     }
 
-    /// <summary>Whether bytes are a colour in a light so bright that some channels are clamped; the brightest of the others tells the light.</summary>
+    /// <summary>Whether bytes are a colour in a light so bright that channels are clamped; the brightest of the others tells the light.</summary>
     private static bool IsTooBrightShadeOf((byte R, byte G, byte B) bytes, Color color)
     {
         ReadOnlySpan<(byte Byte, double Channel)> channels = [(bytes.R, color.R), (bytes.G, color.G), (bytes.B, color.B)];

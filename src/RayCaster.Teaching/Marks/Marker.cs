@@ -19,13 +19,15 @@ internal sealed class Marker(Rubric rubric)
 
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
     private static List<MarkedScene> Told(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
-        [.. pictures.Except(diagnosis.Unexplained).Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess).Select(picture => picture.Scene)];
+    [
+        .. pictures.Except(diagnosis.Unexplained).Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess)
+            .Select(picture => picture.Scene),
+    ];
 
     private List<ItemMarks> Items(JointDiagnosis diagnosis, List<SubmittedPicture> pictures)
     {
         var items = new List<ItemMarks>();
         var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Scene));
-        var isMostlyTold = 2 * told.Count > judged.Count;
         var isAllTold = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
         foreach (var item in rubric.Items)
         {
@@ -37,7 +39,9 @@ internal sealed class Marker(Rubric rubric)
                 (least, most) = (Math.Min(least, other), Math.Max(most, other));
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
-            if (diagnosis.IsOnlyLight ? ConcernsLight(item) || !Tells(judged, item) : !isAllTold && !((isMostlyTold || IsOfShapes(item)) && Tells(told, item))) most = item.Points;
+            var mayBeAtFault = diagnosis.IsOnlyLight ? ConcernsLight(item) || !Tells(judged, item)
+                : !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item)));
+            if (mayBeAtFault) most = item.Points;
             if (diagnosis.IsGuess) least = 0;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
         }

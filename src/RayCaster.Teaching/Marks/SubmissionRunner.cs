@@ -42,7 +42,8 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
     {
         var path = Path.Combine(submission.Folder, rubric.Source.Pictures.Replace("{name}", scene.Name));
         if (!File.Exists(path) && Path.ChangeExtension(path, ".ppm") is var other && File.Exists(other)) path = other;
-        return SubmittedPicture.Read(scene, path, File.Exists(path) ? null : $"no picture {Path.GetRelativePath(submission.Folder, path)}{Others(submission)}");
+        return SubmittedPicture.Read(scene, path, File.Exists(path) ? null
+            : $"no picture {Path.GetRelativePath(submission.Folder, path)}{Others(submission)}");
     }
 
     /// <summary>Some pictures that the submission has: their names may differ from the rubric's.</summary>
