@@ -6,7 +6,7 @@ internal static class FileKind
 {
     private const int TypeInHeader = 156; // the place of an archive's byte that says what an entry is
 
-    /// <summary>Whether a file may take the place of what lies there: nothing, a regular file, or a link to one.</summary>
+    /// <summary>Whether a file may replace what is at a path: nothing, a regular file, or a link to one.</summary>
     public static bool MayBeReplaced(string path)
     {
         if (OperatingSystem.IsWindows() || !File.Exists(path)) return true; // devices have names of their own on Windows
