@@ -18,14 +18,15 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
     public bool ManyFrames { get; init; }
 
     /// <summary>Draws lines of the picture.</summary>
+    /// <param name="write">Receives whole lines of red, green and blue bytes.</param>
     /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
     /// <exception cref="FastWayDisagreesException">All lines were drawn, but some differ from the definition. A message was shown; the next call
     /// draws by the definition.</exception>
-    public void Draw(LineRange lines, WriteLines write, Action<int>? linesDone, CancellationToken cancellation)
+    public void Draw(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
         if (isByDefinition) DrawByDefinition(lines, write, linesDone, cancellation);
         else if (ScalarRenderer.IsChanged) DrawChecked(lines, write, linesDone, cancellation);
-        else new Renderer(scene, threads) { ManyFrames = ManyFrames }.Draw(lines, write.Invoke, linesDone, cancellation);
+        else new Renderer(scene, threads) { ManyFrames = ManyFrames }.Draw(lines, write, linesDone, cancellation);
     }
 
     /// <summary>Compares with the definition before any line is written.</summary>
@@ -42,7 +43,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
         }
     }
 
-    private void DrawChecked(LineRange lines, WriteLines write, Action<int>? linesDone, CancellationToken cancellation)
+    private void DrawChecked(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
         var check = new DefinitionCheck(scene, lines);
         new Renderer(scene, threads) { ManyFrames = ManyFrames }.Draw(lines, Take, linesDone, cancellation);
@@ -58,7 +59,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
         }
     }
 
-    private void DrawByDefinition(LineRange lines, WriteLines write, Action<int>? linesDone, CancellationToken cancellation)
+    private void DrawByDefinition(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
         var atOnce = (int)Math.Clamp(PixelsAtOnce / scene.Camera.Width, 1, lines.Count);
         for (var line = lines.First; line <= lines.Last; line += atOnce)
@@ -71,9 +72,6 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
         }
     }
 }
-
-/// <summary>Receives whole lines of red, green and blue bytes.</summary>
-internal delegate void WriteLines(ReadOnlySpan<byte> rgb);
 
 /// <summary>The lines that were drawn are not the definition's and must not be kept.</summary>
 internal sealed class FastWayDisagreesException : Exception;

@@ -11,9 +11,8 @@ internal static class SceneInput
     /// <returns>The scene; null if it has errors.</returns>
     public static Scene? Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true)
     {
-        var size = line.PictureSize();
-        var (wide, high) = size ?? (0, 0); // the scene's own size is not known yet
-        var reading = Read(path, line.ThreadCount(), text => WarmUp.Begin(text, (long)wide * high));
+        var size = line.PictureSize(); // a wrong size is refused before the scene is read
+        var reading = Read(path, line.ThreadCount());
         cancellation.ThrowIfCancellationRequested();
         if (reading.Scene is null || (warns && !line.Has(Option.Quiet))) StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
@@ -24,24 +23,24 @@ internal static class SceneInput
     /// pictures.</summary>
     public static void WarnOfEditedJudge(string path, Scene scene)
     {
-        if (path != Standard && StoredReference.Contradiction(path, scene) is { } message) StandardFile.WriteError(message + Environment.NewLine);
+        if (path != Standard && StoredReference.Contradiction(path, scene) is { } message)
+            StandardFile.WriteError($"{message}. What follows may be wrong.{Environment.NewLine}");
     }
 
     /// <summary>Reads a scene with its errors and warnings.</summary>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
-    /// <param name="look">Gets the text before it is parsed.</param>
-    public static SceneReading Read(string path, int? threads, Action<ReadOnlySpan<byte>>? look = null)
+    public static SceneReading Read(string path, int? threads)
     {
-        var reading = path == Standard ? ReadStandardInput(threads, look) : SceneReader.Read(path, threads, look);
+        var reading = path == Standard ? ReadStandardInput(threads) : SceneReader.Read(path, threads);
         InputFiles.Note([path, .. reading.MeshFiles]);
         return reading;
     }
 
     /// <remarks>A method of its own, because the runtime would load the console library wherever this is compiled.</remarks>
-    private static SceneReading ReadStandardInput(int? threads, Action<ReadOnlySpan<byte>>? look)
+    private static SceneReading ReadStandardInput(int? threads)
     {
         if (StandardInput.IsClosed) throw new ProblemException("raycaster: the scene is to be read from standard input, but that is closed");
         using var input = Console.OpenStandardInput();
-        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads, look);
+        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads);
     }
 }

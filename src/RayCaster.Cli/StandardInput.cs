@@ -15,10 +15,8 @@ internal static class StandardInput
             if (!Directory.Exists(Descriptors)) return false; // not Linux
             if (TargetOf("0") is not { } input) return true;
             if (!Path.GetFileName(input).StartsWith("pipe:", StringComparison.Ordinal)) return false;
-            foreach (var descriptor in Directory.GetFileSystemEntries(Descriptors))
-                if (TargetOf(Path.GetFileName(descriptor)) == input && IsForWriting(Path.GetFileName(descriptor)))
-                    return true;
-            return false;
+            return Directory.GetFileSystemEntries(Descriptors).Any(
+                descriptor => TargetOf(Path.GetFileName(descriptor)) == input && IsForWriting(Path.GetFileName(descriptor)));
         }
     }
 
@@ -35,11 +33,6 @@ internal static class StandardInput
     }
 
     /// <summary>Whether the access mode, the last octal digit of a descriptor's flags, is "write only".</summary>
-    private static bool IsForWriting(string descriptor)
-    {
-        foreach (var line in File.ReadLines(Path.Combine(Facts, descriptor)))
-            if (line.StartsWith("flags:", StringComparison.Ordinal))
-                return (line[^1] & 3) == 1;
-        return false;
-    }
+    private static bool IsForWriting(string descriptor) =>
+        Array.Find(File.ReadAllLines(Path.Combine(Facts, descriptor)), line => line.StartsWith("flags:")) is { } flags && (flags[^1] & 3) == 1;
 }

@@ -36,16 +36,17 @@ internal sealed class VaryCommand : Command
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("vary needs a name for the scene, as in -o mine.json");
         InputFiles.Note([path]);
         InputFiles.Keep(output);
-        byte[] text = [];
-        var reading = SceneReader.Read(path, look: bytes => text = bytes.ToArray());
+        var reading = SceneReader.Read(path);
         StandardFile.WriteError(reading.Report());
-        if (reading.Scene is not { } scene) return text.Length == 0 ? ExitCode.CouldNot : ExitCode.No;
+        if (reading.Scene is not { } scene) return reading.Text.IsEmpty ? ExitCode.CouldNot : ExitCode.No;
+        SceneInput.WarnOfEditedJudge(path, scene);
 
         var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
-        if (scene.Models.Any(model => model is Mesh) && Path.GetDirectoryName(Path.GetFullPath(output)) != folder)
+        var newFolder = Path.GetDirectoryName(Path.GetFullPath(output))!;
+        if (scene.Models.Any(model => model is Mesh) && newFolder != folder)
             throw new ProblemException($"raycaster: {path} names mesh files, whose paths start at its folder: " +
                 $"write {Path.GetFileName(output)} to {folder}");
-        if (SceneVariation.Of(text, folder, seed) is not { } varied)
+        if (SceneVariation.Of(reading.Text, folder, seed, newFolder) is not { } varied)
         {
             StandardFile.WriteError($"{path}: no variation of it shows all its mistakes; try another seed{Environment.NewLine}");
             return ExitCode.No;

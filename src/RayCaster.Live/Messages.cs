@@ -8,7 +8,7 @@ namespace RayCaster.Live;
 /// <summary>The server's messages to a page, as JSON. Each has a "kind".</summary>
 internal static class Messages
 {
-    /// <summary>How many models the page lists at most: nobody reads a list of a thousand.</summary>
+    /// <summary>The most models that the page lists: a list of a thousand is too long to read.</summary>
     public const int MostModels = 500;
 
     private static readonly JsonSerializerOptions options = new(JsonSerializerDefaults.Web)

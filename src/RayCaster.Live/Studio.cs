@@ -5,7 +5,7 @@ namespace RayCaster.Live;
 /// <summary>Draws for all pages, one picture after another: each takes every core. Pages with the same view share one picture.</summary>
 internal sealed class Studio
 {
-    private const int MostRehearsals = 60, LongestWarmUpMilliseconds = 2000;
+    private const int MostWarmUpFrames = 60, LongestWarmUpMilliseconds = 2000;
 
     private readonly SemaphoreSlim turn = new(1, 1);
     private (SceneState? State, View? View, Frame? Frame) last;
@@ -49,7 +49,7 @@ internal sealed class Studio
             var buffer = new MovingBuffer();
             var view = new View(Divisor: 4).Of(scene);
             var watch = Stopwatch.StartNew();
-            for (var i = 0; i < MostRehearsals && watch.ElapsedMilliseconds < LongestWarmUpMilliseconds; i++)
+            for (var i = 0; i < MostWarmUpFrames && watch.ElapsedMilliseconds < LongestWarmUpMilliseconds; i++)
             {
                 Thread.Sleep(2); // pages that wait draw first
                 turn.Wait();

@@ -4,19 +4,12 @@ namespace RayCaster.Live;
 internal sealed partial class Tab
 {
     private HintLevel hint = HintLevel.Question;
-    private bool wantsDiagnosis;
     private Comparison? compared; // the comparison that the page knows
 
     private async Task TellMapAsync(SceneState state)
     {
-        MapKind kind;
-        View seen;
-        lock (sync)
-        {
-            if (!wantsMap || isMoving || map is not { } wanted) return;
-            (wantsMap, kind, seen) = (false, wanted, view with { Look = Teaching.Look.Plain, Model = -1 });
-        }
-        var scene = seen.Of(state.Scene!);
+        if (isMoving || !Takes(Pending.Map) || map is not { } kind) return;
+        var scene = (view with { Look = Teaching.Look.Plain, Model = -1 }).Of(state.Scene!);
         var drawn = await server.Studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
         await SendAsync(drawn.Legend());
         await SendFrameAsync(drawn.Frame, Layer.Map, state.Version, isFinal: true);
@@ -24,13 +17,8 @@ internal sealed partial class Tab
 
     private async Task TellComparisonAsync(SceneState state)
     {
-        HintLevel level;
-        bool diagnoses;
-        lock (sync)
-        {
-            if (!wantsComparison) return;
-            (wantsComparison, wantsDiagnosis, level, diagnoses) = (false, false, hint, wantsDiagnosis);
-        }
+        if (!Takes(Pending.Comparison)) return;
+        var (diagnoses, level) = (Takes(Pending.Diagnosis), hint);
         var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio).WaitAsync(end.Token);
         if (!ReferenceEquals(comparison, compared))
         {
@@ -51,7 +39,7 @@ internal sealed partial class Tab
     /// <summary>Compares with the user's picture as it is now.</summary>
     public void CompareAgain()
     {
-        lock (sync) (wantsComparison, wantsExplanation) = (true, explained is not null);
+        lock (sync) pending |= Pending.Comparison | Pending.Explanation;
         Wake();
     }
 }

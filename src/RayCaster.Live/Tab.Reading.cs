@@ -70,21 +70,22 @@ internal sealed partial class Tab
                     Look(view with { Look = Enum.Parse<Look>(value[0].GetString()!, ignoreCase: true), Model = value[1].GetInt32() });
                     break;
                 case "hover":
-                    hover = (value[0].GetInt32(), value[1].GetInt32());
+                    hover = new(value[0].GetInt32(), value[1].GetInt32());
+                    pending |= Pending.Hover;
                     break;
                 case "explain":
-                    explained = IsNull(value) ? null : (value[0].GetInt32(), value[1].GetInt32());
-                    wantsExplanation = explained is not null;
+                    explained = IsNull(value) ? null : new(value[0].GetInt32(), value[1].GetInt32());
+                    pending |= Pending.Explanation;
                     break;
                 case "map":
                     map = IsNull(value) ? null : MapKinds.Named(value.GetString()!);
-                    wantsMap = map is not null;
+                    pending |= Pending.Map;
                     break;
                 case "hint":
                     hint = Enum.Parse<HintLevel>(value.GetString()!, ignoreCase: true);
                     break;
                 case "diagnose":
-                    (wantsDiagnosis, wantsComparison) = (true, true);
+                    pending |= Pending.Diagnosis | Pending.Comparison;
                     break;
                 case "forgetMine":
                     server.Mine.Forget();
@@ -109,7 +110,8 @@ internal sealed partial class Tab
     {
         if (server.Scene.State.Scene is not { } scene) return;
         view = view with { Camera = move(view.Camera ?? scene.Camera) };
-        (isMoving, wantsFrame) = (true, true);
+        isMoving = true;
+        pending |= Pending.Frame;
         outdated.Cancel();
     }
 
@@ -117,7 +119,8 @@ internal sealed partial class Tab
     private void Rest()
     {
         if (view.Camera is { } camera) view = view with { Camera = CameraMotion.Rounded(camera) };
-        (isMoving, wantsCamera) = (false, true);
+        isMoving = false;
+        pending |= Pending.Camera;
         Refresh();
     }
 

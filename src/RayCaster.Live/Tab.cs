@@ -17,17 +17,23 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private readonly ConcurrentQueue<byte[]> posted = new();
     private Task sending = Task.CompletedTask;
 
-    private readonly Lock sync = new(); // guards the fields below, which the reading loop writes and the sending loop reads
+    private readonly Lock sync = new(); // for the fields below, which the reading loop writes, and the sending loop reads after Takes
+    private Pending pending;
     private View view = new();
-    private bool isMoving, wantsFrame, wantsCamera, wantsLedger;
+    private bool isMoving;
     private int divisor = 1;
     private MapKind? map;
-    private bool wantsMap, wantsComparison;
-    private (int Column, int Line)? hover, explained;
-    private bool wantsExplanation;
+    private Place? hover, explained;
     private int shown, sent;
     private SceneState? known; // the state that the page knows
     private CancellationTokenSource outdated = new();
+
+    /// <summary>What is still to be sent to the page.</summary>
+    [Flags]
+    private enum Pending { Hover = 1, Frame = 2, Camera = 4, Explanation = 8, Map = 16, Comparison = 32, Diagnosis = 64, Ledger = 128 }
+
+    /// <summary>A pixel of the picture that the page shows, from the left and from the top.</summary>
+    private sealed record Place(int Column, int Line);
 
     /// <summary>Makes the sending loop look for work.</summary>
     public void Wake()
@@ -97,24 +103,29 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
             known = state;
             if (!state.IsGood) return;
             Refresh();
-            wantsCamera = wantsComparison = true;
+            pending |= Pending.Camera | Pending.Comparison;
         }
     }
 
     /// <summary>Notes that the page needs again everything that depends on the scene and the view.</summary>
-    private void Refresh() =>
-        (wantsFrame, wantsExplanation, wantsMap, wantsLedger) = (true, explained is not null, map is not null, true);
+    private void Refresh() => pending |= Pending.Frame | Pending.Explanation | Pending.Map | Pending.Ledger;
+
+    /// <summary>Whether something is still to be sent; from now on it is not, unless it is requested again.</summary>
+    private bool Takes(Pending message)
+    {
+        lock (sync)
+        {
+            var isPending = pending.HasFlag(message);
+            pending &= ~message;
+            return isPending;
+        }
+    }
 
     private async Task TellFrameAsync(SceneState state)
     {
-        View wanted;
-        bool moves;
-        lock (sync)
-        {
-            if (!wantsFrame || sent - shown >= MostUnseen) return;
-            (wantsFrame, moves) = (false, isMoving);
-            wanted = moves ? view with { Divisor = divisor } : view;
-        }
+        if (sent - shown >= MostUnseen || !Takes(Pending.Frame)) return;
+        var moves = isMoving;
+        var wanted = moves ? view with { Divisor = divisor } : view;
         var frame = moves
             ? await server.Studio.DoAsync(() => buffer.Draw(wanted.Of(state.Scene!)), end.Token)
             : await server.Studio.DrawAsync(state, wanted, Outdated());
@@ -124,36 +135,22 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
 
     private async Task TellCameraAsync(SceneState state)
     {
-        Camera? camera;
-        lock (sync)
-        {
-            if (!wantsCamera) return;
-            (wantsCamera, camera) = (false, view.Camera);
-        }
+        if (!Takes(Pending.Camera)) return;
+        var camera = view.Camera;
         await SendAsync(Messages.OfCamera(camera ?? state.Scene!.Camera, camera is not null));
     }
 
     private async Task TellHoverAsync(SceneState state)
     {
-        (int Column, int Line) place;
-        lock (sync)
-        {
-            if (hover is not { } wanted) return;
-            (hover, place) = (null, wanted);
-        }
+        if (!Takes(Pending.Hover) || hover is not { } place) return;
         var scene = view.Of(state.Scene!);
         if (IsIn(scene, place)) await SendAsync(Messages.OfHover(scene, place.Column, place.Line));
     }
 
     private async Task TellExplanationAsync(SceneState state)
     {
-        (int Column, int Line) place;
-        View seen;
-        lock (sync)
-        {
-            if (!wantsExplanation || isMoving || explained is not { } wanted) return;
-            (wantsExplanation, place, seen) = (false, wanted, view);
-        }
+        if (isMoving || !Takes(Pending.Explanation) || explained is not { } place) return;
+        var seen = view;
         if (!IsIn(seen.Of(state.Scene!), place)) return;
         await SendAsync(await Task.Run(() =>
         {
@@ -165,13 +162,8 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
 
     private async Task TellLedgerAsync(SceneState state)
     {
-        View seen;
-        lock (sync)
-        {
-            if (!wantsLedger || isMoving) return;
-            (wantsLedger, seen) = (false, view);
-        }
-        var scene = seen.Of(state.Scene!);
+        if (isMoving || !Takes(Pending.Ledger)) return;
+        var scene = view.Of(state.Scene!);
         var ledger = await Task.Run(() => HitLedger.Take(scene, Outdated()));
         await SendAsync(Messages.OfLedger(ledger, state.Version));
     }
@@ -207,7 +199,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         sending = socket.SendAsync(message.AsMemory(), WebSocketMessageType.Text, true, end.Token).AsTask();
     }
 
-    private static bool IsIn(Scene scene, (int Column, int Line) place) =>
+    private static bool IsIn(Scene scene, Place place) =>
         place.Column >= 0 && place.Line >= 0 && place.Column < scene.Camera.Width && place.Line < scene.Camera.Height;
 
     private static bool IsSame(Camera a, Camera b) => (a.Position, a.Target, a.Up, a.FovY) == (b.Position, b.Target, b.Up, b.FovY);

@@ -15,7 +15,7 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidde
     /// <summary>The longest side of a canvas that every browser shows.</summary>
     private const int MostSide = 8000;
 
-    /// <summary>The last selection of each scene's models: the renderer keeps what it knows of a list of models by that list's identity.</summary>
+    /// <summary>The last selection of each scene's models: the renderer caches by the list, so a selection must stay the same list.</summary>
     private static readonly ConditionalWeakTable<IReadOnlyList<Model>, Selection> selections = [];
 
     /// <summary>The scene as the page shows it. An empty mesh takes the place of a hidden model, so that the others keep their indices.</summary>

@@ -78,24 +78,14 @@ public sealed class DefinitionCheck
         Add(width, 0);
         Add(0, height);
         Add(width, height);
+        var camera = scene.Camera;
         foreach (var model in scene.Models.Take(MostModels))
-            if (model.Bounds is { } bounds)
-                AddAt(0.5 * (bounds.Min + bounds.Max));
+            if (model.Bounds is { } bounds && Tile.Of(bounds.PaddedFrom(camera.Position), camera) is { Area: > 0 } seen)
+                Add(seen.Column + Math.Min(seen.Width, width) / 2, // a tile around the camera reaches beyond the picture
+                    camera.Height - 1 - (seen.Row + Math.Min(seen.Height, camera.Height) / 2) - firstLine);
         var random = new Random(1); // the same windows in each run
         for (var i = 0; i < RandomWindows; i++) Add(random.Next(width), random.Next(height));
         if (windows.Count > most) windows.RemoveRange(most, windows.Count - most);
-    }
-
-    /// <summary>Adds the window where a point is seen, if it is in the picture.</summary>
-    private void AddAt(Vector3 point)
-    {
-        var camera = scene.Camera;
-        var toPoint = point - camera.Position;
-        var depth = -(toPoint * camera.W);
-        var column = (toPoint * camera.U / depth / camera.PlaneWidth + 0.5) * width;
-        var row = (toPoint * camera.V / depth / camera.PlaneHeight + 0.5) * camera.Height;
-        var line = camera.Height - 1 - row - firstLine;
-        if (depth > 0 && column >= 0 && column < width && line >= 0 && line < height) Add((int)column, (int)line);
     }
 
     /// <summary>Adds a window, moved to where it lies within the picture.</summary>

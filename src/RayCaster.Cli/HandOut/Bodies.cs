@@ -6,16 +6,13 @@ namespace RayCaster.Cli;
 /// A source file of the lab with marked bodies. Students write the code between <c>// BEGIN SOLUTION "slide"</c> and <c>// END SOLUTION</c>. Lines
 /// <c>// STUB code</c> between them are the code before that; without such lines it is a comment, and there is no hit.
 /// </summary>
-internal sealed partial class Bodies
+/// <param name="lines">The lines, without line ends.</param>
+internal sealed partial class Bodies(string[] lines, IReadOnlyList<Bodies.Body> all)
 {
-    private readonly string[] lines; // without line ends
-
-    private Bodies(string[] lines, List<Body> all) => (this.lines, All) = (lines, all);
-
     /// <summary>A marked body, with the indexes of its markers' lines.</summary>
     public sealed record Body(string Slide, int Begin, int End);
 
-    public IReadOnlyList<Body> All { get; }
+    public IReadOnlyList<Body> All => all;
 
     /// <exception cref="ProblemException">A marker is missing, or its slide belongs to no step.</exception>
     public static Bodies Parse(string file, string text)

@@ -1,8 +1,8 @@
 namespace RayCaster.Files;
 
 /// <summary>
-/// Reports that one of some files may have changed. The system's notices come within a millisecond. Where there are none, as on many network
-/// drives, times and lengths of the files are compared a few times a second.
+/// Reports that one of some files may have changed. The system notifies within a millisecond. Where it does not, as on many network drives,
+/// times and lengths of the files are compared a few times a second.
 /// </summary>
 public sealed class FileWatch : IDisposable
 {

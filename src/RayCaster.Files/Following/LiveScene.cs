@@ -7,7 +7,7 @@ namespace RayCaster.Files;
 /// <param name="IsGood">Whether the file describes that scene now.</param>
 /// <param name="InFileOrder">The text of that scene if the order of a mesh is another than in its file; otherwise null.</param>
 public sealed record SceneState(
-    int Version, byte[] Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood, byte[]? InFileOrder = null);
+    int Version, ReadOnlyMemory<byte> Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood, ReadOnlyMemory<byte>? InFileOrder = null);
 
 /// <summary>Reads a scene file again whenever it, or a mesh that it names, is saved.</summary>
 public sealed class LiveScene : IDisposable
@@ -28,7 +28,7 @@ public sealed class LiveScene : IDisposable
     {
         (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));
         watch.Watch([FullPath]);
-        State = Next(Read(out var text), text);
+        State = Next(SceneReader.Read(path));
     }
 
     /// <summary>The file as the user named it.</summary>
@@ -53,10 +53,10 @@ public sealed class LiveScene : IDisposable
         {
             await watch.WaitAsync(Timeout.Infinite, end.Token);
             await Task.Delay(1, end.Token); // most editors cause a second notice within this time
-            var (reading, text) = await ReadPatiently();
-            var isSame = text.AsSpan().SequenceEqual(State.Text) && reading.Scene is not null == State.IsGood;
+            var reading = await ReadPatiently();
+            var isSame = reading.Text.Span.SequenceEqual(State.Text.Span) && reading.Scene is not null == State.IsGood;
             if (isSame && stamps.AsSpan().SequenceEqual(StampsOf(reading))) continue; // a second notice of the same save
-            Publish(Next(reading, text));
+            Publish(Next(reading));
         }
     }
 
@@ -72,7 +72,7 @@ public sealed class LiveScene : IDisposable
     {
         var state = State;
         if (!state.IsGood) return "the scene file has a mistake: correct it first";
-        if (state.Version != version || !File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text))
+        if (state.Version != version || !File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text.Span))
             return "the scene file was changed at the same time: look at it, then try again";
         using var file = new ReplacedFile(File.ResolveLinkTarget(FullPath, returnFinalTarget: true)?.FullName ?? FullPath);
         file.Write(CameraEdit.Write(state.Text, camera));
@@ -95,34 +95,26 @@ public sealed class LiveScene : IDisposable
     }
 
     /// <summary>Reads until the file is good, or stays broken for a while.</summary>
-    private async Task<(SceneReading, byte[])> ReadPatiently()
+    private async Task<SceneReading> ReadPatiently()
     {
         while (true)
         {
-            var reading = Read(out var text);
-            if (reading.Scene is not null) return (reading, text);
-            var patience = text.Length == 0 ? PatienceWithNothing : PatienceMilliseconds;
-            if (!await watch.WaitAsync(patience, end.Token)) return (reading, text);
+            var reading = SceneReader.Read(Path);
+            if (reading.Scene is not null) return reading;
+            var patience = reading.Text.IsEmpty ? PatienceWithNothing : PatienceMilliseconds;
+            if (!await watch.WaitAsync(patience, end.Token)) return reading;
         }
     }
 
-    private SceneState Next(SceneReading reading, byte[] text)
+    private SceneState Next(SceneReading reading)
     {
         watch.Watch([FullPath, .. reading.MeshFiles]);
         stamps = StampsOf(reading);
         var version = (State?.Version ?? 0) + 1;
-        if (reading.Scene is not { } read) return new(version, text, reading.Problems, State?.Scene, IsGood: false, State?.InFileOrder);
+        if (reading.Scene is not { } read) return new(version, reading.Text, reading.Problems, State?.Scene, IsGood: false, State?.InFileOrder);
         var scene = SpatialOrder.Of(read);
-        return new(version, text, reading.Problems, scene, IsGood: true, ReferenceEquals(scene, read) ? null : text);
+        return new(version, reading.Text, reading.Problems, scene, IsGood: true, ReferenceEquals(scene, read) ? null : reading.Text);
     }
 
     private static (DateTime, long)[] StampsOf(SceneReading reading) => [.. reading.MeshFiles.Select(FileWatch.StampOf)];
-
-    private SceneReading Read(out byte[] text)
-    {
-        var bytes = Array.Empty<byte>();
-        var reading = SceneReader.Read(Path, look: utf8 => bytes = utf8.ToArray());
-        text = bytes;
-        return reading;
-    }
 }

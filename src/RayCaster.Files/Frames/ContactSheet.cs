@@ -46,7 +46,9 @@ public sealed class ContactSheet(IReadOnlyList<string> pictures, int columns, in
         var small = PngReader.OpenFile(picture, png =>
         {
             png.RequireLines();
-            return SmallPicture.Of(png.Header.Width, png.Header.Height, png.ReadLine, width, height);
+            var made = new SmallPicture(png.Header.Width, png.Header.Height, width, height);
+            png.ReadLines(made.Take);
+            return made.Picture;
         });
         for (var y = 0; y < height; y++) small.Rgb.AsSpan(3 * width * y, 3 * width).CopyTo(corner[(y * lineBytes)..]);
     }

@@ -9,18 +9,6 @@ public sealed class SmallPicture(int fromWidth, int fromHeight, int width, int h
     /// <summary>The small picture. Its lines are black until all that they cover were taken.</summary>
     public Picture Picture { get; } = new(width, height);
 
-    /// <summary>Makes a picture small whose lines are read one after another.</summary>
-    internal static Picture Of(int fromWidth, int fromHeight, LineReader readLine, int width, int height)
-    {
-        var (small, line) = (new SmallPicture(fromWidth, fromHeight, width, height), new byte[3 * fromWidth]);
-        for (var y = 0; y < fromHeight; y++)
-        {
-            readLine(line);
-            small.Take(line);
-        }
-        return small.Picture;
-    }
-
     /// <summary>Adds the next lines.</summary>
     /// <param name="rgb">Whole lines, three bytes for each pixel.</param>
     public void Take(ReadOnlySpan<byte> rgb)
@@ -59,7 +47,4 @@ public sealed class SmallPicture(int fromWidth, int fromHeight, int width, int h
         var from = (int)((long)place * many / places);
         return (from, Math.Max(from + 1, (int)((place + 1L) * many / places)));
     }
-
-    /// <summary>Reads the next line, three bytes for each pixel.</summary>
-    internal delegate void LineReader(Span<byte> rgb);
 }

@@ -19,7 +19,6 @@ public static class MeshFile
         return reader(new MeshSource(path, stream, threads: threads ?? Environment.ProcessorCount));
     }
 
-    /// <summary>Whether a file's name ends like that of a mesh.</summary>
     internal static bool IsNamedLikeOne(string path) => Path.GetExtension(path).ToLowerInvariant() is ".obj" or ".ply" or ".stl";
 
     /// <exception cref="MeshFileException">The extension names no kind of mesh file.</exception>

@@ -64,7 +64,7 @@ internal sealed class TrianglePly
     }
 
     /// <summary>Reads all rows of an element, some at a time; false where one has a mistake.</summary>
-    private bool ReadRows(long at, int size, int rowCount, RowReader read)
+    private bool ReadRows(long at, int size, int rowCount, Func<ReadOnlySpan<byte>, int, int, bool> read)
     {
         var rowsAtOnce = Math.Max(1, source.BlockSize / size);
         var areRight = true;
@@ -81,8 +81,6 @@ internal sealed class TrianglePly
         });
         return areRight;
     }
-
-    private delegate bool RowReader(ReadOnlySpan<byte> rows, int first, int count);
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)] // called a few times, for many rows each
     private bool ReadVertices(ReadOnlySpan<byte> rows, Span<Vector3> vertices)

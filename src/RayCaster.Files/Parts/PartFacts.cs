@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Text.RegularExpressions;
 
 namespace RayCaster.Files;
 
@@ -13,12 +14,10 @@ namespace RayCaster.Files;
 /// </code>
 /// </summary>
 /// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
-public sealed record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
+public sealed partial record PartFacts(int Width, int Height, LineRange Lines, string Digest, string Version)
 {
     /// <summary>The keyword of the text in the file.</summary>
     public const string Keyword = "raycaster:part";
-
-    private static readonly string[] names = ["picture ", "lines ", "scene ", "raycaster "];
 
     /// <summary>The version of this library.</summary>
     public static string ThisVersion => typeof(PartFacts).Assembly.GetName().Version!.ToString(3);
@@ -31,23 +30,20 @@ public sealed record PartFacts(int Width, int Height, LineRange Lines, string Di
     /// <summary>Reads what <see cref="ToString"/> writes; null for any other text.</summary>
     public static PartFacts? Parse(string text)
     {
-        var values = text.TrimEnd('\n').Split('\n');
-        if (values.Length != names.Length) return null;
-        for (var i = 0; i < names.Length; i++)
-        {
-            if (!values[i].StartsWith(names[i], StringComparison.Ordinal)) return null;
-            values[i] = values[i][names[i].Length..];
-        }
-        if (values[0].Split('x') is not [var w, var h] || Side(w) is not { } width || Side(h) is not { } height) return null;
-        return LineRange.Parse(values[1]) is { } lines && lines.Last < height && values[2].Length > 0 && values[3].Length > 0
-            ? new(width, height, lines, values[2], values[3])
+        var values = Form().Match(text).Groups;
+        return Side(values[1].ValueSpan) is { } width && Side(values[2].ValueSpan) is { } height
+            && LineRange.Parse(values[3].Value) is { } lines && lines.Last < height
+            ? new(width, height, lines, values[4].Value, values[5].Value)
             : null;
     }
 
     /// <summary>The text.</summary>
     public override string ToString() => string.Create(CultureInfo.InvariantCulture,
-        $"{names[0]}{Width}x{Height}\n{names[1]}{Lines}\n{names[2]}{Digest}\n{names[3]}{Version}\n");
+        $"picture {Width}x{Height}\nlines {Lines}\nscene {Digest}\nraycaster {Version}\n");
 
-    private static int? Side(string text) =>
+    [GeneratedRegex(@"^picture ([^x\n]*)x(.*)\nlines (.*)\nscene (.+)\nraycaster (.+)\n*$")]
+    private static partial Regex Form();
+
+    private static int? Side(ReadOnlySpan<char> text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var side) && side is >= 1 and <= Camera.MaxSide ? side : null;
 }

@@ -42,26 +42,22 @@ public sealed class PartSet
     /// <summary>The whole picture's size.</summary>
     public (int Width, int Height) Size => (parts[0].Facts.Width, parts[0].Facts.Height);
 
-    /// <summary>Writes the picture, a line at a time.</summary>
+    /// <summary>Writes the picture of parts without problems and without missing lines, a line at a time.</summary>
     /// <param name="writer">Receives the lines; it is not finished.</param>
-    /// <exception cref="InvalidOperationException">There are problems, or lines are missing.</exception>
     /// <exception cref="PictureFileException">A part is damaged, or was replaced.</exception>
     public void Write(PictureWriter writer, Action<int>? linesDone = null, CancellationToken cancellation = default)
     {
-        if (parts.Count == 0 || problems.Count > 0 || Missing.Count > 0) throw new InvalidOperationException("these parts do not make a picture");
-        var line = new byte[3 * Size.Width];
         foreach (var (path, facts) in parts)
         {
             PartFile.Open(path, (png, found) =>
             {
                 if (found != facts) throw new PictureFileException("it was replaced in the meantime");
-                for (var i = 0; i < facts.Lines.Count; i++)
+                png.ReadLines(line =>
                 {
                     cancellation.ThrowIfCancellationRequested();
-                    png.ReadLine(line);
                     writer.WriteRows(line);
                     linesDone?.Invoke(1);
-                }
+                });
                 return true;
             });
         }

@@ -8,7 +8,6 @@ public sealed class PictureFileException(string message, Exception? cause = null
     private const int NoSpaceOnUnix = 28, QuotaOnLinux = 122, QuotaOnMac = 69;
     private const int DiskFullOnWindows = unchecked((int)0x80070070);
 
-    /// <summary>Whether the message names the file.</summary>
     internal bool NamesFile { get; init; }
 
     /// <summary>Whether the system throws such an exception for a file that cannot be used; the last kind is for a file that grows too

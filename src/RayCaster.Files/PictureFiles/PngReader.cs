@@ -111,18 +111,19 @@ internal sealed class PngReader : IDisposable
         if (Header.Interlaced) throw new PictureFileException("it is interlaced, so that its lines cannot be read one after another");
     }
 
-    /// <summary>Reads all lines of a picture that is not interlaced, to check them.</summary>
+    /// <summary>Reads all lines of a picture that is not interlaced, three bytes for each pixel, and checks the end of the data.</summary>
     /// <exception cref="PictureFileException">The data are damaged.</exception>
-    public void CheckLines()
+    public void ReadLines(Action<ReadOnlySpan<byte>> take)
     {
         var line = new byte[3 * Header.Width];
-        for (var y = 0; y < Header.Height; y++) ReadLine(line);
+        for (var y = 0; y < Header.Height; y++)
+        {
+            ReadLine(line);
+            take(line);
+        }
     }
 
-    /// <summary>Reads the next line of a picture that is not interlaced; after the last line also the end of the data, which is checked.</summary>
-    /// <param name="rgb">Receives three bytes for each pixel.</param>
-    /// <exception cref="PictureFileException">The data are damaged.</exception>
-    public void ReadLine(Span<byte> rgb) => FromData(rgb, static (reader, rgb) =>
+    private void ReadLine(Span<byte> rgb) => FromData(rgb, static (reader, rgb) =>
     {
         if (reader.lines is null) reader.OpenLines().Begin(reader.Header.Passes[0]);
         var samples = reader.lines!.Next(reader.linesRead);

@@ -82,7 +82,6 @@ public sealed class ReplacedFile : Stream
     /// <exception cref="PictureFileException">The disk is full, or the file cannot be put there. The old one stays.</exception>
     public void Commit()
     {
-        ObjectDisposedException.ThrowIf(closed, this);
         try
         {
             // A network drive reports only now that the quota is used up, and then the old picture must still be there.

@@ -49,7 +49,7 @@ internal static class TemporaryFile
         }
     }
 
-    /// <summary>The new file has the old one's rights from the beginning, so that only those can read it who could read the old one.</summary>
+    /// <summary>The new file has the old one's rights from the beginning, so that only users who could read the old one can read it.</summary>
     private static FileStreamOptions Options(string target)
     {
         var options = new FileStreamOptions { Mode = FileMode.CreateNew, Access = FileAccess.Write, Share = Sharing, BufferSize = 1 << 16 };

@@ -41,7 +41,7 @@ internal sealed class FileNames
         }
     }
 
-    /// <summary>The names in a folder, sorted; without names that are not printable, which nobody typed.</summary>
+    /// <summary>The names in a folder, sorted; without names that are not printable.</summary>
     private string[] NamesIn(string folder)
     {
         string[] names =

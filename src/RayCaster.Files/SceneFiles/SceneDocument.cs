@@ -6,7 +6,7 @@ namespace RayCaster.Files;
 internal sealed class SceneDocument(SourceText text, string folder, int? threads = null)
 {
     private const int LongestMessage = 2000; // a mesh file's path in it may have any length
-    private readonly List<Finding> findings = [];
+    private readonly List<(bool IsError, int Start, int End, string Message)> findings = [];
     private readonly FileNames names = new();
     private Dictionary<string, (MeshData? Mesh, MeshFileException? Refusal)>? meshes; // by full path; most scenes name none
 
@@ -28,19 +28,21 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
         if (isError) ErrorCount++;
         else if (findings.Count >= SceneReading.MostProblems) return;
         if (message.Length > LongestMessage) message = string.Concat(message.AsSpan(0, LongestMessage), "…");
-        findings.Add(new(findings.Count, isError, start, end, PrintableText.Of(message)));
+        findings.Add((isError, start, end, PrintableText.Of(message)));
     }
 
     /// <summary>The problems in the order of the text; at one place, in the order in which they were found.</summary>
     public Problem[] Problems()
     {
         if (findings.Count == 0) return [];
-        findings.Sort((a, b) => a.Start == b.Start ? a.Number - b.Number : a.Start - b.Start);
-        return Array.ConvertAll(findings.ToArray(), finding =>
-        {
-            var (line, column) = text.Locate(finding.Start);
-            return new Problem(finding.IsError, text.Name, line, column, finding.Message, text.Excerpt(finding.Start, finding.End));
-        });
+        return
+        [
+            .. from finding in findings
+               orderby finding.Start
+               let place = text.Locate(finding.Start)
+               select new Problem(
+                   finding.IsError, text.Name, place.Line, place.Column, finding.Message, text.Excerpt(finding.Start, finding.End)),
+        ];
     }
 
     /// <summary>The content of a mesh file. A file that several models name is read only once.</summary>
@@ -66,6 +68,4 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
             return (null, refusal);
         }
     }
-
-    private sealed record Finding(int Number, bool IsError, int Start, int End, string Message);
 }

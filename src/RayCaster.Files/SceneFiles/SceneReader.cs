@@ -9,14 +9,13 @@ public static class SceneReader
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
-    /// <param name="look">Receives the file's bytes, also if they contain mistakes.</param>
-    public static SceneReading Read(string path, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
+    public static SceneReading Read(string path, int? threads = null)
     {
         try
         {
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
             if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads, look);
+            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException || (e is ArgumentException && !File.Exists(path)))
         {
@@ -27,12 +26,8 @@ public static class SceneReader
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
     /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string, int?)"/>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
-    {
-        if (!StreamBytes.TryReadToEnd(stream, MostBytes, out var bytes)) return TooLong(displayName);
-        look?.Invoke(bytes);
-        return Parse(bytes, displayName, folder, threads);
-    }
+    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null) =>
+        StreamBytes.TryReadToEnd(stream, MostBytes, out var bytes) ? Parse(bytes, displayName, folder, threads) : TooLong(displayName);
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text, with or without a byte order mark.</param>
@@ -41,29 +36,20 @@ public static class SceneReader
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     public static SceneReading Parse(ReadOnlyMemory<byte> utf8, string displayName, string folder, int? threads = null)
     {
-        IReadOnlyCollection<string> meshFiles = [];
-        var scene = Parse(utf8, displayName, folder, "the scene", Read, out var problems, threads);
-        return new(scene, problems) { MeshFiles = meshFiles };
-
-        Scene? Read(SceneObject o)
-        {
-            var read = ReadScene(o);
-            meshFiles = o.Document!.MeshFiles;
-            return read;
-        }
+        var scene = Parse(utf8, displayName, folder, "the scene", ReadScene, out var document, threads);
+        return new(scene, document.Problems()) { MeshFiles = document.MeshFiles, Text = utf8 };
     }
 
     /// <summary>Reads any text in the form of a scene file. Returns null if there is an error.</summary>
     /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string, int?)"/>
     /// <param name="name">The name of the outermost object in messages.</param>
     internal static T? Parse<T>(
-        ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out Problem[] problems,
+        ReadOnlyMemory<byte> utf8, string displayName, string folder, string name, Func<SceneObject, T?> read, out SceneDocument document,
         int? threads = null) where T : class
     {
-        var document = new SceneDocument(new SourceText(displayName, utf8), folder, threads);
+        document = new SceneDocument(new SourceText(displayName, utf8), folder, threads);
         var root = ReadRoot(document, name);
         var result = root is null ? null : read(root);
-        problems = document.Problems();
         return document.ErrorCount == 0 ? result : null;
     }
 

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <summary>The result of reading a scene file.</summary>
@@ -16,16 +14,14 @@ public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
     /// <summary>The full paths of the mesh files that the scene names, also of those that could not be read.</summary>
     public IReadOnlyCollection<string> MeshFiles { get; init; } = [];
 
+    /// <summary>The file's bytes, also if they contain mistakes; empty if it cannot be read.</summary>
+    public ReadOnlyMemory<byte> Text { get; init; }
+
     /// <summary>The first problems as text for people, errors before warnings; empty if there are none.</summary>
     public string Report()
     {
-        var text = new StringBuilder();
-        var left = Printed;
-        foreach (var errors in (ReadOnlySpan<bool>)[true, false])
-            foreach (var problem in Problems)
-                if (problem.IsError == errors && left-- > 0)
-                    text.Append(problem).Append('\n');
-        if (left < 0) text.Append($"and {(Problems.Count < MostProblems ? "" : "at least ")}{-left} more\n");
-        return text.ToString();
+        if (Problems.Count == 0) return "";
+        var more = Problems.Count <= Printed ? "" : $"and {(Problems.Count < MostProblems ? "" : "at least ")}{Problems.Count - Printed} more\n";
+        return string.Concat(Problems.OrderByDescending(problem => problem.IsError).Take(Printed).Select(problem => $"{problem}\n")) + more;
     }
 }

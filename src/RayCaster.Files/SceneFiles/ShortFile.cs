@@ -7,15 +7,11 @@ internal static class ShortFile
     /// <param name="path">The file; messages name it as it is given here.</param>
     /// <param name="name">The name of the outermost object in messages.</param>
     /// <param name="report">All errors and warnings, as text for people; empty if there are none.</param>
-    /// <param name="look">Receives the file's bytes, also if they contain mistakes.</param>
-    public static T? Read<T>(
-        string path, int mostBytes, string name, Func<SceneObject, T?> read, out string report, Action<ReadOnlySpan<byte>>? look = null)
-        where T : class
+    public static T? Read<T>(string path, int mostBytes, string name, Func<SceneObject, T?> read, out string report) where T : class
     {
         if (!TryRead(path, mostBytes, out var utf8, out report)) return null;
-        look?.Invoke(utf8.Span);
-        var result = SceneReader.Parse(utf8, path, "", name, read, out var problems);
-        report = new SceneReading(null, problems).Report();
+        var result = SceneReader.Parse(utf8, path, "", name, read, out var document);
+        report = new SceneReading(null, document.Problems()).Report();
         return result;
     }
 
@@ -26,7 +22,8 @@ internal static class ShortFile
         {
             if (!File.Exists(path))
             {
-                report = $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
+                report = Directory.Exists(path) ? $"{path}: error: this is a folder; name a file\n"
+                    : $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
                 return false;
             }
             using var file = File.OpenRead(path);

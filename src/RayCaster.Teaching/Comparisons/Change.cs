@@ -61,20 +61,17 @@ internal sealed record Change(
     /// </summary>
     /// <param name="mine">The picture in question; its sides are those of the reference, or swapped where the change swaps them.</param>
     /// <param name="reference">The one that it should be.</param>
-    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public Picture Undo(Picture mine, Picture reference)
     {
-        var mended = new Picture(reference.Width, reference.Height);
         if (SidesSwapped || Bytes != 0)
         {
-            reference.Rgb.CopyTo(mended.Rgb, 0);
-            mine.Rgb.AsSpan(Math.Max(0, -Bytes), mine.Rgb.Length - Math.Abs(Bytes)).CopyTo(mended.Rgb.AsSpan(Math.Max(0, Bytes)));
-            return mended;
+            var rgb = (byte[])reference.Rgb.Clone();
+            mine.Rgb.AsSpan(Math.Max(0, -Bytes), mine.Rgb.Length - Math.Abs(Bytes)).CopyTo(rgb.AsSpan(Math.Max(0, Bytes)));
+            return new(reference.Width, reference.Height, rgb);
         }
         var pixels = new MendedPixels(this, mine, reference);
-        for (var y = 0; y < mended.Height; y++)
-            for (var x = 0; x < mended.Width; x++) mended[x, y] = pixels.TryGet(x, y, out var r, out var g, out var b) ? (r, g, b) : reference[x, y];
-        return mended;
+        return Picture.Of(reference.Width, reference.Height,
+            (x, y) => pixels.TryGet(x, y, out var r, out var g, out var b) ? (r, g, b) : reference[x, y]);
     }
 }
 

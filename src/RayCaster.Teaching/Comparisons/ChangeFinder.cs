@@ -47,7 +47,7 @@ internal sealed class ChangeFinder
                 for (var right = -MaxShift; right <= MaxShift; right++)
                 {
                     Try(new(turn, right, down));
-                    foreach (var order in ChannelOrder.All) Try(new(turn, right, down, order));
+                    foreach (var order in ColorChange.Orders) Try(new(turn, right, down, order));
                     if (Math.Abs(right) > 1 || Math.Abs(down) > 1) continue;
                     foreach (var tone in Tones(turn, right, down)) Try(new(turn, right, down, tone));
                 }
@@ -80,7 +80,7 @@ internal sealed class ChangeFinder
     private Likeness VerdictOn(Change change, PictureDifference difference)
     {
         var verdict = Likenesses.Of(difference, holdAllWrong);
-        if (change.Colors is not Tone || change.Colors == Tone.Inverted) return verdict;
+        if (change.Colors is null or { IsOrder: true } || change.Colors == ColorChange.Inverted) return verdict;
         return verdict switch
         {
             Likeness.Identical => Likeness.WithinRounding,
@@ -119,7 +119,7 @@ internal sealed class ChangeFinder
 
     /// <summary>Formulas that may have changed the reference's channels to those of a picture that was turned and moved like this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private List<Tone> Tones(Turn turn, int right, int down)
+    private List<ColorChange> Tones(Turn turn, int right, int down)
     {
         var pixels = new MendedPixels(new(turn, right, down), mine, reference);
         // Sums of least squares, over the channels that are neither black nor clamped: powers, factors, straight lines.
@@ -133,17 +133,17 @@ internal sealed class ChangeFinder
             Add(b, blue);
         }
 
-        List<Tone> tones = [Tone.Inverted, Tone.Srgb];
+        List<ColorChange> tones = [ColorChange.Inverted, ColorChange.Srgb];
         if (n == 0) return tones;
-        if (logs / logSquares is var exponent and (> 0.2 and < 0.97 or > 1.03 and < 5)) tones.Add(Tone.Power(Plain(exponent)));
+        if (logs / logSquares is var exponent and (> 0.2 and < 0.97 or > 1.03 and < 5)) tones.Add(ColorChange.Power(Plain(exponent)));
         if (sumAB / sumAA is var factor and (> 0.05 and < 0.98 or > 1.02 and < 20))
         {
-            tones.Add(Tone.Linear(Math.Round(factor, 2), 0));
-            tones.Add(Tone.Linear(factor, 0));
+            tones.Add(ColorChange.Linear(Math.Round(factor, 2), 0));
+            tones.Add(ColorChange.Linear(factor, 0));
         }
-        if ((sumB - sumA) / n is var levels && Math.Abs(levels) is > 1.5 and < 200) tones.Add(Tone.Linear(1, Math.Round(levels) / 255));
+        if ((sumB - sumA) / n is var levels && Math.Abs(levels) is > 1.5 and < 200) tones.Add(ColorChange.Linear(1, Math.Round(levels) / 255));
         var slope = (n * sumAB - sumA * sumB) / (n * sumAA - sumA * sumA);
-        if (slope is > 0.05 and < 20) tones.Add(Tone.Linear(slope, (sumB - slope * sumA) / n / 255));
+        if (slope is > 0.05 and < 20) tones.Add(ColorChange.Linear(slope, (sumB - slope * sumA) / n / 255));
         return tones;
 
         void Add(double a, double b)

@@ -2,58 +2,31 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster.Teaching;
 
-/// <summary>A change of a picture's colours, the same in every pixel.</summary>
-internal abstract record ColorChange
+/// <summary>A change of a picture's colours, the same in every pixel: its channels stand in another order, or each goes through a formula.</summary>
+/// <param name="Description">What undoes it, in words that follow "when"; c is a channel of the right picture, 0 to 1.</param>
+/// <param name="Order">The letters of RGB in the order in which the changed colour has them.</param>
+/// <param name="Tones">The bytes from which a changed byte may come.</param>
+internal sealed record ColorChange(string Description, string Order, ToneTable Tones)
 {
-    private protected ColorChange(string description, string order, ToneTable tones) =>
-        (Description, Order, Tones, Places) = (description, order, tones, (order.IndexOf('R'), order.IndexOf('G'), order.IndexOf('B')));
-
-    /// <summary>What undoes it, in words that follow "when"; c is a channel of the right picture, 0 to 1.</summary>
-    public string Description { get; }
-
-    /// <summary>The letters of RGB in the order in which the changed colour has them.</summary>
-    public string Order { get; }
-
-    /// <summary>The places, from 0, at which the changed colour has the original's channels.</summary>
-    internal (int R, int G, int B) Places { get; }
-
-    /// <summary>The bytes from which a changed byte may come.</summary>
-    internal ToneTable Tones { get; }
-}
-
-/// <summary>The channels stand in another order.</summary>
-internal sealed record ChannelOrder : ColorChange
-{
-    /// <param name="order">The letters of RGB in the order in which the changed colour has them.</param>
-    public ChannelOrder(string order) : base(DescriptionOf(order), order, ToneTable.Same)
+    private ColorChange(string description, Func<double, double> formula) : this(description, "RGB", new(formula))
     {
     }
 
-    /// <summary>All orders but the right one.</summary>
-    internal static readonly ChannelOrder[] All = [new("BGR"), new("GRB"), new("RBG"), new("GBR"), new("BRG")];
-
-    private static string DescriptionOf(string order) => order switch
-    {
-        "BGR" => "red and blue are swapped",
-        "GRB" => "red and green are swapped",
-        "RBG" => "green and blue are swapped",
-        _ => $"its channels are reordered: the bytes of a pixel stand in the order {order[0]}, {order[1]}, {order[2]}",
-    };
-}
-
-/// <summary>Every channel goes through the same formula.</summary>
-internal sealed record Tone : ColorChange
-{
-    private Tone(string description, Func<double, double> formula) : base(description, "RGB", new(formula))
-    {
-    }
+    /// <summary>All orders of the channels but the right one.</summary>
+    public static ColorChange[] Orders { get; } = [Ordered("BGR"), Ordered("GRB"), Ordered("RBG"), Ordered("GBR"), Ordered("BRG")];
 
     /// <summary>The negative.</summary>
-    public static Tone Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", c => 1 - c);
+    public static ColorChange Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", c => 1 - c);
 
     /// <summary>The gamma curve of the standard sRGB.</summary>
-    public static Tone Srgb { get; } = new("the gamma of sRGB is removed: the bytes must be linear",
+    public static ColorChange Srgb { get; } = new("the gamma of sRGB is removed: the bytes must be linear",
         c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055);
+
+    /// <summary>Whether the order of the channels changes, and not a formula.</summary>
+    public bool IsOrder => Tones == ToneTable.Same;
+
+    /// <summary>The places, from 0, at which the changed colour has the original's channels.</summary>
+    public (int R, int G, int B) Places { get; } = (Order.IndexOf('R'), Order.IndexOf('G'), Order.IndexOf('B'));
 
     /// <summary>The power to which c is raised; null for another formula.</summary>
     public double? Exponent { get; private init; }
@@ -64,15 +37,24 @@ internal sealed record Tone : ColorChange
     /// <summary>What is added to c · Factor, 1 being full intensity; null for another formula.</summary>
     public double? Offset { get; private init; }
 
+    /// <summary>The channels in another order, as in <see cref="Order"/>.</summary>
+    public static ColorChange Ordered(string order) => new(order switch
+    {
+        "BGR" => "red and blue are swapped",
+        "GRB" => "red and green are swapped",
+        "RBG" => "green and blue are swapped",
+        _ => $"its channels are reordered: the bytes of a pixel stand in the order {order[0]}, {order[1]}, {order[2]}",
+    }, order, ToneTable.Same);
+
     /// <summary>c to a power: gamma.</summary>
-    public static Tone Power(double exponent) => new(
+    public static ColorChange Power(double exponent) => new(
         FormattableString.Invariant($"gamma is undone: it shows c^{exponent:0.###} instead of c{Gamma(exponent)}"), c => Math.Pow(c, exponent))
     {
         Exponent = exponent,
     };
 
     /// <summary>c · factor + offset, clamped.</summary>
-    public static Tone Linear(double factor, double offset) => new(
+    public static ColorChange Linear(double factor, double offset) => new(
         FormattableString.Invariant($"its brightness is corrected: it shows {Times(factor)}{Plus(offset)} instead of c"), c => factor * c + offset)
     {
         Factor = factor,

@@ -58,7 +58,7 @@ public static class ComparisonJson
 
     private static object Recognised(Recognition r)
     {
-        var tone = r.Change.Colors as Tone;
+        var colors = r.Change.Colors;
         return new
         {
             AgreesWhen = r.Change.Description,
@@ -67,12 +67,12 @@ public static class ComparisonJson
             r.Change.Down,
             r.Change.Bytes,
             r.Change.SidesSwapped,
-            Channels = (r.Change.Colors as ChannelOrder)?.Order,
-            Inverted = tone == Tone.Inverted ? true : (bool?)null,
-            Srgb = tone == Tone.Srgb ? true : (bool?)null,
-            tone?.Exponent,
-            tone?.Factor,
-            tone?.Offset,
+            Channels = colors is { IsOrder: true } ? colors.Order : null,
+            Inverted = colors == ColorChange.Inverted ? true : (bool?)null,
+            Srgb = colors == ColorChange.Srgb ? true : (bool?)null,
+            colors?.Exponent,
+            colors?.Factor,
+            colors?.Offset,
             Verdict = ComparisonText.Of(r.Likeness),
             r.Difference.Wrong,
             r.Difference.OffByOne,

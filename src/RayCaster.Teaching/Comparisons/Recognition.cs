@@ -7,7 +7,6 @@ internal sealed record Recognition(Change Change, PictureDifference Difference, 
     /// <summary>A reported change leaves at most this percentage of all pixels wrong, and at most one in ten of the wrong ones.</summary>
     private const int Percent = 2, Part = 10;
 
-    /// <summary>Whether the change is reported.</summary>
     /// <param name="before">The difference without the change; null if the sizes differ.</param>
     internal bool IsReported(PictureDifference? before) =>
         Likeness != Likeness.Wrong

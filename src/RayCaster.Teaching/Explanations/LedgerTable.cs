@@ -8,18 +8,19 @@ internal static class LedgerTable
     /// <summary>If there are more models, only those with the most hits have a line.</summary>
     private const int MostLines = 30;
 
-    private static readonly (Outcome Outcome, string Title)[] Columns =
+    /// <summary>The titles of the columns, and for outcomes without a hit what a model, and what several models do.</summary>
+    public static readonly (Outcome Outcome, string Title, string One, string Many)[] Columns =
     [
-        (Outcome.Shows, "shows"),
-        (Outcome.Hidden, "hidden"),
-        (Outcome.Behind, "behind"),
-        (Outcome.UnderBias, "t <= bias"),
-        (Outcome.BeforeNear, "z < zNear"),
-        (Outcome.BeyondFar, "z > zFar"),
-        (Outcome.Outside, "outside"),
-        (Outcome.PassesBy, "passes by"),
-        (Outcome.Parallel, "along it"),
-        (Outcome.NoNumber, "no number"),
+        (Outcome.Shows, "shows", "", ""),
+        (Outcome.Hidden, "hidden", "", ""),
+        (Outcome.Behind, "behind", "lies behind the camera", "lie behind the camera"),
+        (Outcome.UnderBias, "t <= bias", "is crossed only at t <= bias", "are crossed only at t <= bias"),
+        (Outcome.BeforeNear, "z < zNear", "lies nearer than zNear", "lie nearer than zNear"),
+        (Outcome.BeyondFar, "z > zFar", "lies beyond zFar", "lie beyond zFar"),
+        (Outcome.Outside, "outside", "lies beside every ray", "lie beside every ray"),
+        (Outcome.PassesBy, "passes by", "lies beside every ray", "lie beside every ray"),
+        (Outcome.Parallel, "along it", "is seen edge on", "are seen edge on"),
+        (Outcome.NoNumber, "no number", "gives no number (NaN)", "give no number (NaN)"),
     ];
 
     public static string Of(HitLedger ledger)

@@ -128,14 +128,9 @@ internal static class LedgerVerdict
                     Invariant($"{ledger.Rays:N0} rays: are its numbers far out of range, or is infinity taken from infinity?"));
     }
 
-    private static string Phrase(Outcome reason, bool one) => reason switch
+    private static string Phrase(Outcome reason, bool isOne)
     {
-        Outcome.Behind => one ? "lies behind the camera" : "lie behind the camera",
-        Outcome.UnderBias => one ? "is crossed only at t <= bias" : "are crossed only at t <= bias",
-        Outcome.BeforeNear => one ? "lies nearer than zNear" : "lie nearer than zNear",
-        Outcome.BeyondFar => one ? "lies beyond zFar" : "lie beyond zFar",
-        Outcome.Parallel => one ? "is seen edge on" : "are seen edge on",
-        Outcome.NoNumber => one ? "gives no number (NaN)" : "give no number (NaN)",
-        _ => one ? "lies beside every ray" : "lie beside every ray",
-    };
+        var (_, _, one, many) = Array.Find(LedgerTable.Columns, column => column.Outcome == reason);
+        return isOne ? one : many;
+    }
 }

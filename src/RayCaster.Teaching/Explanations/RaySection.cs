@@ -36,19 +36,13 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
     }
 
     /// <summary>Casts rays from P in all directions of the plane. Their crossings with a shape, by its own formula, are its section.</summary>
-    private sealed class Fan
+    private sealed class Fan(Vector3 origin, Vector3 u, Vector3 v, double angle, double fovY, double farthest)
     {
-        private readonly Vector3 origin, u, v;
-        private readonly double[] angles;
-        private readonly double farthest;
-
-        public Fan(Vector3 origin, Vector3 u, Vector3 v, double angle, double fovY, double farthest)
-        {
-            (this.origin, this.u, this.v, this.farthest) = (origin, u, v, farthest);
-            var around = Enumerable.Range(0, Around).Select(i => -Math.PI + 2 * Math.PI * i / Around);
-            var ahead = Enumerable.Range(0, Ahead).Select(i => angle + fovY * ((i + 0.5) / Ahead - 0.5)); // finer near the ray
-            angles = [.. around.Concat(ahead).Order()];
-        }
+        private readonly double[] angles =
+        [
+            .. Enumerable.Range(0, Around).Select(i => -Math.PI + 2 * Math.PI * i / Around)
+                .Concat(Enumerable.Range(0, Ahead).Select(i => angle + fovY * ((i + 0.5) / Ahead - 0.5))).Order(), // finer near the ray
+        ];
 
         public ModelSection Cut(Model model, ModelExplanation explanation)
         {

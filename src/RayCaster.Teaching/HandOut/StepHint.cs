@@ -1,9 +1,9 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What a failing picture test of the lab tells a student: only what the picture shows.</summary>
+/// <summary>The message of a failing picture test of the lab: only what the picture shows.</summary>
 public static class StepHint
 {
-    /// <summary>As many mistakes that draw the same picture are told besides the first.</summary>
+    /// <summary>The most mistakes that are named besides the first, of those that draw the same picture.</summary>
     private const int MostTwins = 2;
 
     /// <summary>Lines of text.</summary>
@@ -15,7 +15,7 @@ public static class StepHint
     public static string Of(Scene scene, Picture picture, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, Judge(scene, picture, step), step, level));
 
-    /// <summary>The diagnosis that knows the step.</summary>
+    /// <summary>The diagnosis of a picture of a step.</summary>
     internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
         ? Diagnosis.Of(scene, picture)
         : new SceneDiagnosis(scene, possible: mistake => LabSteps.StepOf(mistake.Slide) <= step)

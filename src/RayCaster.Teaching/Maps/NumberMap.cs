@@ -12,7 +12,7 @@ public sealed class NumberMap(int width, int height, int channels)
     public int Height { get; } = height;
 
     /// <summary>Numbers of a pixel: 1 or 3.</summary>
-    public int Channels { get; } = channels is 1 or 3 ? channels : throw new ArgumentOutOfRangeException(nameof(channels), channels, "1 or 3");
+    public int Channels { get; } = channels;
 
     /// <summary>Width · Height · Channels numbers; from left to right, then from top to bottom.</summary>
     public float[] Values { get; } = new float[checked(width * height * channels)];

@@ -4,7 +4,7 @@ using System.Xml.Linq;
 namespace RayCaster.Teaching;
 
 /// <summary>The marks as JUnit XML: a suite for each student, a case for each item. It has no answers. A program without any picture
-/// is an error, not a skipped test: whoever reads only the sums must see it.</summary>
+/// is an error, not a skipped test: a reader of the sums alone must see it.</summary>
 internal static class JUnitReport
 {
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks) =>

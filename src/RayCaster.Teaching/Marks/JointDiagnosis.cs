@@ -21,11 +21,11 @@ internal sealed class JointDiagnosis
     private static readonly WrongProgram right = new(Unfinished.Nothing, [], false);
 
     /// <summary>Diagnoses a program.</summary>
-    /// <param name="pictures">Its pictures.</param>
+    /// <param name="pictures">Those of its pictures that can be judged.</param>
     /// <param name="known">The mistakes that it may have.</param>
-    public JointDiagnosis(IReadOnlyList<ScenePicture> pictures, IReadOnlyList<Mistake> known)
+    public JointDiagnosis(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known)
     {
-        ScenePicture[] wrong = [.. pictures.Where(picture => !picture.Evidence.IsRight)];
+        SubmittedPicture[] wrong = [.. pictures.Where(picture => !picture.Evidence.IsRight)];
         if (wrong.Length == 0) return;
         TellsNothing = pictures.All(picture => picture.Evidence.Picture.IsOneColor);
         if (!TellsNothing) Decide(new([.. pictures.Select(picture => picture.Evidence)], known, [], 1, null), wrong);
@@ -36,7 +36,7 @@ internal sealed class JointDiagnosis
             return;
         }
         if (Verdict.Misfit.Unexplained < Near * wrong.Length) Nearest = Verdict;
-        (Verdict, Alternatives, Unexplained) = (right, [], wrong);
+        (Verdict, Alternatives, Losing, Unexplained) = (right, [], [], wrong);
         IsOnlyLight = !TellsNothing && IsLightOfAll();
     }
 
@@ -46,8 +46,11 @@ internal sealed class JointDiagnosis
     /// <summary>Other programs that explain the pictures as well as the verdict.</summary>
     public IReadOnlyList<WrongProgram> Alternatives { get; private set; } = [];
 
+    /// <summary>The mistakes that draw the same pictures, if the verdict is that shapes are missing: the shapes may be written, and lost.</summary>
+    public IReadOnlyList<Mistake> Losing { get; private set; } = [];
+
     /// <summary>The wrong pictures that the verdict does not explain.</summary>
-    public IReadOnlyList<ScenePicture> Unexplained { get; } = [];
+    public IReadOnlyList<SubmittedPicture> Unexplained { get; } = [];
 
     /// <summary>Whether the verdict changes a picture and leaves more than half of its wrong pixels unexplained. Then it is only a guess in the
     /// other pictures, too.</summary>
@@ -65,23 +68,31 @@ internal sealed class JointDiagnosis
     /// <summary>Whether each picture is of one colour: many mistakes cause that.</summary>
     public bool TellsNothing { get; }
 
-    private void Decide(DiagnosisSearch search, ScenePicture[] wrong)
+    private void Decide(DiagnosisSearch search, SubmittedPicture[] wrong)
     {
         var ranked = search.Run();
-        // All pairs of mistakes that change whole pictures are tried on few pixels of each, so single pictures are asked, too.
+        // Pairs of mistakes that change whole pictures are tried on few pixels, so what single pictures are diagnosed with is tried, too.
         if (wrong.Count(picture => picture.Evidence.IsExplainedBy(ranked[0])) < wrong.Length)
             ranked = search.With([.. wrong.Take(Consulted).SelectMany(NamedFor)], ranked);
         Verdict = search.WithoutIdle(ranked[0]);
+        if (Verdict.Base.Kinds.Any())
+            Losing =
+            [
+                .. ranked.Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Wordings.Count: 1 } && IsAlike(other))
+                    .Select(other => other.Wordings[0]).DistinctBy(mistake => mistake.Id),
+            ];
         Alternatives =
         [
-            .. ranked.Where(other => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike && other.Parts == ranked[0].Parts)
+            .. ranked.Where(other => IsAlike(other) && other.Parts == ranked[0].Parts)
                 .Select(search.WithoutIdle).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id),
         ];
+
+        bool IsAlike(WrongProgram other) => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike;
     }
 
     /// <summary>What a diagnosis of a single picture names, each mistake in the wording that fits.</summary>
-    private static IEnumerable<WrongProgram> NamedFor(ScenePicture picture) =>
-        from suspect in picture.Of.Judge.Judge(picture.Evidence.Picture).Suspects
+    private static IEnumerable<WrongProgram> NamedFor(SubmittedPicture picture) =>
+        from suspect in picture.Scene.Judge.Judge(picture.Evidence.Picture).Suspects
         let way = new Unfinished(suspect.NotYet)
         select new WrongProgram(way, [.. suspect.Mistakes.Except(way.AsMistakes)],
             suspect.OtherSample && suspect.Mistakes.All(mistake => mistake.Id != "center"));
@@ -94,7 +105,7 @@ internal sealed class JointDiagnosis
 
     private bool IsLightOfAll()
     {
-        var kinds = Unexplained.Select(picture => LikelyCause.InAnotherLight(picture.Evidence, new Renderer(picture.Of.Scene).CastHits().Model))
+        var kinds = Unexplained.Select(picture => LikelyCause.InAnotherLight(picture.Evidence, new Renderer(picture.Scene.Scene).CastHits().Model))
             .TakeWhile(kinds => kinds.Count > 0).ToList();
         var counts = kinds.SelectMany(kinds => kinds).GroupBy(kind => kind.Key, kind => kind.Value).Select(kind => kind.Sum()).ToList();
         return kinds.Count == Unexplained.Count && counts.Max() < OneKind * counts.Sum();

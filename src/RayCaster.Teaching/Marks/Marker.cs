@@ -7,24 +7,27 @@ internal sealed class Marker(Rubric rubric)
     /// <param name="digest">A hash of the rubric and the submission.</param>
     public StudentMarks Mark(string student, string digest, IReadOnlyList<SubmittedPicture> submitted, params IEnumerable<string> notes)
     {
-        List<ScenePicture> pictures = [
-            .. submitted.Where(picture => picture.CanBeJudged).Select(picture => new ScenePicture(picture.Scene, picture.Picture!))];
+        List<SubmittedPicture> pictures = [.. submitted.Where(picture => picture.CanBeJudged)];
         var diagnosis = new JointDiagnosis(pictures, rubric.Known);
-        SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, pictures.Find(other => other.Of == picture.Scene), diagnosis))];
+        SceneMarks[] scenes = [.. submitted.Select(picture => Judge(picture, diagnosis))];
         var verdict = diagnosis.Verdict;
         return new(student, digest, Items(diagnosis, pictures), scenes,
             [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.MistakeIds],
+            [.. diagnosis.Losing.Select(mistake => mistake.Id)],
             [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
 
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
-    private static List<MarkedScene> Told(List<ScenePicture> pictures, JointDiagnosis diagnosis) =>
-        [.. pictures.Except(diagnosis.Unexplained).Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess).Select(picture => picture.Of)];
+    private static List<MarkedScene> Told(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
+    [
+        .. pictures.Except(diagnosis.Unexplained).Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess)
+            .Select(picture => picture.Scene),
+    ];
 
-    private List<ItemMarks> Items(JointDiagnosis diagnosis, List<ScenePicture> pictures)
+    private List<ItemMarks> Items(JointDiagnosis diagnosis, List<SubmittedPicture> pictures)
     {
         var items = new List<ItemMarks>();
-        var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Of));
+        var (told, judged) = (Told(pictures, diagnosis), pictures.ConvertAll(picture => picture.Scene));
         var isAllTold = judged.Count == rubric.Scenes.Count && diagnosis.Unexplained.Count == 0;
         foreach (var item in rubric.Items)
         {
@@ -36,7 +39,9 @@ internal sealed class Marker(Rubric rubric)
                 (least, most) = (Math.Min(least, other), Math.Max(most, other));
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
-            if (diagnosis.IsOnlyLight ? ConcernsLight(item) || !Tells(judged, item) : !isAllTold && !Tells(told, item)) most = item.Points;
+            var mayBeAtFault = diagnosis.IsOnlyLight ? ConcernsLight(item) || !Tells(judged, item)
+                : !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item)));
+            if (mayBeAtFault) most = item.Points;
             if (diagnosis.IsGuess) least = 0;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
         }
@@ -49,6 +54,10 @@ internal sealed class Marker(Rubric rubric)
     private bool Tells(List<MarkedScene> told, RubricItem item) =>
         told.Count > 0
         && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
+
+    /// <summary>Whether an item is about formulas of shapes. A fault that no mistake explains may be in any of the others, unless most pictures
+    /// are right: these use them too.</summary>
+    private static bool IsOfShapes(RubricItem item) => item.Undone.Any(part => Mistake.KindOf(part) != 0);
 
     /// <summary>Whether an item is about the way from a hit to its colour.</summary>
     private static bool ConcernsLight(RubricItem item) => item.Undone.Contains(Diagnosis.Attenuation)
@@ -63,16 +72,15 @@ internal sealed class Marker(Rubric rubric)
         return (Math.Min(item.Points, item.Each * mistakes.Length), mistakes);
     }
 
-    private static SceneMarks Judge(SubmittedPicture submitted, ScenePicture? picture, JointDiagnosis diagnosis)
+    private static SceneMarks Judge(SubmittedPicture picture, JointDiagnosis diagnosis)
     {
-        var verdict = picture is null ? SceneVerdict.NoPicture
+        var verdict = !picture.CanBeJudged ? SceneVerdict.NoPicture
             : picture.Evidence.IsRight ? SceneVerdict.Right
             : diagnosis.Unexplained.Contains(picture) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
-        var isShown = submitted.Picture is not null && verdict != SceneVerdict.Right;
-        return new(submitted.Scene.Name, verdict, submitted.Problem, picture?.WrongShare ?? 1,
-            isShown ? Thumbnail.Of(submitted.Picture!, Thumbnail.Seen).ToPng() : [],
-            isShown ? Thumbnail.Of(submitted.Picture!, Thumbnail.Tiny).Rgb : []);
+        var shown = verdict == SceneVerdict.Right ? null : picture.Picture;
+        return new(picture.Scene.Name, verdict, picture.Problem, picture.WrongShare,
+            shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Seen).ToPng(), shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Tiny).Rgb);
     }
 
     private IEnumerable<string> LookYourself(IReadOnlyList<SubmittedPicture> submitted, JointDiagnosis diagnosis)
@@ -80,10 +88,13 @@ internal sealed class Marker(Rubric rubric)
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
             yield return group.Count() == submitted.Count && submitted.Count > 1 ? $"all scenes: {group.Key}"
                 : $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
-        foreach (var scenes in Repeated(submitted)) yield return $"{scenes}: the same picture of different scenes";
+        string[][] repeated = [.. Repeated(submitted)];
+        foreach (var scenes in repeated)
+            yield return $"{string.Join(", ", scenes)}: the same picture of different scenes, so the program does not draw the scene yet";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
-        if (diagnosis is { TellsNothing: false, Unexplained.Count: > 0 })
-            yield return $"{string.Join(", ", diagnosis.Unexplained.Select(picture => picture.Of.Name))}: " +
+        string[] unexplained = [.. diagnosis.Unexplained.Select(picture => picture.Scene.Name).Except(repeated.SelectMany(scenes => scenes))];
+        if (!diagnosis.TellsNothing && unexplained.Length > 0)
+            yield return $"{string.Join(", ", unexplained)}: " +
                 (diagnosis.IsOnlyLight ? "all outlines are right, only the light is not, and no known mistake explains it"
                     : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
         foreach (var other in diagnosis.Alternatives)
@@ -92,12 +103,12 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <summary>Scenes whose pictures are equal to the byte: the program does not draw the scene yet.</summary>
-    private static IEnumerable<string> Repeated(IReadOnlyList<SubmittedPicture> submitted) =>
+    private static IEnumerable<string[]> Repeated(IReadOnlyList<SubmittedPicture> submitted) =>
         from picture in submitted
         where picture.CanBeJudged && !picture.Picture!.IsOneColor
         group picture.Scene.Name by Convert.ToHexString(System.Security.Cryptography.SHA256.HashData(picture.Picture!.Rgb)) into same
         where same.Count() > 1
-        select string.Join(", ", same);
+        select same.ToArray();
 
     private static string Names(WrongProgram program) => string.Join(" + ",
         program.Base.NotYet.Select(part => $"no {part}").Concat(program.MistakeIds));

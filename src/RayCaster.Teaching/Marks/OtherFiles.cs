@@ -16,8 +16,7 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
     private readonly List<Watch> watches = [];
     private Look? last;
 
-    /// <summary>Begins to watch while a submission runs.</summary>
-    /// <remarks>A look at all files of a large class takes long, so the last look of another submission serves as this one's first.</remarks>
+    /// <remarks>Reading the state of all files of a large class takes long, so the state that was read last is reused as the first.</remarks>
     public Watch WatchWhile(Submission submission)
     {
         lock (watches)
@@ -41,19 +40,15 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
     internal sealed record Look(long Time, Dictionary<string, (long, DateTime)> Files);
 
     /// <summary>The time while a submission runs.</summary>
-    internal sealed class Watch : IDisposable
+    internal sealed class Watch(OtherFiles all, Submission own, Look before) : IDisposable
     {
-        private readonly OtherFiles all;
-        private readonly Submission own;
-        private readonly Look before;
+        private readonly Submission own = own; // which other watches look at
         private long ended = long.MaxValue;
-
-        internal Watch(OtherFiles all, Submission own, Look before) => (this.all, this.own, this.before) = (all, own, before);
 
         /// <summary>Ends the watch, and says what has changed outside its folder, in words; empty if nothing has.</summary>
         public IEnumerable<string> Changed()
         {
-            Dispose(); // before this look, so that the next submission is not excused by this one
+            Dispose(); // before the files are read, so that this submission does not count as one beside a later one
             var now = all.Now();
             Submission[] beside;
             lock (all.watches)

@@ -58,12 +58,8 @@ internal static class ProcessTree
         }
     }
 
-    private static IEnumerable<int> Ids()
-    {
-        foreach (var folder in Directory.EnumerateDirectories("/proc"))
-            if (int.TryParse(Path.GetFileName(folder), NumberStyles.None, CultureInfo.InvariantCulture, out var id))
-                yield return id;
-    }
+    private static IEnumerable<int> Ids() => Directory.EnumerateDirectories("/proc").Select(Path.GetFileName)
+        .Where(name => name!.All(char.IsAsciiDigit)).Select(name => int.Parse(name!, CultureInfo.InvariantCulture));
 
     private static byte[] Read(string path)
     {

@@ -22,8 +22,7 @@ public static class RubricReader
         using var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         var sceneReports = new StringBuilder();
         var rubric = ShortFile.Read(
-            path, MostBytes, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report,
-            digest.AppendData);
+            path, MostBytes, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report);
         report += sceneReports;
         return rubric;
     }
@@ -31,10 +30,13 @@ public static class RubricReader
     /// <summary>Reads the outermost object; without text it describes the keys.</summary>
     internal static Rubric? ReadRubric(SceneObject o, string path, string folder, IncrementalHash? digest, StringBuilder sceneReports)
     {
+        digest?.AppendData(o.Document!.Text.Utf8);
         o.OptionalText("$schema", "Where editors find the schema of rubrics; the program does not use it.");
         var title = o.OptionalText("title", "What is marked, for the heads of pages.") ?? "Marks";
         var files = o.Texts("scenes", "The scene files, an array of paths that start at the rubric's folder.", true);
         var source = ReadSource(o);
+        if (files.Count > 1 && source.Run.Count == 0 && !source.Pictures.Contains("{name}"))
+            o.Refuse("pictures", $" must contain {"{name}"}, the scene's name, since there are {files.Count} scenes");
         var hint = o.OptionalChoice("hint", "How much of a hint the students' pages tell: what is to be seen, what to ask oneself, or nothing.",
             "question", "symptom", "none");
         var items = new List<RubricItem>();
@@ -134,12 +136,15 @@ public static class RubricReader
         {
             var path = Path.Combine(folder, files[i].Replace('\\', '/'));
             var name = Path.GetFileNameWithoutExtension(path);
-            var reading = SceneReader.Read(path, look: text => digest?.AppendData(text));
+            var reading = SceneReader.Read(path);
+            digest?.AppendData(reading.Text.Span);
             reports.Append(reading.Report());
             if (scenes.Exists(other => other.Name == name))
                 o.Refuse("scenes", $" has a second scene that is called {name}: pictures are named after their scenes", i);
             if (reading.Scene is not { } scene)
                 o.Refuse("scenes", $" cannot be used: {files[i]} has errors", i);
+            else if (StoredReference.Contradiction(path, scene) is { } message)
+                o.Refuse("scenes", $" cannot be used. {message}: undo the change in src/RayCaster", i);
             else if ((long)scene.Camera.Width * scene.Camera.Height > MostPixels)
                 o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MostPixels} in all", i);
             else

@@ -13,8 +13,17 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     /// <summary>A PNG may promise so many times the scene's pixels before it is read at all.</summary>
     private const long SizeFactor = 16;
 
+    /// <summary>How many pixels are looked at, at most.</summary>
+    private const int Pixels = 3000;
+
     /// <summary>Whether its size is the scene's, or the scene's with width and height swapped, as some mistakes do.</summary>
     public bool CanBeJudged => Picture is not null && HasSizeOf(Scene, Picture.Width, Picture.Height);
+
+    /// <summary>What the picture tells, if it can be judged.</summary>
+    public Evidence Evidence => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
+
+    /// <summary>The share of its pixels that are wrong; 1 if it cannot be judged.</summary>
+    public double WrongShare => CanBeJudged ? (double)Evidence.WrongCount / Evidence.PixelCount : 1;
 
     /// <summary>Reads an untrusted picture file.</summary>
     /// <param name="note">A problem with the run of the program; null for none.</param>

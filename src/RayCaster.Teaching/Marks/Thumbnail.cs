@@ -11,9 +11,10 @@ internal static class Thumbnail
     {
         var longer = Math.Max(picture.Width, picture.Height);
         if (longer <= side) return picture;
-        var next = 0;
-        return SmallPicture.Of(picture.Width, picture.Height, line => picture.Rgb.AsSpan(line.Length * next++, line.Length).CopyTo(line),
-            Math.Max(1, picture.Width * side / longer), Math.Max(1, picture.Height * side / longer));
+        var small = new SmallPicture(
+            picture.Width, picture.Height, Math.Max(1, picture.Width * side / longer), Math.Max(1, picture.Height * side / longer));
+        small.Take(picture.Rgb);
+        return small.Picture;
     }
 
     /// <summary>The bytes of a PNG file.</summary>
