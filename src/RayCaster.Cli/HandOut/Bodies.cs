@@ -4,7 +4,7 @@ namespace RayCaster.Cli;
 
 /// <summary>
 /// A source file of the lab with marked bodies. Students write the code between <c>// BEGIN SOLUTION "slide"</c> and <c>// END SOLUTION</c>. Lines
-/// <c>// STUB code</c> between them are the code before that; without such lines it is a comment, and there is no hit.
+/// <c>// STUB code</c> between them are the code before that; without such lines it is a call of <c>Todo.Note</c>.
 /// </summary>
 /// <param name="lines">The lines, without line ends.</param>
 internal sealed partial class Bodies(string[] lines, IReadOnlyList<Bodies.Body> all)
