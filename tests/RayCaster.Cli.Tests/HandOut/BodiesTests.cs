@@ -75,6 +75,11 @@ public class BodiesTests
     }
 
     [Fact]
+    public void TheLabHasNoConditionalCode() => // a beginner need not know it, and it would be handed out
+        Assert.All(HandOutFiles.All().Where(file => file.Path.StartsWith("src/Lab/")),
+            file => Assert.DoesNotMatch(@"(?m)^\s*#", Encoding.UTF8.GetString(file.Content)));
+
+    [Fact]
     public void TheReadmeNamesEverySlideAndEveryStepsCommand()
     {
         var files = HandOutFiles.All().ToDictionary(file => file.Path, file => Encoding.UTF8.GetString(file.Content));
