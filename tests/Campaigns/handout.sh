@@ -59,6 +59,7 @@ raycaster handout -q "$folder/changed" --solution
     git init -q
     git config user.name teacher
     git config user.email teacher@example.org
+    git commit -q --allow-empty -m "what a hosting site begins a repository with"
     git add -A
     git commit -qm "hand-out"
     sed -i 's/"radius": 1,/"radius": 1.5,/' scenes/circle.json
@@ -71,9 +72,29 @@ raycaster handout -q "$folder/changed" --solution
     echo "// mine" >> src/Lab/Sphere.cs
     git add -A
     git commit -qm "all done"
-    CI= sh .ci/restore.sh 2> said && exit 1
-    grep -q "runs only in CI" said
+    CI= sh .ci/restore.sh 2> ../said && exit 1
+    grep -q "runs only in CI" ../said
+    git clone -q --depth 1 "file://$PWD" ../shallow
+    (cd ../shallow && CI=1 sh .ci/restore.sh) 2> ../said && exit 1
+    grep -q "lacks a part of its history" ../said
+    [ -z "$(git -C ../shallow status --porcelain --ignored)" ]
     CI=1 sh .ci/restore.sh
     [ "$(git status --porcelain -uall)" = "$(printf ' D src/Lab/Circle.cs\n M src/Lab/Sphere.cs\n?? src/Lab/Shapes/Circle.cs')" ]
+)
+
+echo "== a hand-out that was committed in parts"
+raycaster handout -q "$folder/parts" --solution
+(
+    cd "$folder/parts"
+    git init -q
+    git config user.name teacher
+    git config user.email teacher@example.org
+    git add .ci
+    git commit -qm "only a part"
+    git add -A
+    git commit -qm "the rest"
+    CI=1 sh .ci/restore.sh 2> ../said && exit 1
+    grep -q "has no src/Lab: commit the hand-out as a whole. Nothing was restored or deleted." ../said
+    [ -f src/Lab/Circle.cs ] && [ -z "$(git status --porcelain --ignored)" ]
 )
 echo "hand-out: all as it should be"
