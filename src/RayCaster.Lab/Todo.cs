@@ -18,8 +18,7 @@ public static class Todo
         (10, "Triangle", "triangle"),
     ];
 
-    private static readonly Lazy<(HashSet<string> Notes, string Endless)> found = new(Find);
-
+    private static readonly Lazy<(HashSet<string> Notes, (int Step, string Message)? Endless)> found = new(Find);
     private static HashSet<string> notes; // only while Find listens
 
     /// <summary>Notes that the body where this stands is not written.</summary>
@@ -40,17 +39,18 @@ public static class Todo
         lock (found.Value.Notes) return [.. Bodies.Where(body => found.Value.Notes.Contains(body.Slide))];
     }
 
-    /// <summary>The same in one line, and a call that does not end; empty if all is written and ends.</summary>
+    /// <summary>The first body that does not end.</summary>
+    public static (int Step, string Message)? Endless => found.Value.Endless;
+
+    /// <summary>Both in a line each; empty if all is written and ends.</summary>
     public static string Report()
     {
-        var (missing, endless) = (Missing(), found.Value.Endless);
-        var loop = endless == null ? "" : $"{endless} does not end: is there an endless loop in it?";
-        if (missing is not [var next, ..]) return loop;
-        var todo = $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"";
-        return loop == "" ? todo : $"{loop}\n{todo}";
+        var todo = Missing() is not [var next, ..] missing ? null
+            : $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"";
+        return string.Join("\n", new[] { Endless?.Message, todo }.Where(line => line != null));
     }
 
-    private static (HashSet<string>, string) Find()
+    private static (HashSet<string>, (int, string)?) Find()
     {
         var set = notes = [];
         var endless = BodyCalls.FirstThatDoesNotEnd();
