@@ -52,6 +52,32 @@ raycaster handout -q "$folder/endless"
     grep -q "^Not written yet: .*vectors, ray, camera, .*triangle" said
 )
 
+echo "== endless code in tests"
+raycaster handout -q "$folder/stopped" --solution
+(
+    cd "$folder/stopped"
+    test_step() { # its number, code to add, and a file with the line before which to add it; true if the tests fail
+        rm -f tests/Lab.Tests/TestResults/step.xml
+        cp "src/Lab/$3" kept
+        sed -i "0,/$4/s//$2\n&/" "src/Lab/$3"
+        ! cmp -s "src/Lab/$3" kept
+        dotnet test --filter "step=$1" -p:VSTestBlameHangTimeout=10s --logger "steps;junit=step.xml" > log 2>&1 && return 1
+        cp kept "src/Lab/$3"
+    }
+    test_step 8 "while (true) { }" Sphere.cs "var L = "
+    grep -q "GeometricSolution does not end: is there an endless loop in it?" log
+    grep -Eq "^   8   0 of 12 " log
+    test_step 8 "while (C.X == 0 \&\& C.Y == 3) { }" Sphere.cs "var L = " # for one sphere of the tests
+    grep -Eq "^   8  stopped " log
+    grep -q "^Lab.Tests.Step08Sphere.StraightOn(way: .*Geometric" log
+    grep -q '<testsuite .* errors="1">' tests/Lab.Tests/TestResults/step.xml
+    test_step 7 "Intersect(ray);" Aabb.cs "var (P, d) = " # which calls itself
+    grep -Eq "^   7  stopped " log
+    grep -q '<testsuite .* errors="1">' tests/Lab.Tests/TestResults/step.xml
+    sed -i 's/var (P, d) = .*/Intersect(ray);\n&/' src/Lab/Aabb.cs
+    dotnet test --filter step=6 > log # which has no boxes
+)
+
 echo "== files that students must not change"
 raycaster handout -q "$folder/changed" --solution
 (
