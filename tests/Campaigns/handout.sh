@@ -60,7 +60,7 @@ raycaster handout -q "$folder/stopped" --solution
         rm -f tests/Lab.Tests/TestResults/step.xml
         cp "src/Lab/$3" kept
         sed -i "0,/$4/s//$2\n&/" "src/Lab/$3"
-        ! cmp -s "src/Lab/$3" kept
+        cmp -s "src/Lab/$3" kept && return 1
         dotnet test --filter "step=$1" -p:VSTestBlameHangTimeout=10s --logger "steps;junit=step.xml" > log 2>&1 && return 1
         cp kept "src/Lab/$3"
     }
