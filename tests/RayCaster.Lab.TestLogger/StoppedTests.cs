@@ -13,7 +13,8 @@ internal static partial class StoppedTests
     /// <param name="results">Those of the tests that have ended.</param>
     public static List<TestResult> Of(IEnumerable<AttachmentSet> attachments, IReadOnlyList<string> messages, IReadOnlyList<TestResult> results)
     {
-        List<TestResult> onTheStack = [.. TestsIn(messages, " at ")];
+        var said = string.Join('\n', messages); // before the overflow also the stacks of tests that have failed
+        List<TestResult> onTheStack = said.IndexOf("Stack overflow.") is >= 0 and var start ? [.. TestsIn(said[start..], " at ")] : [];
         if (onTheStack.Count > 0) return onTheStack;
         List<TestResult> listed =
         [
@@ -24,16 +25,13 @@ internal static partial class StoppedTests
                select Stopped((string)test.Attribute("Name"), (string)test.Attribute("DisplayName")),
         ];
         if (listed.Count > 0) return listed;
-        List<TestResult> begun = [.. TestsIn(messages, "begun: ").Where(test => !results.Any(result => NameOf(result) == NameOf(test)))];
+        List<TestResult> begun = [.. TestsIn(said, "begun: ").Where(test => !results.Any(result => NameOf(result) == NameOf(test)))];
         return begun.Count > 0 ? begun : [Stopped("Lab.Tests.UnknownTest", "Lab.Tests.UnknownTest")];
     }
 
-    private static IEnumerable<TestResult> TestsIn(IEnumerable<string> messages, string before) =>
-        from message in messages
-        from Match test in TestName().Matches(message)
-        where message[..test.Index].EndsWith(before)
-        group test by test.Value into one
-        select Stopped(one.Key, one.Key);
+    private static IEnumerable<TestResult> TestsIn(string text, string before) =>
+        from name in TestName().Matches(text).Where(test => text[..test.Index].EndsWith(before)).Select(test => test.Value).Distinct()
+        select Stopped(name, name);
 
     private static TestResult Stopped(string name, string displayName)
     {

@@ -26,9 +26,9 @@ public sealed class StepTableTests : IDisposable
     private AttachmentSet Begun(params (string Name, bool Completed)[] tests)
     {
         var file = Path.Combine(folder, "Sequence_1.xml");
-        new XElement("TestSequence", tests.Select(test => new XElement("Test",
-            new XAttribute("Name", test.Name), new XAttribute("DisplayName", test.Name + "(way: 1)"), new XAttribute("Completed", $"{test.Completed}"))))
-            .Save(file);
+        new XElement("TestSequence", tests.Select(test => new XElement(
+            "Test", new XAttribute("Name", test.Name), new XAttribute("DisplayName", test.Name + "(way: 1)"),
+            new XAttribute("Completed", $"{test.Completed}")))).Save(file);
         return new(new("datacollector://blame"), "Blame") { Attachments = { new(new(file), "") } };
     }
 
@@ -62,7 +62,7 @@ public sealed class StepTableTests : IDisposable
     [Fact]
     public void AStackOverflowIsOfTheTestOnTheStack() => Assert.Equal([Vectors], Names(StoppedTests.Of(
         [Begun((Ray, false), (Vectors, false))],
-        ["begun: " + Ray + "()\nStack overflow.", $"   at Lab.Vector3.op_Multiply(Double, Lab.Vector3)\n   at {Vectors}()"], [])));
+        [$"   at {Sphere}()", $"begun: {Ray}()\nStack overflow.", $"   at Lab.Vector3.op_Multiply(Double, Lab.Vector3)\n   at {Vectors}()"], [])));
 
     /// <summary>Of a call that <see cref="BodyCalls"/> makes for a test; the collector may not know yet that the test has begun.</summary>
     [Fact]
