@@ -45,7 +45,11 @@ internal sealed class CheckCommand : Command
         {
             cancellation.ThrowIfCancellationRequested();
             var reading = SceneInput.Read(path, threads);
-            if (reading.Scene is { } scene) scenes.Add(scene);
+            if (reading.Scene is { } scene)
+            {
+                scenes.Add(scene);
+                SceneInput.WarnOfEditedJudge(path, scene);
+            }
             var unread = reading.Problems.Any(problem => problem.IsError && problem.Line == 0);
             if (line.Has(Option.Json)) StandardFile.WriteError(reading.Report());
             else StandardFile.WriteOutput(reading.Report());

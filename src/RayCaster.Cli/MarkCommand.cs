@@ -68,7 +68,9 @@ internal sealed class MarkCommand : Command
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
         progress?.Dispose();
         var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);
-        line.Tell($"{output}: {marks.Count} submissions marked, {flagged} to look at yourself, {seconds:0.0} s");
+        line.Tell($"{output}: {marks.Count} submission{(marks.Count == 1 ? "" : "s")} marked, {flagged} to look at yourself, {seconds:0.0} s");
+        if (marks.Count > 1 && marks.All(student => student.CommonProblem is not null))
+            StandardFile.WriteError($"No submission has a picture. Does {line.Operands[1]} contain a folder for each student?{Environment.NewLine}");
         return ExitCode.Done;
     }
 }

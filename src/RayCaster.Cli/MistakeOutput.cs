@@ -12,6 +12,7 @@ internal static class MistakeOutput
         var format = PictureOutput.FormatOf(line, output);
         PictureOutput.KeepOffTerminal(output);
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
+        SceneInput.WarnOfEditedJudge(path, scene);
 
         var picture = WrongPicture.Draw(scene, mistakes, line.ThreadCount());
         PictureOutput.Write(output, picture, format, cancellation);

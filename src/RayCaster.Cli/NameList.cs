@@ -16,6 +16,8 @@ internal static class NameList
         foreach (var name in names)
         {
             if (known.Contains(name)) continue;
+            var other = separator == ',' ? '+' : ',';
+            if (name.Contains(other)) throw ProblemException.Usage($"'{name}' is not {what}; join names by '{separator}', not by '{other}'");
             throw ProblemException.Usage($"'{name}' is not {what}; " + (Spelling.Nearest(name, known) is { } nearest
                 ? $"did you mean '{nearest}'?"
                 : known.Count < 10 ? $"choose {string.Join(", ", known)}" : "docs/mistakes.md lists them all"));

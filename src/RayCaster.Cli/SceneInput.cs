@@ -23,7 +23,8 @@ internal static class SceneInput
     /// pictures.</summary>
     public static void WarnOfEditedJudge(string path, Scene scene)
     {
-        if (path != Standard && StoredReference.Contradiction(path, scene) is { } message) StandardFile.WriteError(message + Environment.NewLine);
+        if (path != Standard && StoredReference.Contradiction(path, scene) is { } message)
+            StandardFile.WriteError($"{message}. What follows may be wrong.{Environment.NewLine}");
     }
 
     /// <summary>Reads a scene with its errors and warnings.</summary>

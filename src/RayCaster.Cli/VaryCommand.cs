@@ -39,12 +39,14 @@ internal sealed class VaryCommand : Command
         var reading = SceneReader.Read(path);
         StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene) return reading.Text.IsEmpty ? ExitCode.CouldNot : ExitCode.No;
+        SceneInput.WarnOfEditedJudge(path, scene);
 
         var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
-        if (scene.Models.Any(model => model is Mesh) && Path.GetDirectoryName(Path.GetFullPath(output)) != folder)
+        var newFolder = Path.GetDirectoryName(Path.GetFullPath(output))!;
+        if (scene.Models.Any(model => model is Mesh) && newFolder != folder)
             throw new ProblemException($"raycaster: {path} names mesh files, whose paths start at its folder: " +
                 $"write {Path.GetFileName(output)} to {folder}");
-        if (SceneVariation.Of(reading.Text, folder, seed) is not { } varied)
+        if (SceneVariation.Of(reading.Text, folder, seed, newFolder) is not { } varied)
         {
             StandardFile.WriteError($"{path}: no variation of it shows all its mistakes; try another seed{Environment.NewLine}");
             return ExitCode.No;

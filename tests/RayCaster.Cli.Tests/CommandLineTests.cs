@@ -44,6 +44,7 @@ public sealed class CommandLineTests : IDisposable
     [InlineData("option '--output' needs a value", "-o")]
     [InlineData("option '--quiet' takes no value, but 'yes' is given", "--quiet=yes")]
     [InlineData("'640*480' is not a size: write width and height in pixels as in 640x480\n", "a.json", "-s", "640*480")]
+    [InlineData("'rows,bgr' is not a mistake; join names by '+', not by ','\n", "a.json", "--mistake", "rows,bgr")]
     [InlineData("'0x5' is not a size", "a.json", "-s", "0x5")]
     [InlineData("'1000001x1' is too large: width and height are at most 1000000, their product at most 10000000000", "a.json", "-s", "1000001x1")]
     [InlineData("'1000000x1000000' is too large", "a.json", "-s", "1000000x1000000")]

@@ -13,7 +13,7 @@ internal sealed class ObjFile : TextFormat
     {
         var mesh = MeshReader.Read(source, () => new ObjFile(source));
         // A face may stand before its vertices, so the range of indices is known only now. A second reading stops at the first index beyond it.
-        if (IsWhole(mesh, source.Threads)) return mesh;
+        if (!mesh.Indices.AsSpan().ContainsAnyInRange(mesh.Vertices.Length, int.MaxValue)) return mesh;
         MeshReader.Check(source, new ObjFile(source, mesh.Vertices.Length));
         throw source.Error("the file changed while it was read");
     }
@@ -57,17 +57,6 @@ internal sealed class ObjFile : TextFormat
             if ((isCrLf ? left[..^1] : line) is not [.., (byte)'\\']) return left.Length + 1;
         }
         return 0;
-    }
-
-    private static bool IsWhole(MeshData mesh, int threads)
-    {
-        var isWhole = true;
-        Ranges.Each(mesh.Indices.Length, threads, (start, length) =>
-        {
-            foreach (var index in mesh.Indices.AsSpan(start, length))
-                if (index >= mesh.Vertices.Length) Volatile.Write(ref isWhole, false);
-        });
-        return isWhole;
     }
 
     /// <summary>The vertex of a corner: <c>7</c>, <c>7/1</c>, <c>7/1/3</c> or <c>7//3</c> (vertex, texture, normal).</summary>

@@ -20,7 +20,8 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
     public JsonMistake Explain(JsonException refusal)
     {
         var at = words.SkipBlanks(lastEnd);
-        if (at == utf8.Length) return last == JsonTokenType.None ? new(at, at, "the file is empty; a scene is an object in braces { }") : CutOff();
+        if (at == utf8.Length)
+            return last == JsonTokenType.None ? new(at, at, "the file is empty; it must contain an object in braces { }") : CutOff();
 
         return last switch
         {

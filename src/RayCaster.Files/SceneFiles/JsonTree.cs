@@ -48,16 +48,16 @@ internal sealed class JsonTree
     /// <summary>The key of the object or array that was closed last; null if it is an element of an array, or the outermost.</summary>
     public int? KeyOfLastClosed => lastClosed > 0 && nodes[lastClosed - 1].Kind == JsonTokenType.PropertyName ? lastClosed - 1 : null;
 
-    /// <summary>The text with other numbers in place of some; comments and layout stay.</summary>
-    public byte[] With(IEnumerable<(JsonValue Number, string Text)> edits)
+    /// <summary>The text with other values in place of some, in ASCII; comments and layout stay.</summary>
+    public byte[] With(IEnumerable<(JsonValue Value, string Text)> edits)
     {
         var (text, done) = (new MemoryStream(), 0);
         text.Write(Text.Mark);
-        foreach (var (number, by) in edits.OrderBy(edit => edit.Number.Start))
+        foreach (var (value, by) in edits.OrderBy(edit => edit.Value.Start))
         {
-            text.Write(Text.Utf8[done..number.Start]);
+            text.Write(Text.Utf8[done..value.Start]);
             text.Write(Encoding.ASCII.GetBytes(by));
-            done = number.End;
+            done = value.End;
         }
         text.Write(Text.Utf8[done..]);
         return text.ToArray();

@@ -22,7 +22,8 @@ internal static class ShortFile
         {
             if (!File.Exists(path))
             {
-                report = $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
+                report = Directory.Exists(path) ? $"{path}: error: this is a folder; name a file\n"
+                    : $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
                 return false;
             }
             using var file = File.OpenRead(path);

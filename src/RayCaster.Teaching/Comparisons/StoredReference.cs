@@ -9,7 +9,8 @@ public static class StoredReference
     /// <summary>Rays times shapes, some seconds.</summary>
     private const long MostWork = 100_000_000;
 
-    /// <summary>A message if this build's own picture of a scene is not the stored one; null if it is, or if there is none.</summary>
+    /// <summary>A message, without a full stop, if this build's own picture of a scene is not the stored one; null if it is, or if there is
+    /// none.</summary>
     /// <param name="path">The scene's file. The reference of <c>scenes/room.json</c> is <c>tests/References/room.png</c>.</param>
     /// <param name="scene">The scene as it was read.</param>
     /// <exception cref="PictureFileException">The reference cannot be read.</exception>
@@ -21,7 +22,7 @@ public static class StoredReference
         var inItsSize = scene with { Camera = scene.Camera.WithSize(reference.Width, reference.Height) };
         var comparison = new PictureComparison(ScalarRenderer.Render(inItsSize), reference);
         return comparison.Likeness.IsSame() ? null
-            : $"The judge has been edited: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}. What follows may be wrong.";
+            : $"The judge has been edited: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}";
     }
 
     /// <summary>The reference of a scene in a folder "scenes", whose neighbour is "tests/References".</summary>

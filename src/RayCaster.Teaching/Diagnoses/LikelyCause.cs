@@ -110,7 +110,7 @@ internal static class LikelyCause
 
     /// <summary>
     /// In how many wrong pixels each kind of shape and the background shows, if nearly all of them show what they should in another light; empty
-    /// if not. A clamped channel has lost the ratio of the colours, so such pixels do not count.
+    /// if not.
     /// </summary>
     /// <param name="models">The model that each pixel should show, by its place in reading order; −1 for the background.</param>
     public static IReadOnlyDictionary<string, int> InAnotherLight(Evidence evidence, IReadOnlyList<int> models)
@@ -122,20 +122,30 @@ internal static class LikelyCause
         {
             var (y, x) = Math.DivRem(i, right.Width);
             var shown = picture[x, y];
-            if (PictureDifference.Levels(shown, right[x, y]) <= Evidence.Tolerance || IsClamped(shown) || IsClamped(right[x, y])) continue;
+            if (PictureDifference.Levels(shown, right[x, y]) <= Evidence.Tolerance) continue;
             wrong++;
             var (kind, color) = models[i] < 0 ? ("background", scene.Background) : (scene.Models[models[i]].Kind, scene.Models[models[i]].Color);
-            if (Unfinished.IsShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
-            // Of two grey models each is a shade of the other, and black is a shade of all: there a new edge tells.
+            if (Unfinished.IsShadeOf(shown, color) || IsTooBrightShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
+            // Of two grey models each is a shade of the other, and black is a shade of all: there a new edge within a model tells.
             if ((x > 0 && IsNewEdge(x - 1, y)) || (y > 0 && IsNewEdge(x, y - 1))) edges++;
 
-            bool IsNewEdge(int nx, int ny) =>
+            bool IsNewEdge(int nx, int ny) => models[ny * right.Width + nx] == models[i] &&
                 PictureDifference.Levels(right[x, y], right[nx, ny]) <= 8 && PictureDifference.Levels(shown, picture[nx, ny]) > 40;
         }
         // A cut through an area is about as long as its side.
         return count.Values.Sum() >= 0.97 * wrong && 4 * edges <= Math.Sqrt(wrong) ? count : none;
+    }
 
-        static bool IsClamped((byte R, byte G, byte B) color) => Math.Max(color.R, Math.Max(color.G, color.B)) == byte.MaxValue;
+    /// <summary>Whether bytes are a colour in a light so bright that channels are clamped; the brightest of the others tells the light.</summary>
+    private static bool IsTooBrightShadeOf((byte R, byte G, byte B) bytes, Color color)
+    {
+        ReadOnlySpan<(byte Byte, double Channel)> channels = [(bytes.R, color.R), (bytes.G, color.G), (bytes.B, color.B)];
+        var (light, most) = (double.MaxValue, 0.0); // all clamped: any light from some brightness on
+        foreach (var (shown, channel) in channels)
+            if (shown < byte.MaxValue && channel > most) (light, most) = (shown / channel, channel);
+        foreach (var (shown, channel) in channels)
+            if (Math.Abs(shown - Math.Min(byte.MaxValue, light * channel)) >= 3) return false;
+        return true;
     }
 
     /// <summary>Says so where the picture's upper or lower lines are black and should not be; null where not.</summary>

@@ -15,6 +15,8 @@ public sealed class ClassMarks
     private const string TableFile = "marks.csv";
     private const string PageFile = "class.html";
 
+    private static readonly JsonSerializerOptions kept = new(JsonSerializerOptions.Web) { RespectRequiredConstructorParameters = true };
+
     private readonly Rubric rubric;
     private readonly string output;
     private readonly SubmissionRunner runner;
@@ -74,6 +76,7 @@ public sealed class ClassMarks
         var above = Path.GetFullPath(submissions).TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar;
         if ((Path.GetFullPath(output) + Path.DirectorySeparatorChar).StartsWith(above, StringComparison.OrdinalIgnoreCase))
             throw new PictureFileException($"the marks cannot go to {output}, which is in the folder of submissions: name a folder outside it");
+        if (File.Exists(output)) throw new PictureFileException($"the marks cannot go to {output}, which is a file: name a folder");
         foreach (var submission in all)
             if (submission.Student.ToLowerInvariant() is TableFile or PageFile)
                 throw new PictureFileException($"the submission '{submission.Student}' is named like a file of the marks: rename the folder");
@@ -98,7 +101,7 @@ public sealed class ClassMarks
         cancellation.ThrowIfCancellationRequested();
         var marks = marker.Mark(submission.Student, digest, pictures, changed);
         Write(Path.Combine(folder, "feedback.html"), FeedbackPage.Of(rubric, marks, pictures));
-        Write(keptPath, JsonSerializer.Serialize(marks, JsonSerializerOptions.Web));
+        Write(keptPath, JsonSerializer.Serialize(marks, ClassMarks.kept));
         return marks;
     }
 
@@ -106,11 +109,11 @@ public sealed class ClassMarks
     {
         try
         {
-            return File.Exists(path) ? JsonSerializer.Deserialize<StudentMarks>(File.ReadAllBytes(path), JsonSerializerOptions.Web) : null;
+            return File.Exists(path) ? JsonSerializer.Deserialize<StudentMarks>(File.ReadAllBytes(path), kept) : null;
         }
         catch (Exception e) when (e is JsonException or IOException or UnauthorizedAccessException or NotSupportedException)
         {
-            return null; // a damaged file counts as missing
+            return null; // a damaged file, or one of an older version, counts as missing
         }
     }
 

@@ -104,7 +104,8 @@ internal static class ClassPage
         {
             var style = student.Open > 0 ? "open" : student.Points < rubric.Points ? "lost" : "";
             var items = string.Concat(student.Items.Select(item => $"<td class=\"n\">{MarksTable.Item(item)}</td>"));
-            var found = string.Join(", ", student.NotDrawn.Select(part => "no " + part).Concat(student.Mistakes));
+            var found = string.Join(", ", student.NotDrawn.Select(part => "no " + part).Concat(student.Mistakes))
+                + (student.Losing.Count > 0 ? $" (or {string.Join(" or ", student.Losing)})" : "");
             page.Html($"<tr class=\"{style}\"><td>{Link(student)}</td><td class=\"n\">{MarksTable.Number(student.Points)}" +
                 $"{(student.Open > 0 ? $" + {MarksTable.Number(student.Open)}?" : "")}</td>{items}<td>{Page.Escaped(found)}</td></tr>");
         }

@@ -9,7 +9,7 @@ internal static class FeedbackPage
         page.Element("p", $"{MarksTable.Number(marks.Points)} of {MarksTable.Number(rubric.Points)} points"
             + (marks.Open > 0 ? $"; {MarksTable.Number(marks.Open)} more are not decided: your teacher will look." : "."));
         page.Html("<table><tr><th>Part</th><th class=\"n\">Points</th><th>Why</th></tr>");
-        foreach (var item in marks.Items) AddItem(page, rubric, item);
+        foreach (var item in marks.Items) AddItem(page, rubric, item, marks.Losing);
         page.Html("</table>");
         AddOthers(page, rubric, marks);
         var common = marks.CommonProblem;
@@ -18,11 +18,11 @@ internal static class FeedbackPage
         return page.ToString();
     }
 
-    private static void AddItem(Page page, Rubric rubric, ItemMarks item)
+    private static void AddItem(Page page, Rubric rubric, ItemMarks item, IReadOnlyList<string> losing)
     {
         var style = item.Open > 0 ? "open" : item.Points < item.Of ? "lost" : "";
         var why = item.Open > 0 ? "Not decided: your teacher will look."
-            : string.Join("<br>", item.Because.Select(because => Hint(rubric, because)).Where(hint => hint != ""));
+            : string.Join("<br>", item.Because.Select(because => Hint(rubric, because, losing)).Where(hint => hint != ""));
         page.Html($"<tr class=\"{style}\"><td>{Page.Escaped(item.Name)}</td><td class=\"n\">{MarksTable.Item(item)} of " +
             $"{MarksTable.Number(item.Of)}</td><td>{why}</td></tr>");
     }
@@ -38,14 +38,15 @@ internal static class FeedbackPage
     }
 
     /// <summary>A hint; empty for a mistake if the rubric has no hints.</summary>
-    private static string Hint(Rubric rubric, string because) => rubric.Hint switch
+    /// <param name="losing">The mistakes that may have lost a missing part.</param>
+    private static string Hint(Rubric rubric, string because, params IReadOnlyList<string> losing) => rubric.Hint switch
     {
         null => MistakeCatalog.Named(because) is null ? Page.Escaped(MarkWords.NotDrawn(because)) : "",
         HintLevel.Symptom => Page.Escaped(MarkWords.Symptom(because)),
-        _ => Page.Escaped($"{MarkWords.Symptom(because)} {MarkWords.Question(because)}".TrimEnd()),
+        _ => Page.Escaped($"{MarkWords.Symptom(because)} {MarkWords.Question(because, losing)}".TrimEnd()),
     };
 
-    private static string Sentence(string problem) => char.ToUpperInvariant(problem[0]) + problem[1..] + ".";
+    private static string Sentence(string problem) => char.ToUpperInvariant(problem[0]) + problem[1..].TrimEnd('.') + ".";
 
     private static void AddScene(Page page, SceneMarks scene, SubmittedPicture submitted, string? common)
     {

@@ -36,7 +36,7 @@ internal sealed class JointDiagnosis
             return;
         }
         if (Verdict.Misfit.Unexplained < Near * wrong.Length) Nearest = Verdict;
-        (Verdict, Alternatives, Unexplained) = (right, [], wrong);
+        (Verdict, Alternatives, Losing, Unexplained) = (right, [], [], wrong);
         IsOnlyLight = !TellsNothing && IsLightOfAll();
     }
 
@@ -45,6 +45,9 @@ internal sealed class JointDiagnosis
 
     /// <summary>Other programs that explain the pictures as well as the verdict.</summary>
     public IReadOnlyList<WrongProgram> Alternatives { get; private set; } = [];
+
+    /// <summary>The mistakes that draw the same pictures, if the verdict is that shapes are missing: the shapes may be written, and lost.</summary>
+    public IReadOnlyList<Mistake> Losing { get; private set; } = [];
 
     /// <summary>The wrong pictures that the verdict does not explain.</summary>
     public IReadOnlyList<SubmittedPicture> Unexplained { get; } = [];
@@ -72,11 +75,19 @@ internal sealed class JointDiagnosis
         if (wrong.Count(picture => picture.Evidence.IsExplainedBy(ranked[0])) < wrong.Length)
             ranked = search.With([.. wrong.Take(Consulted).SelectMany(NamedFor)], ranked);
         Verdict = search.WithoutIdle(ranked[0]);
+        if (Verdict.Base.Kinds.Any())
+            Losing =
+            [
+                .. ranked.Where(other => other is { Base.NotYet.Count: 0, OtherSample: false, Wordings.Count: 1 } && IsAlike(other))
+                    .Select(other => other.Wordings[0]).DistinctBy(mistake => mistake.Id),
+            ];
         Alternatives =
         [
-            .. ranked.Where(other => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike && other.Parts == ranked[0].Parts)
+            .. ranked.Where(other => IsAlike(other) && other.Parts == ranked[0].Parts)
                 .Select(search.WithoutIdle).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id),
         ];
+
+        bool IsAlike(WrongProgram other) => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike;
     }
 
     /// <summary>What a diagnosis of a single picture names, each mistake in the wording that fits.</summary>

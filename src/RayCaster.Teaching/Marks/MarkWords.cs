@@ -9,8 +9,10 @@ internal static class MarkWords
     /// <summary>What one sees of a mistake, or what is not drawn yet.</summary>
     public static string Symptom(string because) => MistakeCatalog.Named(because)?.Hint.Symptom ?? NotDrawn(because);
 
-    /// <summary>The question that leads to a mistake; empty for a missing part.</summary>
-    public static string Question(string because) => MistakeCatalog.Named(because)?.Hint.Question ?? "";
+    /// <summary>The question that leads to a mistake; for a missing shape that to a mistake which loses it, or empty.</summary>
+    public static string Question(string because, IReadOnlyList<string> losing) => MistakeCatalog.Named(because)?.Hint.Question
+        ?? (losing.Select(id => MistakeCatalog.Named(id)!).FirstOrDefault(mistake => mistake.Concerns == Mistake.KindOf(because)) is { } mistake
+            ? $"If they are written: {mistake.Hint.Question}" : "");
 
     public static string NotDrawn(string part) => part == Diagnosis.Attenuation
         ? $"{NotSeen(part)}: attenuation is not written yet, or a mistake hides it."

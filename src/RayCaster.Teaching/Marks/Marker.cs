@@ -13,12 +13,16 @@ internal sealed class Marker(Rubric rubric)
         var verdict = diagnosis.Verdict;
         return new(student, digest, Items(diagnosis, pictures), scenes,
             [.. Diagnosis.Parts.Intersect(verdict.Base.NotYet)], [.. verdict.MistakeIds],
+            [.. diagnosis.Losing.Select(mistake => mistake.Id)],
             [.. notes, .. LookYourself(submitted, diagnosis)]);
     }
 
     /// <summary>The scenes whose pictures are right or explained. A mistake that shows in one of them and was not found was not made.</summary>
     private static List<MarkedScene> Told(List<SubmittedPicture> pictures, JointDiagnosis diagnosis) =>
-        [.. pictures.Except(diagnosis.Unexplained).Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess).Select(picture => picture.Scene)];
+    [
+        .. pictures.Except(diagnosis.Unexplained).Where(picture => picture.Evidence.IsRight || !diagnosis.IsGuess)
+            .Select(picture => picture.Scene),
+    ];
 
     private List<ItemMarks> Items(JointDiagnosis diagnosis, List<SubmittedPicture> pictures)
     {
@@ -35,7 +39,9 @@ internal sealed class Marker(Rubric rubric)
                 (least, most) = (Math.Min(least, other), Math.Max(most, other));
                 if (other != lost) because = [.. because.Union(otherwise)];
             }
-            if (diagnosis.IsOnlyLight ? ConcernsLight(item) || !Tells(judged, item) : !isAllTold && !Tells(told, item)) most = item.Points;
+            var mayBeAtFault = diagnosis.IsOnlyLight ? ConcernsLight(item) || !Tells(judged, item)
+                : !isAllTold && (!Tells(told, item) || (2 * told.Count <= judged.Count && !IsOfShapes(item)));
+            if (mayBeAtFault) most = item.Points;
             if (diagnosis.IsGuess) least = 0;
             items.Add(new(item.Name, item.Points, item.Points - most, most - least, because));
         }
@@ -48,6 +54,10 @@ internal sealed class Marker(Rubric rubric)
     private bool Tells(List<MarkedScene> told, RubricItem item) =>
         told.Count > 0
         && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
+
+    /// <summary>Whether an item is about formulas of shapes. A fault that no mistake explains may be in any of the others, unless most pictures
+    /// are right: these use them too.</summary>
+    private static bool IsOfShapes(RubricItem item) => item.Undone.Any(part => Mistake.KindOf(part) != 0);
 
     /// <summary>Whether an item is about the way from a hit to its colour.</summary>
     private static bool ConcernsLight(RubricItem item) => item.Undone.Contains(Diagnosis.Attenuation)
@@ -78,10 +88,13 @@ internal sealed class Marker(Rubric rubric)
         foreach (var group in submitted.Where(picture => !picture.CanBeJudged).GroupBy(picture => picture.Problem))
             yield return group.Count() == submitted.Count && submitted.Count > 1 ? $"all scenes: {group.Key}"
                 : $"{string.Join(", ", group.Select(picture => picture.Scene.Name))}: {group.Key}";
-        foreach (var scenes in Repeated(submitted)) yield return $"{scenes}: the same picture of different scenes";
+        string[][] repeated = [.. Repeated(submitted)];
+        foreach (var scenes in repeated)
+            yield return $"{string.Join(", ", scenes)}: the same picture of different scenes, so the program does not draw the scene yet";
         if (diagnosis.TellsNothing) yield return "all pictures are of one colour: many mistakes cause that";
-        if (diagnosis is { TellsNothing: false, Unexplained.Count: > 0 })
-            yield return $"{string.Join(", ", diagnosis.Unexplained.Select(picture => picture.Scene.Name))}: " +
+        string[] unexplained = [.. diagnosis.Unexplained.Select(picture => picture.Scene.Name).Except(repeated.SelectMany(scenes => scenes))];
+        if (!diagnosis.TellsNothing && unexplained.Length > 0)
+            yield return $"{string.Join(", ", unexplained)}: " +
                 (diagnosis.IsOnlyLight ? "all outlines are right, only the light is not, and no known mistake explains it"
                     : "no known mistake explains this" + (diagnosis.Nearest is { } near ? $" (nearest: {Names(near)})" : ""));
         foreach (var other in diagnosis.Alternatives)
@@ -90,12 +103,12 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <summary>Scenes whose pictures are equal to the byte: the program does not draw the scene yet.</summary>
-    private static IEnumerable<string> Repeated(IReadOnlyList<SubmittedPicture> submitted) =>
+    private static IEnumerable<string[]> Repeated(IReadOnlyList<SubmittedPicture> submitted) =>
         from picture in submitted
         where picture.CanBeJudged && !picture.Picture!.IsOneColor
         group picture.Scene.Name by Convert.ToHexString(System.Security.Cryptography.SHA256.HashData(picture.Picture!.Rgb)) into same
         where same.Count() > 1
-        select string.Join(", ", same);
+        select same.ToArray();
 
     private static string Names(WrongProgram program) => string.Join(" + ",
         program.Base.NotYet.Select(part => $"no {part}").Concat(program.MistakeIds));

@@ -3,13 +3,14 @@ using System.Text;
 
 namespace RayCaster.Teaching;
 
-/// <summary>The marks as a table for a spreadsheet: CSV (RFC 4180) with decimal points.</summary>
+/// <summary>The marks as a table for a spreadsheet: CSV (RFC 4180) with decimal points, and a byte order mark, without which Excel takes UTF-8 for
+/// another encoding.</summary>
 internal static class MarksTable
 {
     /// <summary>A header line, and a line for each student. Items that are not decided have a question mark.</summary>
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
-        var text = new StringBuilder();
+        var text = new StringBuilder("\uFEFF");
         Append(text,
             ["student", "points", "open", "of", .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes",
                 "right pictures"]);

@@ -35,6 +35,8 @@ public static class RubricReader
         var title = o.OptionalText("title", "What is marked, for the heads of pages.") ?? "Marks";
         var files = o.Texts("scenes", "The scene files, an array of paths that start at the rubric's folder.", true);
         var source = ReadSource(o);
+        if (files.Count > 1 && source.Run.Count == 0 && !source.Pictures.Contains("{name}"))
+            o.Refuse("pictures", $" must contain {"{name}"}, the scene's name, since there are {files.Count} scenes");
         var hint = o.OptionalChoice("hint", "How much of a hint the students' pages tell: what is to be seen, what to ask oneself, or nothing.",
             "question", "symptom", "none");
         var items = new List<RubricItem>();
@@ -141,6 +143,8 @@ public static class RubricReader
                 o.Refuse("scenes", $" has a second scene that is called {name}: pictures are named after their scenes", i);
             if (reading.Scene is not { } scene)
                 o.Refuse("scenes", $" cannot be used: {files[i]} has errors", i);
+            else if (StoredReference.Contradiction(path, scene) is { } message)
+                o.Refuse("scenes", $" cannot be used. {message}: undo the change in src/RayCaster", i);
             else if ((long)scene.Camera.Width * scene.Camera.Height > MostPixels)
                 o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MostPixels} in all", i);
             else

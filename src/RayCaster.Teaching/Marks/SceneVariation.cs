@@ -29,7 +29,7 @@ public sealed class SceneVariation
     private readonly double growth;
     private readonly byte[] seed;
     private readonly int decimals;
-    private readonly List<(JsonValue Number, string Text)> edits = [];
+    private readonly List<(JsonValue Value, string Text)> edits = [];
 
     private SceneVariation(JsonTree tree, double distance, string seed, double amplitude)
     {
@@ -44,8 +44,9 @@ public sealed class SceneVariation
     /// <param name="utf8">The text of a scene without errors.</param>
     /// <param name="folder">The folder where the paths of mesh files start.</param>
     /// <param name="seed">For example a student's name: the same seed gives the same scene.</param>
+    /// <param name="newFolder">The folder of the new scene, from which its schema is found; null for the same.</param>
     /// <returns>The new text; null if no try succeeds.</returns>
-    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed)
+    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed, string? newFolder = null)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
         if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
@@ -54,7 +55,9 @@ public sealed class SceneVariation
         for (var attempt = 0; attempt < MostTries; attempt++)
         {
             var amplitude = Amplitude / (1 << attempt / TriesOfOneAmplitude);
-            var text = new SceneVariation(tree, distance, $"{seed}\n{attempt}", amplitude).Text();
+            var variation = new SceneVariation(tree, distance, $"{seed}\n{attempt}", amplitude);
+            if (newFolder is not null) variation.MoveSchema(folder, newFolder);
+            var text = variation.Text();
             if (SceneReader.Parse(text, "", folder) is { Scene: { } varied, Problems.Count: 0 } && HiddenIn(varied).IsSubsetOf(hidden)) return text;
         }
         return null;
@@ -62,6 +65,13 @@ public sealed class SceneVariation
 
     private static HashSet<string> HiddenIn(Scene scene) =>
         SceneFitness.CanJudge(scene) ? [.. SceneFitness.HiddenIn(scene, null).Select(mistake => mistake.Id)] : [];
+
+    private void MoveSchema(string folder, string newFolder)
+    {
+        if (tree.Root.Find("$schema") is not { Kind: JsonTokenType.String } schema || !File.Exists(Path.Combine(folder, schema.Text))) return;
+        var path = Path.GetRelativePath(newFolder, Path.Combine(folder, schema.Text)).Replace('\\', '/');
+        edits.Add((schema, $"\"{JsonEncodedText.Encode(path.StartsWith('.') ? path : "./" + path)}\""));
+    }
 
     private byte[] Text()
     {

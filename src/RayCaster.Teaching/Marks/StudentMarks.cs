@@ -4,9 +4,11 @@ namespace RayCaster.Teaching;
 /// <param name="Digest">A hash of the rubric, the scenes and the submission.</param>
 /// <param name="Items">The items of the rubric, in its order.</param>
 /// <param name="Scenes">The scenes of the rubric, in its order.</param>
+/// <param name="Losing">The mistakes that draw the same pictures as a program in which <paramref name="NotDrawn"/> is missing.</param>
 /// <param name="LookYourself">What the teacher must look at; empty if nothing is.</param>
 public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<ItemMarks> Items, IReadOnlyList<SceneMarks> Scenes,
-    IReadOnlyList<string> NotDrawn, IReadOnlyList<string> Mistakes, IReadOnlyList<string> LookYourself)
+    IReadOnlyList<string> NotDrawn, IReadOnlyList<string> Mistakes, IReadOnlyList<string> Losing,
+    IReadOnlyList<string> LookYourself)
 {
     /// <summary>The points that are certain.</summary>
     public double Points => Items.Sum(item => item.Points);

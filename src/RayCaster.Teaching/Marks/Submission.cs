@@ -22,6 +22,7 @@ internal sealed record Submission(string Folder)
     /// </exception>
     public static IReadOnlyList<Submission> In(string folder)
     {
+        if (File.Exists(folder)) throw new PictureFileException($"{folder} is a file: name the folder that contains a folder for each student");
         try
         {
             Submission[] all =

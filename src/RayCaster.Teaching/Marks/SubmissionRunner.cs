@@ -8,6 +8,9 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
     /// <summary>How many characters, and how many errors, of what a program printed are quoted.</summary>
     private const int Quoted = 200, MostErrors = 3;
 
+    /// <summary>How many pictures of other names are told.</summary>
+    private const int MostPictures = 3;
+
     /// <summary>A program that was ended for so many scenes in a row is not run for the rest: that could take hours.</summary>
     private const int Patience = 2;
 
@@ -39,7 +42,19 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
     {
         var path = Path.Combine(submission.Folder, rubric.Source.Pictures.Replace("{name}", scene.Name));
         if (!File.Exists(path) && Path.ChangeExtension(path, ".ppm") is var other && File.Exists(other)) path = other;
-        return SubmittedPicture.Read(scene, path, File.Exists(path) ? null : $"no picture {Path.GetRelativePath(submission.Folder, path)}");
+        return SubmittedPicture.Read(scene, path, File.Exists(path) ? null
+            : $"no picture {Path.GetRelativePath(submission.Folder, path)}{Others(submission)}");
+    }
+
+    /// <summary>Some pictures that the submission has: their names may differ from the rubric's.</summary>
+    private static string Others(Submission submission)
+    {
+        string[] others =
+        [
+            .. Submission.State(submission.Folder).Select(file => Path.GetRelativePath(submission.Folder, file.Path))
+                .Where(path => Path.GetExtension(path).ToLowerInvariant() is ".png" or ".ppm").Order(StringComparer.Ordinal).Take(MostPictures),
+        ];
+        return others.Length == 0 ? "" : $"; there is {string.Join(", ", others)}";
     }
 
     private string? Build(Submission submission, CancellationToken cancellation)
@@ -48,7 +63,20 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         using var temporary = new WorkFolder();
         var run = runner.Run(
             Words(source.Build, submission, null, ""), submission.Folder, temporary.Path, limits, limits.BuildTime, cancellation);
-        return run.IsDone ? null : $"it does not build: {run.InWords(limits, limits.BuildTime)}{Quote(run, submission)}";
+        return run.IsDone ? null : $"it does not build: {run.InWords(limits, limits.BuildTime)}{Missing(submission)}{Quote(run, submission)}";
+    }
+
+    /// <summary>Says which path of the build command the submission does not have, and in which of its folders there is one.</summary>
+    private string Missing(Submission submission)
+    {
+        const string folder = "{dir}/";
+        var missing = rubric.Source.Build.Where(word => word.StartsWith(folder, StringComparison.Ordinal)).Select(word => word[folder.Length..])
+            .FirstOrDefault(path => !Path.Exists(Path.Combine(submission.Folder, path)));
+        if (missing is null) return "";
+        var found = Submission.State(submission.Folder).Select(file => Path.GetRelativePath(submission.Folder, file.Path).Replace('\\', '/'))
+            .FirstOrDefault(path => path.Contains($"/{missing}/", StringComparison.Ordinal));
+        return $"; there is no {missing} in the submission" + (found is null ? ""
+            : $", but there is {found[..(found.IndexOf($"/{missing}/", StringComparison.Ordinal) + 1)]}{missing}");
     }
 
     private SubmittedPicture Draw(Submission submission, MarkedScene scene, CancellationToken cancellation, out bool isEnded)

@@ -113,7 +113,8 @@ public class RecognitionTests
 
     [Fact]
     public void TheGammaOfSrgb() => Assert.Equal(
-        ColorChange.Srgb, Recognise(still.MapChannels(c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055), still)!.Change.Colors);
+        ColorChange.Srgb,
+        Recognise(still.MapChannels(c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055), still)!.Change.Colors);
 
     [Theory]
     [InlineData(0.5)]

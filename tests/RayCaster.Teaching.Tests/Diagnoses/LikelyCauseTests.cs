@@ -66,6 +66,16 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    public void ALightThatClampsChannelsIsALight()
+    {
+        var bubble = SceneFolder.Small("mistakes/bubble", 2);
+        var (right, bright) = (ScalarRenderer.Render(bubble), ScalarRenderer.Render(bubble));
+        for (var i = 0; i < bright.Rgb.Length; i++) bright.Rgb[i] = (byte)Math.Min(255, 1.5 * bright.Rgb[i]);
+        var models = new Renderer(bubble).CastHits().Model;
+        Assert.Contains("sphere", LikelyCause.InAnotherLight(new(bubble, right, bright, 3000, true), models).Keys);
+    }
+
+    [Fact]
     [Trait("kind", "campaign")] // more of the same
     public void ASmoothedPictureIsWrongOnlyOnItsOutlines()
     {

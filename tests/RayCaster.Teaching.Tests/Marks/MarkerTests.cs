@@ -125,6 +125,24 @@ public class MarkerTests
     }
 
     [Fact]
+    public void AMistakeThatLosesAShapeIsNamedBesideTheMissingShape()
+    {
+        var marks = Mark(two, scene => EditedLab.Render(scene, Planted.Named("slab-noswap")));
+        Assert.Equal(["aabb"], marks.NotDrawn);
+        Assert.Contains("slab-noswap", marks.Losing);
+        Assert.StartsWith("If they are written: ", MarkWords.Question("aabb", marks.Losing));
+    }
+
+    [Fact]
+    [Trait("kind", "campaign")] // tries all pairs of mistakes
+    public void AFaultOfMostPicturesThatNothingExplainsMayBeInTheVectors()
+    {
+        var slip = new Planted("a wrong letter in the scalar product", "", new Edit("Vector3", "a.Z * b.Z;", "a.Z * a.Z;"));
+        var marks = Mark(scene => EditedLab.Render(scene, slip));
+        Assert.Contains("1 Vectors", marks.Items.Where(item => item.Open > 0).Select(item => item.Name));
+    }
+
+    [Fact]
     [Trait("kind", "campaign")] // tries all pairs of mistakes
     public void WhatNothingExplainsIsOpenAndFlaggedAndNotLost()
     {

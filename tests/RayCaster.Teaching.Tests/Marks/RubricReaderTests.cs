@@ -56,6 +56,8 @@ public sealed class RubricReaderTests : IDisposable
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "undone": ["spere"] }] }""",
         "rubric.json(1,77): error: items[0].undone[0] must be one of plane, sphere, aabb, circle, triangle, mesh, attenuation, clipping, " +
             "but is \"spere\"; did you mean \"sphere\"?")]
+    [InlineData("""{ "pictures": "mine.png", "scenes": ["room.json", "room.json"], "items": [{ "name": "a", "points": 1 }] }""",
+        "rubric.json(1,15): error: pictures must contain {name}, the scene's name, since there are 2 scenes")]
     [InlineData("""{ "scenes": ["rom.json"], "items": [{ "name": "a", "points": 1 }] }""",
         "rubric.json(1,14): error: scenes[0] cannot be used: rom.json has errors")]
     [InlineData("""{ "scenes": ["room.json"], "items": [] }""", "rubric.json(1,37): error: items must hold at least one item")]

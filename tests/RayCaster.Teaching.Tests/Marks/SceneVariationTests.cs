@@ -29,6 +29,14 @@ public class SceneVariationTests
     }
 
     [Fact]
+    public void InAnotherFolderTheSchemaIsFound()
+    {
+        var weeks = ProjectFolder.PathOf("scenes/weeks");
+        var moved = Encoding.UTF8.GetString(SceneVariation.Of(scene, weeks, "anna", Path.Combine(weeks, "..", "my", "anna"))!);
+        Assert.Contains("\"$schema\": \"../../scene.schema.json\"", moved);
+    }
+
+    [Fact]
     public void WhatWasEqualStaysEqual()
     {
         var varied = Parsed(Encoding.UTF8.GetBytes(annas));
