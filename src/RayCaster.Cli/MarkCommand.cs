@@ -69,7 +69,7 @@ internal sealed class MarkCommand : Command
         progress?.Dispose();
         var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);
         line.Tell($"{output}: {marks.Count} submission{(marks.Count == 1 ? "" : "s")} marked, {flagged} to look at yourself, {seconds:0.0} s");
-        if (marks.Count > 1 && marks.All(student => student.CommonProblem is not null))
+        if (marks.Count > 1 && marks.Select(student => student.CommonProblem).Distinct().ToArray() is [not null]) // for one reason
             StandardFile.WriteError($"No submission has a picture. Does {line.Operands[1]} contain a folder for each student?{Environment.NewLine}");
         return ExitCode.Done;
     }

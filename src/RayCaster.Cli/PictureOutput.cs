@@ -19,8 +19,9 @@ internal static class PictureOutput
     /// <summary>The format of --format, or that of the file's extension.</summary>
     /// <exception cref="PictureFileException">The output is a folder, or its extension is unknown.</exception>
     public static PictureFormat FormatOf(CommandLine line, string output) =>
-        Directory.Exists(output) ? throw new PictureFileException($"'{output}' is a folder: name a file in it")
-        : line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm : PictureFormats.ByExtension(output));
+        line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm
+            : Directory.Exists(output) ? throw new PictureFileException($"cannot write {output}: it is a folder; name a file in it")
+            : PictureFormats.ByExtension(output));
 
     /// <summary>Opens the output, writes it and closes it.</summary>
     /// <param name="cancellation">If cancelled, the old file stays.</param>

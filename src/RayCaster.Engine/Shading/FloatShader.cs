@@ -12,11 +12,14 @@ internal sealed class FloatShader
     private readonly Scene scene;
     private readonly FloatColors colors;
     private readonly double error;
+    private readonly int background; // its three bytes
 
-    private FloatShader(Scene scene, double[] light, int threads)
+    private FloatShader(Scene scene, double[] light, double most, int threads)
     {
         this.scene = scene;
-        colors = new(light, threads);
+        colors = new(light, most, threads);
+        var (r, g, b) = scene.Background.ToBytes();
+        background = r | g << 8 | b << 16;
         // Beyond this t there is no light, even after rounding.
         var t = ErrorBound.From(0, 2 * scene.Camera.Reach);
         var steps = new ErrorBound(0, colors.MostSteps, 0); // floats represent integers exactly
@@ -26,46 +29,46 @@ internal sealed class FloatShader
 
     /// <summary>A shader for a scene; null if the machine or the scene does not allow it.</summary>
     /// <param name="light">Red, green and blue of its background, then of its models.</param>
-    public static FloatShader? For(Scene scene, double[] light, int threads) =>
-        FloatBytes.IsWide && new FloatShader(scene, light, threads) is { error: < MostError } shader ? shader : null;
+    /// <param name="most">The greatest of them.</param>
+    public static FloatShader? For(Scene scene, double[] light, double most, int threads) =>
+        FloatBytes.IsWide && new FloatShader(scene, light, most, threads) is { error: < MostError } shader ? shader : null;
 
     /// <summary>Whether it can shade a stream of this form.</summary>
     public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % WideFloatPacket.Count == 0;
 
     /// <inheritdoc cref="HitShader.Shade(RayStream, byte[], int, int)"/>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public unsafe void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
+    public void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
     {
-        fixed (long* packed = colors.Packed)
+        var isPacked = colors.Packed.Length > 0;
+        var packed = new RawSpan<long>(colors.Packed);
+        for (var i = 0; i < rays.Length; i += 2 * WideFloatPacket.Count)
         {
-            for (var i = 0; i < rays.Length; i += 2 * WideFloatPacket.Count)
-            {
-                // the last sixteen are done twice if they have no partner
-                var j = Math.Min(i + WideFloatPacket.Count, rays.Length - WideFloatPacket.Count);
-                var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
-                var isMiss = new WideFloatPacket(
-                    Vector512.Equals(lower, Vector512<int>.Zero).AsSingle(), Vector512.Equals(upper, Vector512<int>.Zero).AsSingle());
-                var light = scene.Attenuation(new WideFloatPacket(NearestAt(rays, i), NearestAt(rays, j)));
-                light = WideFloatPacket.Select(isMiss, 1, light) * colors.Step; // 1 leaves the background as it is
-                var (a, b) = (colors.At(packed, lower), colors.At(packed, upper));
-                var red = Color.Level(light * new WideFloatPacket(a.R, b.R));
-                var green = Color.Level(light * new WideFloatPacket(a.G, b.G));
-                var blue = Color.Level(light * new WideFloatPacket(a.B, b.B));
-                Write(rays, i, red.Lower, green.Lower, blue.Lower, exact, rgb, first, step);
-                Write(rays, j, red.Upper, green.Upper, blue.Upper, exact, rgb, first, step);
-            }
+            // the last sixteen are done twice if they have no partner
+            var j = Math.Min(i + WideFloatPacket.Count, rays.Length - WideFloatPacket.Count);
+            var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
+            var light = scene.Attenuation(new WideFloatPacket(NearestAt(rays, i), NearestAt(rays, j))) * colors.Step;
+            var (a, b) = (colors.At(isPacked, packed, lower), colors.At(isPacked, packed, upper));
+            var red = Color.Level(light * new WideFloatPacket(a.R, b.R));
+            var green = Color.Level(light * new WideFloatPacket(a.G, b.G));
+            var blue = Color.Level(light * new WideFloatPacket(a.B, b.B));
+            Write(rays, i, lower, red.Lower, green.Lower, blue.Lower, exact, rgb, first, step);
+            Write(rays, j, upper, red.Upper, green.Upper, blue.Upper, exact, rgb, first, step);
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Write(
-        RayStream rays, int pixel, Vector512<float> r, Vector512<float> g, Vector512<float> b, HitShader exact, byte[] rgb, int first, int step)
+        RayStream rays, int pixel, Vector512<int> places, Vector512<float> r, Vector512<float> g, Vector512<float> b,
+        HitShader exact, byte[] rgb, int first, int step)
     {
         var slack = Vector512.Create((float)error);
         var place = first + pixel / rays.Width * step + 3 * (pixel % rays.Width);
-        var least = FloatBytes.Packed(r - slack, g - slack, b - slack);
+        var isMiss = Vector512.Equals(places, Vector512<int>.Zero); // the background is not attenuated, so its bytes are certain
+        var least = Vector512.ConditionalSelect(isMiss, Vector512.Create(background), FloatBytes.Packed(r - slack, g - slack, b - slack));
         FloatBytes.Store(least, rgb, place);
-        if (Vector512.EqualsAll(least, FloatBytes.Packed(r + slack, g + slack, b + slack))) return;
+        var isSure = isMiss | Vector512.Equals(least, FloatBytes.Packed(r + slack, g + slack, b + slack));
+        if (isSure == Vector512<int>.AllBitsSet) return;
         exact.Shade(rays, pixel, rgb.AsSpan(place, 3 * WideFloatPacket.Count));
     }
 

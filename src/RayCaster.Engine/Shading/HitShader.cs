@@ -17,8 +17,8 @@ internal sealed class HitShader
         Scene = scene;
         var (r, g, b) = scene.Background.ToBytes();
         for (var i = 0; i < missed.Length; i += 3) (missed[i], missed[i + 1], missed[i + 2]) = (r, g, b);
-        colors = ColorsOf(scene, threads);
-        floats = isLong ? FloatShader.For(scene, colors, threads) : null;
+        (colors, var most) = ColorsOf(scene, threads);
+        floats = isLong ? FloatShader.For(scene, colors, most.Max(), threads) : null;
     }
 
     public Scene Scene { get; }
@@ -70,19 +70,23 @@ internal sealed class HitShader
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static int PlaceOf(double model) => 3 * (int)model + 3;
 
-    private static double[] ColorsOf(Scene scene, int threads)
+    /// <summary>The colours, and the greatest channels of their shares.</summary>
+    private static (double[] Colors, double[] Most) ColorsOf(Scene scene, int threads)
     {
-        var models = scene.Models;
-        var colors = new double[3 * models.Count + 3];
-        (colors[0], colors[1], colors[2]) = (scene.Background.R, scene.Background.G, scene.Background.B);
-        ThreadTeam.Shares(ThreadTeam.SharesOf(models.Count, threads), models.Count, (_, first, end) =>
+        var (models, shares) = (scene.Models, ThreadTeam.SharesOf(scene.Models.Count, threads));
+        var (colors, most) = (new double[3 * models.Count + 3], new double[shares]);
+        ThreadTeam.Shares(shares, models.Count, (share, first, end) =>
         {
+            var greatest = Math.Max(scene.Background.R, Math.Max(scene.Background.G, scene.Background.B));
             for (var i = first; i < end; i++)
             {
-                var color = models[i].Color;
-                (colors[3 * i + 3], colors[3 * i + 4], colors[3 * i + 5]) = (color.R, color.G, color.B);
+                var (r, g, b) = models[i].Color;
+                (colors[3 * i + 3], colors[3 * i + 4], colors[3 * i + 5]) = (r, g, b);
+                greatest = Math.Max(greatest, Math.Max(r, Math.Max(g, b)));
             }
+            most[share] = greatest;
         });
-        return colors;
+        (colors[0], colors[1], colors[2]) = scene.Background;
+        return (colors, most);
     }
 }

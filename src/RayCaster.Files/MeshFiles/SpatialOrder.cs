@@ -91,6 +91,7 @@ public sealed class SpatialOrder
         for (var shift = 1; shift < 3 * Bits; shift *= 2) code ^= code >> shift;
         return code;
 
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static int Spread(double place) // two zeros between its bits
         {
             var bits = Math.Clamp((int)place, 0, (1 << Bits) - 1);

@@ -11,15 +11,15 @@ internal static class FileKind
     {
         if (OperatingSystem.IsWindows() || !File.Exists(path)) return true; // devices have names of their own on Windows
         var link = new FileInfo(path);
-        return IsRegular(link.LinkTarget is null ? link : (FileInfo)link.ResolveLinkTarget(returnFinalTarget: true)!);
+        var file = link.LinkTarget is null ? link : (FileInfo)link.ResolveLinkTarget(returnFinalTarget: true)!;
+        if (!file.Exists) return false; // a link to something without a name, such as pipe:[123]
+        return file.Length > 0 || IsEmptyFile(file); // devices have no length
     }
 
     /// <summary>Whether it is a file, not a device, pipe or socket. In the runtime only the class that makes archives finds this out without opening
-    /// it.</summary>
-    private static bool IsRegular(FileInfo file)
+    /// it; as a method of its own, because the runtime would load that library wherever this is compiled.</summary>
+    private static bool IsEmptyFile(FileInfo file)
     {
-        if (!file.Exists) return false; // a link to something without a name, such as pipe:[123]
-        if (file.Length > 0) return true; // the others have no length
         try
         {
             using var archive = new MemoryStream();
