@@ -18,14 +18,14 @@ public static class Todo
         (10, "Triangle", "triangle"),
     ];
 
-    private static readonly Lazy<(HashSet<string> Notes, string Endless)> found = new(Find);
+    private static readonly HashSet<string> notes = [];
 
-    private static HashSet<string> notes; // only while Find listens
+    private static bool listens; // only while all bodies are called once: a picture would make a note for each pixel
 
     /// <summary>Notes that the body where this stands is not written.</summary>
     public static void Note(string slide)
     {
-        if (notes is { } set) lock (set) set.Add(slide);
+        if (Volatile.Read(ref listens)) lock (notes) notes.Add(slide);
     }
 
     public static T Note<T>(string slide, T value) // where a value is needed for the time being
@@ -34,27 +34,26 @@ public static class Todo
         return value;
     }
 
-    /// <summary>What is not written yet.</summary>
-    public static (int Step, string Slide, string What)[] Missing()
+    /// <summary>What is not written yet of the first steps.</summary>
+    public static (int Step, string Slide, string What)[] Missing(int steps = 10)
     {
-        lock (found.Value.Notes) return [.. Bodies.Where(body => found.Value.Notes.Contains(body.Slide))];
+        _ = Endless(steps);
+        lock (notes) return [.. Bodies.Where(body => body.Step <= steps && notes.Contains(body.Slide))];
     }
 
-    /// <summary>The same in one line, and a call that does not end; empty if all is written and ends.</summary>
-    public static string Report()
+    /// <summary>Says which body of the first steps does not end; null if all end.</summary>
+    public static string Endless(int steps = 10)
     {
-        var (missing, endless) = (Missing(), found.Value.Endless);
-        var loop = endless == null ? "" : $"{endless} does not end: is there an endless loop in it?";
-        if (missing is not [var next, ..]) return loop;
-        var todo = $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"";
-        return loop == "" ? todo : $"{loop}\n{todo}";
+        lock (Bodies)
+            try { listens = true; return BodyCalls.FirstThatDoesNotEnd(steps); }
+            finally { listens = false; }
     }
 
-    private static (HashSet<string>, string) Find()
+    /// <summary>Both in a line each; empty if all is written and ends.</summary>
+    public static string Report(int steps = 10)
     {
-        var set = notes = [];
-        var endless = BodyCalls.FirstThatDoesNotEnd();
-        notes = null;
-        return (set, endless);
+        var todo = Missing(steps) is not [var next, ..] missing ? null
+            : $"Not written yet: {string.Join(", ", missing.Select(body => body.What))}. Next: step {next.Step}, slide \"{next.Slide}\"";
+        return string.Join("\n", new[] { Endless(steps), todo }.Where(line => line != null));
     }
 }

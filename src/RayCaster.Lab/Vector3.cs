@@ -1,11 +1,7 @@
 namespace Lab;
 
 /// <summary>A point or a direction. A class, as on the slides: after <c>Q = P</c> both name one object, and <c>P.X = 3</c> changes Q too.</summary>
-#if STRUCT_VECTORS // for measuring what the class costs: a struct is copied
-public struct Vector3(double x, double y, double z)
-#else
 public class Vector3(double x, double y, double z)
-#endif
 {
     public double X = x, Y = y, Z = z;
 

@@ -52,6 +52,32 @@ raycaster handout -q "$folder/endless"
     grep -q "^Not written yet: .*vectors, ray, camera, .*triangle" said
 )
 
+echo "== endless code in tests"
+raycaster handout -q "$folder/stopped" --solution
+(
+    cd "$folder/stopped"
+    test_step() { # its number, code to add, and a file with the line before which to add it; true if the tests fail
+        rm -f tests/Lab.Tests/TestResults/step.xml
+        cp "src/Lab/$3" kept
+        sed -i "0,/$4/s//$2\n&/" "src/Lab/$3"
+        cmp -s "src/Lab/$3" kept && return 1
+        dotnet test --filter "step=$1" -p:VSTestBlameHangTimeout=10s --logger "steps;junit=step.xml" > log 2>&1 && return 1
+        cp kept "src/Lab/$3"
+    }
+    test_step 8 "while (true) { }" Sphere.cs "var L = "
+    grep -q "GeometricSolution does not end: is there an endless loop in it?" log
+    grep -Eq "^   8   0 of 12 " log
+    test_step 8 "while (C.X == 0 \&\& C.Y == 3) { }" Sphere.cs "var L = " # for one sphere of the tests
+    grep -Eq "^   8  stopped " log
+    grep -q "^Lab.Tests.Step08Sphere.StraightOn(way: .*Geometric" log
+    grep -q '<testsuite .* errors="1">' tests/Lab.Tests/TestResults/step.xml
+    test_step 7 "Intersect(ray);" Aabb.cs "var (P, d) = " # which calls itself
+    grep -Eq "^   7  stopped " log
+    grep -q '<testsuite .* errors="1">' tests/Lab.Tests/TestResults/step.xml
+    sed -i 's/var (P, d) = .*/Intersect(ray);\n&/' src/Lab/Aabb.cs
+    dotnet test --filter step=6 > log # which has no boxes
+)
+
 echo "== files that students must not change"
 raycaster handout -q "$folder/changed" --solution
 (
@@ -59,6 +85,7 @@ raycaster handout -q "$folder/changed" --solution
     git init -q
     git config user.name teacher
     git config user.email teacher@example.org
+    git commit -q --allow-empty -m "what a hosting site begins a repository with"
     git add -A
     git commit -qm "hand-out"
     sed -i 's/"radius": 1,/"radius": 1.5,/' scenes/circle.json
@@ -71,9 +98,29 @@ raycaster handout -q "$folder/changed" --solution
     echo "// mine" >> src/Lab/Sphere.cs
     git add -A
     git commit -qm "all done"
-    CI= sh .ci/restore.sh 2> said && exit 1
-    grep -q "runs only in CI" said
+    CI= sh .ci/restore.sh 2> ../said && exit 1
+    grep -q "runs only in CI" ../said
+    git clone -q --depth 1 "file://$PWD" ../shallow
+    (cd ../shallow && CI=1 sh .ci/restore.sh) 2> ../said && exit 1
+    grep -q "lacks a part of its history" ../said
+    [ -z "$(git -C ../shallow status --porcelain --ignored)" ]
     CI=1 sh .ci/restore.sh
     [ "$(git status --porcelain -uall)" = "$(printf ' D src/Lab/Circle.cs\n M src/Lab/Sphere.cs\n?? src/Lab/Shapes/Circle.cs')" ]
+)
+
+echo "== a hand-out that was committed in parts"
+raycaster handout -q "$folder/parts" --solution
+(
+    cd "$folder/parts"
+    git init -q
+    git config user.name teacher
+    git config user.email teacher@example.org
+    git add .ci
+    git commit -qm "only a part"
+    git add -A
+    git commit -qm "the rest"
+    CI=1 sh .ci/restore.sh 2> ../said && exit 1
+    grep -q "has no src/Lab: commit the hand-out as a whole. Nothing was restored or deleted." ../said
+    [ -f src/Lab/Circle.cs ] && [ -z "$(git status --porcelain --ignored)" ]
 )
 echo "hand-out: all as it should be"

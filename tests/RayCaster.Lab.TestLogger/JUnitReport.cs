@@ -7,21 +7,25 @@ namespace Lab.TestLogger;
 /// <summary>The results as GitLab and others read them.</summary>
 internal static class JUnitReport
 {
-    public static void Write(string file, IReadOnlyCollection<TestResult> results)
+    /// <param name="stopped">Tests that did not come to their ends.</param>
+    public static void Write(string file, IReadOnlyCollection<TestResult> results, IReadOnlyCollection<TestResult> stopped)
     {
         Directory.CreateDirectory(Path.GetDirectoryName(file));
         using var xml = XmlWriter.Create(file, new XmlWriterSettings { Indent = true, CheckCharacters = false });
         xml.WriteStartElement("testsuites");
         xml.WriteStartElement("testsuite");
         xml.WriteAttributeString("name", "Lab");
-        xml.WriteAttributeString("tests", Number(results.Count));
+        xml.WriteAttributeString("tests", Number(results.Count + stopped.Count));
         xml.WriteAttributeString("failures", Number(results.Count(result => result.Outcome == TestOutcome.Failed)));
-        foreach (var result in results) Write(xml, result);
+        xml.WriteAttributeString("errors", Number(stopped.Count));
+        foreach (var result in results) Write(xml, result, result.Outcome == TestOutcome.Failed ? "failure" : null);
+        foreach (var test in stopped) Write(xml, test, "error");
         xml.WriteEndElement();
         xml.WriteEndElement();
     }
 
-    private static void Write(XmlWriter xml, TestResult result)
+    /// <param name="problem">"failure" or "error", or null for a test that has passed.</param>
+    private static void Write(XmlWriter xml, TestResult result, string problem)
     {
         var name = result.TestCase.FullyQualifiedName;
         xml.WriteStartElement("testcase");
@@ -29,9 +33,9 @@ internal static class JUnitReport
         xml.WriteAttributeString("name", result.DisplayName[(result.DisplayName.IndexOf('(') is >= 0 and var end
             ? result.DisplayName.LastIndexOf('.', end) + 1 : result.DisplayName.LastIndexOf('.') + 1)..]);
         xml.WriteAttributeString("time", Number(result.Duration.TotalSeconds));
-        if (result.Outcome == TestOutcome.Failed)
+        if (problem != null)
         {
-            xml.WriteStartElement("failure");
+            xml.WriteStartElement(problem);
             xml.WriteAttributeString("message", (result.ErrorMessage ?? "").Split('\n')[0]);
             xml.WriteString(result.ErrorMessage);
             xml.WriteEndElement();

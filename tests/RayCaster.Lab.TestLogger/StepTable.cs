@@ -10,6 +10,8 @@ public sealed class StepTable : ITestLoggerWithParameters
 {
     private readonly List<TestResult> results = [];
 
+    private readonly List<string> messages = []; // the call stack of a stack overflow is one of them
+
     private string report;
 
     public void Initialize(TestLoggerEvents events, string testRunDirectory)
@@ -21,7 +23,9 @@ public sealed class StepTable : ITestLoggerWithParameters
             args.Result.ErrorStackTrace = string.Join('\n', stack ?? []);
             results.Add(args.Result);
         };
-        events.TestRunComplete += (_, _) => Finish();
+        events.TestRunMessage += (_, args) => messages.Add(args.Message);
+        events.TestRunComplete += (_, args) =>
+            Finish(args.IsAborted || args.IsCanceled ? StoppedTests.Of(args.AttachmentSets, messages, results) : []);
     }
 
     public void Initialize(TestLoggerEvents events, Dictionary<string, string> parameters)
@@ -31,18 +35,29 @@ public sealed class StepTable : ITestLoggerWithParameters
         Initialize(events, folder);
     }
 
-    private void Finish()
+    private void Finish(List<TestResult> stopped)
     {
-        Console.WriteLine();
-        Console.WriteLine("Step  Tests that pass");
-        foreach (var step in results.GroupBy(StepOf).Where(step => step.Key > 0).OrderBy(step => step.Key))
+        foreach (var line in Lines(results, stopped)) Console.WriteLine(line);
+        if (report != null) JUnitReport.Write(report, results, stopped);
+    }
+
+    /// <param name="results">Of the tests that have ended.</param>
+    /// <param name="stopped">If the run was stopped, the tests that were running, at least one.</param>
+    internal static IEnumerable<string> Lines(IReadOnlyCollection<TestResult> results, IReadOnlyCollection<TestResult> stopped)
+    {
+        yield return "";
+        yield return "Step  Tests that pass";
+        foreach (var step in results.Concat(stopped).GroupBy(StepOf).Where(step => step.Key > 0).OrderBy(step => step.Key))
         {
             var (passed, all) = (step.Count(result => result.Outcome == TestOutcome.Passed), step.Count());
             var isUnfinished = step.Any(result => result.ErrorMessage?.Contains("which is not written yet") == true);
-            var count = isUnfinished ? "unfinished" : $"{passed,2} of {all,2}";
-            Console.WriteLine($"{step.Key,4}  {count,-10}  {(passed == all ? "done" : ""),-4}  {NameOf(step)}");
+            var count = step.Any(stopped.Contains) ? "stopped"
+                : isUnfinished ? "unfinished"
+                : stopped.Count > 0 ? $"{passed,2} of  ?" // others may not have begun
+                : $"{passed,2} of {all,2}";
+            yield return $"{step.Key,4}  {count,-10}  {(passed == all && stopped.Count == 0 ? "done" : ""),-4}  {NameOf(step)}";
         }
-        if (report != null) JUnitReport.Write(report, results);
+        foreach (var test in stopped) yield return $"\n{test.DisplayName}\n  {test.ErrorMessage}";
     }
 
     private static int StepOf(TestResult result) =>

@@ -1,7 +1,7 @@
 namespace Lab.Tests;
 
 /// <summary>Slides "C# Objects", "IDE &amp; Vectors".</summary>
-[Trait("step", "1")]
+[Trait("step", "1"), Ends]
 public class Step01Vectors
 {
     private const string Slide = "IDE & Vectors";

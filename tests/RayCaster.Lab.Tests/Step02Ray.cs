@@ -3,7 +3,7 @@ using System.Diagnostics;
 namespace Lab.Tests;
 
 /// <summary>Slide "Ray".</summary>
-[Trait("step", "2")]
+[Trait("step", "2"), Ends]
 public class Step02Ray
 {
     private const string Slide = "Ray";
@@ -52,9 +52,10 @@ public class Step02Ray
     {
         ray.Hit(-3, near);
         ray.Hit(double.NaN, near);
-        Assert.True(
-            ray.HitModel == null,
-            $"after t = -3 and t = NaN there is no hit, but got t = {ray.HitParameter}: ask Counts(t).\n  {RayAssert.Cite(Slide)}");
+        var got = double.IsPositiveInfinity(ray.HitParameter)
+            ? "HitModel is set, though HitParameter is not: an `if` without braces holds for one line only"
+            : $"got t = {ray.HitParameter}: call Counts(t), and store only a t that counts";
+        Assert.True(ray.HitModel == null, $"after t = -3 and t = NaN there is no hit, but {got}.\n  {RayAssert.Cite(Slide)}");
         ray.Hit(20, near);
         AssertHit(20, near, "after t = -3, t = NaN and a hit at 20");
     }

@@ -1,7 +1,7 @@
 namespace Lab.Tests;
 
 /// <summary>Slide "Primitive Shading".</summary>
-[Trait("step", "5")]
+[Trait("step", "5"), Ends]
 public class Step05Shading
 {
     private const string Slide = "Primitive Shading";

@@ -3,7 +3,7 @@ using Library = RayCaster;
 namespace Lab.Tests;
 
 /// <summary>Slide "Triangle".</summary>
-[Trait("step", "10")]
+[Trait("step", "10"), Ends]
 public class Step10Triangle
 {
     private const string Slide = "Triangle";

@@ -4,13 +4,15 @@ namespace RayCaster.Cli;
 
 /// <summary>
 /// A source file of the lab with marked bodies. Students write the code between <c>// BEGIN SOLUTION "slide"</c> and <c>// END SOLUTION</c>. Lines
-/// <c>// STUB code</c> between them are the code before that; without such lines it is a comment, and there is no hit.
+/// <c>// STUB code</c> between them are the code before that; without such lines it is a call of <c>Todo.Note</c>.
 /// </summary>
 /// <param name="lines">The lines, without line ends.</param>
 internal sealed partial class Bodies(string[] lines, IReadOnlyList<Bodies.Body> all)
 {
     /// <summary>A marked body, with the indexes of its markers' lines.</summary>
     public sealed record Body(string Slide, int Begin, int End);
+
+    private const string StubMarker = "// STUB ";
 
     public IReadOnlyList<Body> All => all;
 
@@ -49,16 +51,18 @@ internal sealed partial class Bodies(string[] lines, IReadOnlyList<Bodies.Body> 
     }
 
     /// <summary>The file with stubs in place of some bodies.</summary>
-    /// <param name="isOpen">Whether students write the bodies of a slide.</param>
+    /// <param name="isOpen">Whether students write the bodies of a slide. Only these bodies keep their markers.</param>
     public string With(Func<string, bool> isOpen)
     {
         var result = new List<string>();
         var next = 0;
         foreach (var body in All)
         {
-            result.AddRange(lines[next..(body.Begin + 1)]);
-            result.AddRange(isOpen(body.Slide) ? Stub(body) : Inside(body));
-            next = body.End;
+            result.AddRange(lines[next..body.Begin]);
+            result.AddRange(isOpen(body.Slide)
+                ? [lines[body.Begin], .. Stub(body), lines[body.End]]
+                : Inside(body).Where(line => !line.Contains(StubMarker)));
+            next = body.End + 1;
         }
         result.AddRange(lines[next..]);
         return string.Join('\n', result);
@@ -68,7 +72,7 @@ internal sealed partial class Bodies(string[] lines, IReadOnlyList<Bodies.Body> 
 
     private List<string> Stub(Body body)
     {
-        var stub = Inside(body).Where(line => line.Contains("// STUB ")).Select(line => line.Replace("// STUB ", "")).ToList();
+        var stub = Inside(body).Where(line => line.Contains(StubMarker)).Select(line => line.Replace(StubMarker, "")).ToList();
         var indent = lines[body.Begin][..lines[body.Begin].IndexOf('/')];
         return stub.Count > 0 ? stub : [$"{indent}Todo.Note(\"{body.Slide}\");"];
     }

@@ -29,22 +29,27 @@ internal static class HandOutFiles
             yield return (Path.GetRelativePath(folder, file).Replace('\\', '/'), File.ReadAllBytes(file));
     }
 
-    /// <summary>All files, with stubs in place of some bodies of the lab.</summary>
+    /// <summary>
+    /// All files, with stubs in place of the open bodies of the lab, and with texts that fit. If no step is open, they are as <see cref="All"/>.
+    /// </summary>
     /// <exception cref="ProblemException">A body of the lab has wrong markers.</exception>
     public static List<(string Path, byte[] Content)> With(Func<int, bool> isOpen)
     {
+        int[] open = [.. Enumerable.Range(1, Teaching.LabSteps.Count).Where(isOpen)];
         var steps = new HashSet<int>();
         var files = new List<(string, byte[])>();
         foreach (var (path, content) in All())
         {
             if (!path.StartsWith(Source) || !path.EndsWith(".cs"))
             {
-                files.Add((path, content));
+                files.Add((path, open.Length > 0 && OpenSteps.Concern(path)
+                    ? Encoding.UTF8.GetBytes(OpenSteps.In(Encoding.UTF8.GetString(content), open)) : content));
                 continue;
             }
             var bodies = Bodies.Parse("src/RayCaster.Lab/" + path[Source.Length..], Encoding.UTF8.GetString(content));
             foreach (var body in bodies.All) steps.Add(Teaching.LabSteps.StepOf(body.Slide));
-            files.Add((path, Encoding.UTF8.GetBytes(bodies.With(slide => isOpen(Teaching.LabSteps.StepOf(slide))))));
+            files.Add((path, open.Length == 0
+                ? content : Encoding.UTF8.GetBytes(bodies.With(slide => isOpen(Teaching.LabSteps.StepOf(slide))))));
         }
         for (var step = 1; step <= Teaching.LabSteps.Count; step++)
             if (!steps.Contains(step))

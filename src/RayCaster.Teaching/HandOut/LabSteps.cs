@@ -9,7 +9,10 @@ public static class LabSteps
     /// <summary>The first step with rays; before it, the lab draws a gradient.</summary>
     public const int FirstPicture = 4;
 
-    private const int Shading = 5, Clipping = 6;
+    /// <summary>The last of the steps that decide which hits show and in which light.</summary>
+    internal const int Clipping = 6;
+
+    private const int Shading = 5;
 
     /// <summary>The step, from 1, in which students write the code of a slide; 0 for a slide without code.</summary>
     public static int StepOf(string slide) => slide switch

@@ -6,14 +6,14 @@ public static class StepHint
     /// <summary>The most mistakes that are named besides the first, of those that draw the same picture.</summary>
     private const int MostTwins = 2;
 
-    /// <summary>Lines of text.</summary>
+    /// <summary>Lines of text, indented.</summary>
     /// <param name="picture">The student's picture, in the scene's size.</param>
     /// <param name="step">
     /// The step that the test is of. The code of the steps before it is less likely to be wrong, and that of later steps is not written. 0 for a
     /// test of no step.
     /// </param>
     public static string Of(Scene scene, Picture picture, int step, HintLevel level) =>
-        string.Join("\n", Lines(scene, Judge(scene, picture, step), step, level));
+        string.Join("\n", Lines(scene, Judge(scene, picture, step), step, level).Select(line => "  " + line));
 
     /// <summary>The diagnosis of a picture of a step.</summary>
     internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
@@ -36,11 +36,11 @@ public static class StepHint
     {
         if (hasSymptom) yield return mistake.Hint.Symptom;
         else if (level == HintLevel.Symptom) yield return "A known mistake makes this picture.";
-        if (level == HintLevel.Question) yield return $"  Ask yourself: {mistake.Hint.Question}";
+        if (level == HintLevel.Question) yield return $"Ask yourself: {mistake.Hint.Question}";
         if (level < HintLevel.Answer) yield break;
-        yield return hasSymptom ? $"  {mistake.Cause}" : $"  For example: {mistake.Cause}"; // in this wording, or in another one
-        yield return $"  {mistake.Hint.Answer}";
-        yield return $"  Slide \"{mistake.Slide}\"";
+        yield return hasSymptom ? mistake.Cause : $"For example: {mistake.Cause}"; // in this wording, or in another one
+        yield return mistake.Hint.Answer;
+        yield return $"Slide \"{mistake.Slide}\"";
     }
 
     private static IEnumerable<string> OfPicture(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
@@ -49,9 +49,11 @@ public static class StepHint
             ? [.. LabSteps.KindsOf(scene, step)]
             : [.. diagnosis.NotYet.Where(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping))];
         if (missing.Length > 0) yield return $"Not to be seen where it should be: {string.Join(", ", missing)}.";
-        foreach (var sentence in diagnosis.Likely) yield return sentence;
+        // A picture without anything in it may have lost its light, or its hits. Once both are written and tested, the step's shape is to blame.
+        var isOfTheShape = missing.Length > 0 && diagnosis.Finding == Finding.TellsNothing && step > LabSteps.Clipping;
+        if (!isOfTheShape) foreach (var sentence in diagnosis.Likely) yield return sentence;
         if (missing.Length == 0 && diagnosis.Likely.Count == 0) yield return "None of the known mistakes makes this picture.";
-        if (level > HintLevel.Symptom && QuestionOf(step) is { } question) yield return $"  Ask yourself: {question}";
+        if (level > HintLevel.Symptom && QuestionOf(step) is { } question) yield return $"Ask yourself: {question}";
     }
 
     /// <summary>What to ask oneself where no single mistake can be named.</summary>

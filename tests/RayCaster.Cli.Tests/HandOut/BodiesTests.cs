@@ -71,8 +71,29 @@ public class BodiesTests
         var files = HandOutFiles.With(step => step is 3 or 9).ToDictionary(file => file.Path, file => Encoding.UTF8.GetString(file.Content));
         Assert.Contains("Todo.Note(\"Circle\");", files["src/Lab/Circle.cs"]);
         Assert.Contains("Todo.Note(\"Ray – Plane Intersection\");", files["src/Lab/Plane.cs"]);
-        Assert.DoesNotContain("        Todo.Note", files["src/Lab/Sphere.cs"]);
+        foreach (var (path, text) in files)
+            if (path.StartsWith("src/Lab/") && path is not ("src/Lab/Circle.cs" or "src/Lab/Plane.cs" or "src/Lab/Todo.cs"))
+                Assert.DoesNotMatch(@"SOLUTION|STUB|(?<!cref="")Todo\.Note", text);
     }
+
+    [Fact]
+    public void ASolvedBodyIsItsCodeWithoutMarkers() => Assert.Equal("""
+        class Circle
+        {
+            return 1;
+
+            // BEGIN SOLUTION "Ray"
+            var t = 0;
+            return t;
+            // END SOLUTION
+        }
+
+        """, Bodies.Parse("Circle.cs", File).With(slide => slide == "Ray"));
+
+    [Fact]
+    public void TheLabHasNoConditionalCode() => // a beginner need not know it, and it would be handed out
+        Assert.All(HandOutFiles.All().Where(file => file.Path.StartsWith("src/Lab/")),
+            file => Assert.DoesNotMatch(@"(?m)^\s*#", Encoding.UTF8.GetString(file.Content)));
 
     [Fact]
     public void TheReadmeNamesEverySlideAndEveryStepsCommand()

@@ -49,10 +49,11 @@ public static class RayAssert
     /// <summary>The slide that has the formula, as messages have it. The table of steps looks for what is not written.</summary>
     public static string Cite(string slide)
     {
-        var missing = Todo.Missing();
-        var step = missing.FirstOrDefault(body => body.Slide == slide).Step;
+        var step = Todo.Bodies.First(body => body.Slide == slide).Step;
+        var missing = Todo.Missing(step);
+        var isWritten = missing.All(body => body.Slide != slide);
         var isBegun = Todo.Bodies.Any(body => body.Step == step && !missing.Contains(body));
-        return $"Slide \"{slide}\"{(step == 0 ? "" : isBegun ? ", the part of the step that is not written yet" : ", which is not written yet")}";
+        return $"Slide \"{slide}\"{(isWritten ? "" : isBegun ? ", the part of the step that is not written yet" : ", which is not written yet")}";
     }
 
     /// <summary>A vector as messages have it.</summary>

@@ -29,8 +29,19 @@ public class StepHintTests
     {
         var (hint, finding) = Hint(file, 7, MistakeCatalog.Named("slab-noswap")!.Deviate);
         Assert.Equal(Finding.TellsNothing, finding);
-        Assert.StartsWith("Not to be seen where it should be: aabb.", hint);
+        Assert.StartsWith("  Not to be seen where it should be: aabb.", hint);
         Assert.Contains("What if d is negative?", hint);
+    }
+
+    [Fact]
+    public void ABlackPictureOfALaterStepIsTheShapesAndNotTheLights()
+    {
+        var scene = LabSteps.SceneAt(SceneFolder.Small("sphere", 5), 8);
+        var black = Picture.Of(scene.Camera.Width, scene.Camera.Height, (_, _) => (0, 0, 0));
+        Assert.Equal("""
+              Not to be seen where it should be: sphere.
+              Ask yourself: Take a ray through the centre: what are tca, D and thc? What if the camera is inside?
+            """, StepHint.Of(scene, black, 8, HintLevel.Question));
     }
 
     [Fact]
@@ -38,7 +49,7 @@ public class StepHintTests
     {
         var (hint, _) = Hint("mistakes/generic", 4, lab => lab.Plane.Becomes(cross => (plane, d) =>
             double.IsNaN(cross(plane, d).Near) ? cross(plane, d) : new(double.PositiveInfinity)));
-        Assert.StartsWith("There is nothing but background", hint);
+        Assert.StartsWith("  There is nothing but background", hint);
         Assert.DoesNotContain(MistakeCatalog.Named("w-sign")!.Hint.Question, hint);
     }
 
@@ -56,7 +67,7 @@ public class StepHintTests
     public void OfMistakesThatDrawTheSameTheUsualWordingIsNamed()
     {
         var (hint, _) = Hint("near-plane", 6, lab => lab.Depth.Is((t, d) => t / -(d * lab.W)));
-        Assert.StartsWith(MistakeCatalog.Named("no-znear")!.Hint.Symptom, hint);
+        Assert.StartsWith("  " + MistakeCatalog.Named("no-znear")!.Hint.Symptom, hint);
     }
 
     [Theory]
@@ -66,7 +77,7 @@ public class StepHintTests
     {
         var mistake = MistakeCatalog.Named(id)!;
         var (hint, _) = Hint(file, step, mistake.Deviate);
-        Assert.StartsWith($"{mistake.Hint.Symptom}\n  Ask yourself: {mistake.Hint.Question}", hint);
+        Assert.StartsWith($"  {mistake.Hint.Symptom}\n  Ask yourself: {mistake.Hint.Question}", hint);
     }
 
     [Theory]

@@ -1,0 +1,54 @@
+using System.Text.RegularExpressions;
+using System.Xml.Linq;
+using Microsoft.VisualStudio.TestPlatform.ObjectModel;
+
+namespace Lab.TestLogger;
+
+/// <summary>The tests that were running when a run was stopped. They have no results.</summary>
+internal static partial class StoppedTests
+{
+    /// <summary>At least one; if none is known, the run itself.</summary>
+    /// <param name="attachments">The run's. The collector "blame" adds a list of the tests that have begun, but may miss the last ones.</param>
+    /// <param name="messages">The run's. One of them is the call stack of a stack overflow, with the test that has caused it.</param>
+    /// <param name="results">Those of the tests that have ended.</param>
+    public static List<TestResult> Of(IEnumerable<AttachmentSet> attachments, IReadOnlyList<string> messages, IReadOnlyList<TestResult> results)
+    {
+        var said = string.Join('\n', messages); // before the overflow also the stacks of tests that have failed
+        List<TestResult> onTheStack = said.IndexOf("Stack overflow.") is >= 0 and var start ? [.. TestsIn(said[start..], " at ")] : [];
+        if (onTheStack.Count > 0) return onTheStack;
+        List<TestResult> listed =
+        [
+            .. from file in attachments.SelectMany(set => set.Attachments)
+               where Path.GetFileName(file.Uri.LocalPath).StartsWith("Sequence_")
+               from test in XDocument.Load(file.Uri.LocalPath).Descendants("Test")
+               where (string)test.Attribute("Completed") == "False"
+               select Stopped((string)test.Attribute("Name"), (string)test.Attribute("DisplayName")),
+        ];
+        if (listed.Count > 0) return listed;
+        List<TestResult> begun = [.. TestsIn(said, "begun: ").Where(test => !results.Any(result => NameOf(result) == NameOf(test)))];
+        return begun.Count > 0 ? begun : [Stopped("Lab.Tests.UnknownTest", "Lab.Tests.UnknownTest")];
+    }
+
+    private static IEnumerable<TestResult> TestsIn(string text, string before) =>
+        from name in TestName().Matches(text).Where(test => text[..test.Index].EndsWith(before)).Select(test => test.Value).Distinct()
+        select Stopped(name, name);
+
+    private static TestResult Stopped(string name, string displayName)
+    {
+        var test = new TestCase(name, new("executor://lab"), "Lab.Tests") { DisplayName = displayName };
+        if (Step().Match(name) is { Success: true } step) test.Traits.Add("step", step.Groups[1].Value);
+        return new(test)
+        {
+            DisplayName = displayName,
+            ErrorMessage = "The run was stopped in this test. Probably your code has an endless loop, or methods that call each other without end.",
+        };
+    }
+
+    private static string NameOf(TestResult result) => result.TestCase.FullyQualifiedName;
+
+    [GeneratedRegex(@"Lab\.Tests\.Step\d\d\w*\.\w+(?=\()")]
+    private static partial Regex TestName();
+
+    [GeneratedRegex(@"\.Step(\d\d)")]
+    private static partial Regex Step();
+}

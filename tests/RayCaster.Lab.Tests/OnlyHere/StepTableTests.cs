@@ -1,0 +1,74 @@
+using System.Xml.Linq;
+using Lab.TestLogger;
+using Microsoft.VisualStudio.TestPlatform.ObjectModel;
+
+namespace Lab.Tests;
+
+/// <summary>What the end of a hand-out's test run says, and its JUnit report; above all of a run that was stopped.</summary>
+public sealed class StepTableTests : IDisposable
+{
+    private const string
+        Sphere = "Lab.Tests.Step08Sphere.RandomRays", Vectors = "Lab.Tests.Step01Vectors.TheSlidesNumbers", Ray = "Lab.Tests.Step02Ray.RandomPoints",
+        Why = "The run was stopped in this test. Probably your code has an endless loop, or methods that call each other without end.";
+
+    private readonly string folder = Directory.CreateTempSubdirectory().FullName;
+
+    public void Dispose() => Directory.Delete(folder, true);
+
+    private static TestResult Result(string name, TestOutcome outcome = TestOutcome.Passed)
+    {
+        var test = new TestCase(name, new("executor://test"), "Lab.Tests.dll") { DisplayName = name };
+        test.Traits.Add("step", int.Parse(name.Split(".Step")[1][..2]).ToString());
+        return new(test) { Outcome = outcome, DisplayName = name };
+    }
+
+    /// <summary>What the collector "blame" attaches: a list of the tests that have begun.</summary>
+    private AttachmentSet Begun(params (string Name, bool Completed)[] tests)
+    {
+        var file = Path.Combine(folder, "Sequence_1.xml");
+        new XElement("TestSequence", tests.Select(test => new XElement(
+            "Test", new XAttribute("Name", test.Name), new XAttribute("DisplayName", test.Name + "(way: 1)"),
+            new XAttribute("Completed", $"{test.Completed}")))).Save(file);
+        return new(new("datacollector://blame"), "Blame") { Attachments = { new(new(file), "") } };
+    }
+
+    private static string[] Names(IEnumerable<TestResult> stopped) => [.. stopped.Select(test => test.DisplayName)];
+
+    [Fact]
+    public void ARunToItsEndCountsTheTestsOfEachStep() => Assert.Equal(
+        ["", "Step  Tests that pass", "   2   1 of  1    done  ray", "   8   1 of  2          sphere"],
+        StepTable.Lines([Result(Sphere), Result(Ray), Result(Sphere, TestOutcome.Failed)], []));
+
+    [Fact]
+    public void OfARunThatWasStoppedNoStepIsDone()
+    {
+        var stopped = StoppedTests.Of([Begun((Ray, true), (Sphere, true), (Sphere, false))], [], []);
+        Assert.Equal(
+            ["", "Step  Tests that pass", "   2   1 of  ?          ray", "   8  stopped           sphere", $"\n{Sphere}(way: 1)\n  {Why}"],
+            StepTable.Lines([Result(Sphere), Result(Ray)], stopped));
+    }
+
+    [Fact]
+    public void ATestThatWasStoppedIsAnErrorOfTheReport()
+    {
+        var file = Path.Combine(folder, "report", "step8.xml");
+        JUnitReport.Write(file, [Result(Ray)], StoppedTests.Of([Begun((Sphere, false))], [], []));
+        var suite = XDocument.Load(file).Descendants("testsuite").Single();
+        Assert.Equal(("2", "0", "1"), ((string)suite.Attribute("tests"), (string)suite.Attribute("failures"), (string)suite.Attribute("errors")));
+        var error = suite.Elements("testcase").Single(test => test.Attribute("name").Value == "RandomRays(way: 1)").Element("error");
+        Assert.Equal(Why, (string)error.Attribute("message"));
+    }
+
+    [Fact]
+    public void AStackOverflowIsOfTheTestOnTheStack() => Assert.Equal([Vectors], Names(StoppedTests.Of(
+        [Begun((Ray, false), (Vectors, false))],
+        [$"   at {Sphere}()", $"begun: {Ray}()\nStack overflow.", $"   at Lab.Vector3.op_Multiply(Double, Lab.Vector3)\n   at {Vectors}()"], [])));
+
+    /// <summary>Of a call that <see cref="BodyCalls"/> makes for a test; the collector may not know yet that the test has begun.</summary>
+    [Fact]
+    public void AStackOverflowInABodysFirstCallIsOfTheTestThatHasBegun() => Assert.Equal([Vectors], Names(StoppedTests.Of(
+        [], [$"begun: {Ray}()\nbegun: {Vectors}()\nStack overflow.\n   at Lab.BodyCalls.Try()"], [Result(Ray)])));
+
+    [Fact]
+    public void ARunThatWasStoppedIsAnErrorEvenIfNoTestIsKnown() => Assert.Single(StoppedTests.Of([], [], []));
+}
