@@ -28,7 +28,7 @@ internal static class HandOutFolder
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new ProblemException($"raycaster: the hand-out cannot be written: {e.Message}");
+            throw new ProblemException($"raycaster: the hand-out cannot be written to {folder}: {(e is UnauthorizedAccessException ? "access is denied" : e.Message)}");
         }
     }
 
