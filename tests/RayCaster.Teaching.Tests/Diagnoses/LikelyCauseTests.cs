@@ -37,6 +37,7 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // more of the same
     public void AnotherAngleIsToldAsASize()
     {
         var diagnosis = Of(generic, Seen(generic, fovY: 52));
