@@ -11,8 +11,9 @@ internal static class SceneInput
     /// <returns>The scene; null if it has errors.</returns>
     public static Scene? Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true)
     {
-        var size = line.PictureSize(); // a wrong size is refused before the scene is read
-        var reading = Read(path, line.ThreadCount());
+        var size = line.PictureSize();
+        var (wide, high) = size ?? (0, 0); // the scene's own size is not known yet
+        var reading = Read(path, line.ThreadCount(), text => WarmUp.Begin(text, (long)wide * high));
         cancellation.ThrowIfCancellationRequested();
         if (reading.Scene is null || (warns && !line.Has(Option.Quiet))) StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
@@ -29,18 +30,19 @@ internal static class SceneInput
 
     /// <summary>Reads a scene with its errors and warnings.</summary>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
-    public static SceneReading Read(string path, int? threads)
+    /// <param name="look">Gets the text before it is parsed.</param>
+    public static SceneReading Read(string path, int? threads, Action<ReadOnlySpan<byte>>? look = null)
     {
-        var reading = path == Standard ? ReadStandardInput(threads) : SceneReader.Read(path, threads);
+        var reading = path == Standard ? ReadStandardInput(threads, look) : SceneReader.Read(path, threads, look);
         InputFiles.Note([path, .. reading.MeshFiles]);
         return reading;
     }
 
     /// <remarks>A method of its own, because the runtime would load the console library wherever this is compiled.</remarks>
-    private static SceneReading ReadStandardInput(int? threads)
+    private static SceneReading ReadStandardInput(int? threads, Action<ReadOnlySpan<byte>>? look)
     {
         if (StandardInput.IsClosed) throw new ProblemException("raycaster: the scene is to be read from standard input, but that is closed");
         using var input = Console.OpenStandardInput();
-        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads);
+        return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads, look);
     }
 }
