@@ -11,7 +11,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
 
     /// <summary>Whether a picture of little work is drawn without tiles; true unless said otherwise. Compiling the code for tiles takes longer than
     /// drawing such a picture. It affects only the time.</summary>
-    internal bool MayBeSmall { get; init; } = true;
+    public bool MayBeSmall { get; init; } = true;
 
     /// <summary>
     /// Whether this process draws many pictures. Then the engine compiles the kernels of the float path, which takes as long as casting some ten

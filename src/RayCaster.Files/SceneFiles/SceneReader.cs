@@ -9,13 +9,14 @@ public static class SceneReader
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
-    public static SceneReading Read(string path, int? threads = null)
+    /// <param name="look">Receives the file's bytes before they are parsed, also if they contain mistakes.</param>
+    public static SceneReading Read(string path, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
         try
         {
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
             if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads);
+            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads, look);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException || (e is ArgumentException && !File.Exists(path)))
         {
@@ -26,8 +27,12 @@ public static class SceneReader
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
     /// <inheritdoc cref="Parse(ReadOnlyMemory{byte}, string, string, int?)"/>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null) =>
-        StreamBytes.TryReadToEnd(stream, MostBytes, out var bytes) ? Parse(bytes, displayName, folder, threads) : TooLong(displayName);
+    public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
+    {
+        if (!StreamBytes.TryReadToEnd(stream, MostBytes, out var bytes)) return TooLong(displayName);
+        look?.Invoke(bytes);
+        return Parse(bytes, displayName, folder, threads);
+    }
 
     /// <summary>Reads a text.</summary>
     /// <param name="utf8">The text, with or without a byte order mark.</param>
