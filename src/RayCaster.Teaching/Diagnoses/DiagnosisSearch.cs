@@ -207,7 +207,7 @@ internal sealed class DiagnosisSearch(
     /// be right.</summary>
     private static IEnumerable<WrongProgram> Firsts(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners)
     {
-        WrongProgram[] nearest = [.. singles.Concat(everySingle).DistinctBy(trial => (trial.Id, trial.OtherSample)).Take(partners + 1)];
+        WrongProgram[] nearest = [.. singles.DistinctBy(trial => (trial.Id, trial.OtherSample)).Take(partners + 1)];
         return nearest.Concat(everySingle.DistinctBy(trial => trial.Misfit)
             .Where(trial => Array.TrueForAll(nearest, other => other.Wordings[0] != trial.Wordings[0])).Take(partners / 2));
     }
