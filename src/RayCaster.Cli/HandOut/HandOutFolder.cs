@@ -28,7 +28,8 @@ internal static class HandOutFolder
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            throw new ProblemException($"raycaster: the hand-out cannot be written to {folder}: {(e is UnauthorizedAccessException ? "access is denied" : e.Message)}");
+            var reason = e is UnauthorizedAccessException ? "access is denied" : e.Message; // its own message names the temporary folder
+            throw new ProblemException($"raycaster: the hand-out cannot be written to {folder}: {reason}");
         }
     }
 

@@ -15,7 +15,7 @@ public sealed class ClassMarks
     private const string TableFile = "marks.csv";
     private const string PageFile = "class.html";
 
-    private static readonly JsonSerializerOptions kept = new(JsonSerializerOptions.Web) { RespectRequiredConstructorParameters = true };
+    private static readonly JsonSerializerOptions whole = new(JsonSerializerOptions.Web) { RespectRequiredConstructorParameters = true };
 
     private readonly Rubric rubric;
     private readonly string output;
@@ -101,7 +101,7 @@ public sealed class ClassMarks
         cancellation.ThrowIfCancellationRequested();
         var marks = marker.Mark(submission.Student, digest, pictures, changed);
         Write(Path.Combine(folder, "feedback.html"), FeedbackPage.Of(rubric, marks, pictures));
-        Write(keptPath, JsonSerializer.Serialize(marks, ClassMarks.kept));
+        Write(keptPath, JsonSerializer.Serialize(marks, whole));
         return marks;
     }
 
@@ -109,7 +109,7 @@ public sealed class ClassMarks
     {
         try
         {
-            return File.Exists(path) ? JsonSerializer.Deserialize<StudentMarks>(File.ReadAllBytes(path), kept) : null;
+            return File.Exists(path) ? JsonSerializer.Deserialize<StudentMarks>(File.ReadAllBytes(path), whole) : null;
         }
         catch (Exception e) when (e is JsonException or IOException or UnauthorizedAccessException or NotSupportedException)
         {
