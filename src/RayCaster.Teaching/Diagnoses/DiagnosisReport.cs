@@ -120,10 +120,13 @@ public static class DiagnosisReport
     /// <param name="picture">The picture's size; left out if null.</param>
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
+    /// <param name="warning">Why all of it may be wrong; left out if null.</param>
     public static string Json(Diagnosis diagnosis,
-        (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null) =>
+        (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null,
+        string? warning = null) =>
         JsonText.Of(new
         {
+            Warning = warning,
             Finding = diagnosis.Finding switch
             {
                 Finding.Matches => "matches",
@@ -207,7 +210,8 @@ public static class DiagnosisReport
 
     private static string Share(double pixels, Diagnosis diagnosis) => ComparisonText.Share((int)Math.Round(pixels), diagnosis.PixelCount);
 
-    private static void Wrap(StringBuilder text, string head, string words)
+    /// <summary>Appends words in lines that a terminal shows whole; all but the first are indented by the length of the head.</summary>
+    internal static void Wrap(StringBuilder text, string head, string words)
     {
         var line = new StringBuilder(head);
         foreach (var word in words.Split(' '))
