@@ -24,7 +24,8 @@ public sealed class WronglyMadePngTests : IDisposable
     public void DataWithoutTheirChecksumAreRefused(int missing) =>
         Refused("its compressed data do not end with their checksum", Data(Zlib[..^missing]));
 
-    [Fact] // the format's third edition asks for it: programs write their whole buffer
+    /// <summary>The format's third edition asks for it (11.2.3): programs write their whole buffer.</summary>
+    [Fact]
     public void BytesBehindTheDataAreIgnored() => Assert.Equal(10, Read([.. Data([.. Zlib, 1, 2, 3]), .. Data([4, 5]), .. Data(Zlib)]).Width);
 
     [Fact]
