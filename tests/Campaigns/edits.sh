@@ -64,8 +64,8 @@ edit "the picture's writer"      src/RayCaster.Files/PictureFiles/PictureWriter.
 
 sed -i 's/Radius \* Radius - D \* D/Radius - D * D/' $course/Models/Sphere.cs
 draw >/dev/null
-if dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll diagnose scenes/room.json right.png --json 2>/dev/null |
-    grep -q '"warning": "The judge has been edited'; then
+dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll diagnose scenes/room.json right.png --json >said.json 2>/dev/null || true
+if grep -q '"warning": "The judge has been edited' said.json; then
     passed=$((passed + 1)); echo "ok     diagnose --json says that the judge has been edited"
 else
     failed=$((failed + 1)); echo "FAILED diagnose --json does not say that the judge has been edited"
