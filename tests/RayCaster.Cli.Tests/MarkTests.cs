@@ -207,11 +207,11 @@ public sealed class MarkTests : IDisposable
         var page = File.ReadAllText(raycaster.PathOf("marks/class.html"));
         Assert.Contains("""
             <h2>Empty pictures: 2</h2>
-            <p>ball, 2 students: <a href="anna/feedback.html">anna</a>, <a href="boris/feedback.html">boris</a></p>
+            <p>ball, 2 of 4: <a href="anna/feedback.html">anna</a>, <a href="boris/feedback.html">boris</a></p>
             """.ReplaceLineEndings("\n"), page);
         var alike = page[page.IndexOf("wrong in the same way", StringComparison.Ordinal)..page.IndexOf("Empty", StringComparison.Ordinal)];
         Assert.Equal((true, false), (alike.Contains("ball, 2 students"), alike.Contains("anna")));
-        Assert.Contains("2.5 of 5 points on average, 2.5 more are open; 2 students to look at yourself.", page);
+        Assert.Contains("2.5 of 5 points on average, 2.5 more are open. To look at yourself: 2.", page);
     }
 
     [Fact]

@@ -15,8 +15,8 @@ internal static class ClassPage
         var open = Mean(marks, student => student.Open);
         page.Element("p",
             $"{Mean(marks, student => student.Points)} of {MarksTable.Number(rubric.Points)} points on average" +
-            (open == "0" ? "; " : $", {open} more are open; ") +
-            $"{marks.Count(student => student.LookYourself.Count > 0)} students to look at yourself.");
+            (open == "0" ? ". " : $", {open} more are open. ") +
+            $"To look at yourself: {marks.Count(student => student.LookYourself.Count > 0)}.");
         AddMistakes(page, marks);
         AddLookYourself(page, marks);
         AddGroups(page, marks);
@@ -97,7 +97,7 @@ internal static class ClassPage
             .GroupBy(empty => empty.Name, empty => empty.Student).OrderByDescending(scene => scene.Count()).ToArray();
         if (scenes.Length == 0) return;
         page.Element("h2", $"Empty pictures: {scenes.Sum(scene => scene.Count())}");
-        foreach (var scene in scenes) page.Html($"<p>{Page.Escaped(scene.Key)}, {scene.Count()} students: {Links([.. scene])}</p>");
+        foreach (var scene in scenes) page.Html($"<p>{Page.Escaped(scene.Key)}, {scene.Count()} of {marks.Count}: {Links([.. scene])}</p>");
     }
 
     private static bool IsOfOneColor(SceneMarks scene) =>
