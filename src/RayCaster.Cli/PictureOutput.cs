@@ -88,13 +88,13 @@ internal static class PictureOutput
         return false;
     }
 
-    /// <summary>What a part shows, to be written into its file.</summary>
+    /// <summary>The digest of a scene's models, for the facts in the files of its parts and frames.</summary>
     /// <exception cref="ProblemException">A model cannot describe its numbers.</exception>
-    public static PartFacts Facts(Scene scene, LineRange lines)
+    public static string DigestOfModels(Scene scene)
     {
         try
         {
-            return PartFacts.Of(scene, lines);
+            return SceneDigest.OfModels(scene.Models);
         }
         catch (NotSupportedException e)
         {
