@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>What depends only on the models of a scene: the shapes that have bounds, a list for each kind.</summary>

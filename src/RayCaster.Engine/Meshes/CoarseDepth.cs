@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>A coarse depth buffer: for each cell of 8 × 8 pixels the least w that their hits certainly have. What lies behind is hidden.</summary>

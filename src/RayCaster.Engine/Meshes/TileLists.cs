@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Triangles with the tiles in which they may show; each thread fills its own.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>A bounding volume hierarchy (BVH) over the triangles of a mesh. Bounds reject whole branches; the triangle's own formula decides which

@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>The range of a channel's level as a function of t, which is linear where neither the light nor the level is clamped.</summary>

@@ -1,4 +1,3 @@
-using System.Runtime.CompilerServices;
 using N = RayCaster.Engine.WidePacket;
 
 namespace RayCaster.Engine;

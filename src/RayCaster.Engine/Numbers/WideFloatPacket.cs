@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>A <see cref="FloatPacket"/> of two rows of sixteen, for machines that compute with sixteen floats at once.</summary>

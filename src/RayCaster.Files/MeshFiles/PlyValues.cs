@@ -1,6 +1,3 @@
-using System.Buffers.Binary;
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Files;
 
 /// <summary>Reads the numbers in some rows of a PLY file, one after another.</summary>

@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <summary>Divides a text into words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A change of a picture's colours, the same in every pixel: its channels stand in another order, or each goes through a formula.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Teaching;
 
 /// <summary>Where two pictures of the same size differ, and by how many levels: a level is 1 of the 255 of a channel.</summary>

@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A <see cref="Diagnosis"/> in words for a student, and as JSON for tools.</summary>

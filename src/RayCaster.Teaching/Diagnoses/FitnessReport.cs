@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A <see cref="SceneFitness"/> in words for a teacher, with what to change.</summary>

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Teaching;
 
 /// <summary>What sort of difference a wrong picture shows, where no mistake of the catalogue is certain.</summary>

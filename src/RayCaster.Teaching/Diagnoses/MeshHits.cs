@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Teaching;
 
 /// <summary>Where the rays of a lab hit a mesh. A tree rejects triangles, behind the camera too; which hits count is for the lab to say.</summary>

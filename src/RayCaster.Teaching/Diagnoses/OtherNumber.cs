@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Teaching;
 
 /// <summary>One number of the scene or of the camera's plane that may be another in a picture, and what that would look like.</summary>
