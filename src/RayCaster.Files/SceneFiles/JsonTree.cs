@@ -33,7 +33,6 @@ internal sealed class JsonTree
     /// <summary>How many keys were compared in searches. It must grow only in proportion to the text, also in a file with many errors.</summary>
     public long KeysLookedAt;
 
-    /// <summary>The outermost value.</summary>
     public JsonValue Root => new(this, 0);
 
     public ref Node this[int node] => ref nodes[node];
@@ -62,7 +61,6 @@ internal sealed class JsonTree
         return text.ToArray();
     }
 
-    /// <summary>Reads a text.</summary>
     /// <param name="text">Valid UTF-8.</param>
     /// <param name="mistake">Why it is not JSON, if null is returned.</param>
     public static JsonTree? Parse(SourceText text, out JsonMistake mistake)

@@ -54,7 +54,6 @@ internal sealed class SceneObject
         return o.Begin(value, null, name) ? o : null;
     }
 
-    /// <summary>Whether a key is written in the file.</summary>
     public bool Has(string key) => document is not null && json.Find(key) is not null;
 
     /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>

@@ -14,10 +14,8 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 
     public string Name => name;
 
-    /// <summary>The byte order mark, if there is one.</summary>
     public ReadOnlySpan<byte> Mark => bytes.AsSpan(0, mark);
 
-    /// <summary>The text after it.</summary>
     public ReadOnlySpan<byte> Utf8 => bytes.AsSpan(mark);
 
     /// <summary>A part of the text as written, shortened if it is long.</summary>

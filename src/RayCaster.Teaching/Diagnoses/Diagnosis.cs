@@ -168,7 +168,6 @@ public sealed class Diagnosis
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public static Diagnosis Of(Scene scene, Picture picture, int? threads = null) => new SceneDiagnosis(scene, threads).Judge(picture);
 
-    /// <summary>What a search comes to.</summary>
     private void Answer(DiagnosisSearch search, IReadOnlyCollection<string> done)
     {
         var (ranked, picture) = (search.Run(), evidence.Picture);

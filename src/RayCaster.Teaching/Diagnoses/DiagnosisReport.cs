@@ -6,10 +6,6 @@ public static class DiagnosisReport
     private const int Width = 96;
 
     /// <summary>Lines of text.</summary>
-    /// <param name="diagnosis">What was found.</param>
-    /// <param name="picture">What the picture is called.</param>
-    /// <param name="scene">What the scene is called.</param>
-    /// <param name="level">How much is told.</param>
     public static string Text(Diagnosis diagnosis, string picture, string scene, HintLevel level = HintLevel.Question)
     {
         var text = new StringBuilder();
@@ -111,7 +107,6 @@ public static class DiagnosisReport
     }
 
     /// <summary>Everything, the answers too.</summary>
-    /// <param name="diagnosis">What was found.</param>
     /// <param name="picture">The picture's size; left out if null.</param>
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>

@@ -11,7 +11,6 @@ namespace RayCaster.Teaching;
 /// not hide what explains the others, and a mistake drops out that would show in a picture that is right.
 /// </remarks>
 /// <param name="pictures">The pictures, of a scene each.</param>
-/// <param name="known">The mistakes that are tried.</param>
 /// <param name="done">What the program surely draws.</param>
 /// <param name="threads">How many threads draw; one per core if null.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>

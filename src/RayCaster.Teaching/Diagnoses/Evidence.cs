@@ -33,11 +33,8 @@ internal sealed class Evidence
     private readonly int most;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
-    /// <param name="scene">The scene.</param>
     /// <param name="right">Its own picture; may have another size, then everything is wrong.</param>
-    /// <param name="picture">The picture to be diagnosed.</param>
     /// <param name="pixels">How many pixels are looked at, at most; fewer in a scene of many models.</param>
-    /// <param name="forgiveOutlines">Whether the pixels of <see cref="OutlineCount"/> are left out.</param>
     public Evidence(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true)
     {
         (Scene, Picture, Right) = (scene, picture, right);
@@ -61,8 +58,6 @@ internal sealed class Evidence
     }
 
     /// <summary>The same pixels, seen by someone who knows of a mistake: wrong are those that it does not explain.</summary>
-    /// <param name="whole">All that is known.</param>
-    /// <param name="first">Draws with the mistake.</param>
     private Evidence(Evidence whole, Lab first)
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
@@ -72,19 +67,14 @@ internal sealed class Evidence
         WrongCount = (int)whole.Misfit(first).Unexplained;
     }
 
-    /// <summary>The scene that the picture is meant to show.</summary>
     public Scene Scene { get; }
 
-    /// <summary>Its own picture.</summary>
     public Picture Right { get; }
 
-    /// <summary>The picture to be diagnosed.</summary>
     public Picture Picture { get; }
 
-    /// <summary>How many pixels the picture has.</summary>
     public int PixelCount => Picture.Width * Picture.Height;
 
-    /// <summary>In how many pixels the picture is wrong.</summary>
     public int WrongCount { get; }
 
     /// <summary>
@@ -128,9 +118,6 @@ internal sealed class Evidence
         return true;
     }
 
-    /// <summary>Pixels that a lab has drawn.</summary>
-    /// <param name="Width">Of the lab's picture.</param>
-    /// <param name="Height">Of the lab's picture.</param>
     /// <param name="Colors">The pixels' places in the student's picture, and their colours.</param>
     public sealed record Drawn(int Width, int Height, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
 
@@ -163,7 +150,6 @@ internal sealed class Evidence
         Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LeastShare * PixelCount, 3 * LeastShare * PixelCount)));
 
     /// <summary>The number of pixels that a mistake leaves unexplained, told from those that are looked at.</summary>
-    /// <param name="lab">Draws with the mistake.</param>
     /// <param name="share">What share of as many pixels as are chosen at most is looked at; few are enough to see that a mistake is far off.</param>
     public Misfit Misfit(Lab lab, double share = 1)
     {
@@ -211,7 +197,6 @@ internal sealed class Evidence
         ];
     }
 
-    /// <summary>Where a pixel is.</summary>
     private (int X, int Y) At(int pixel) => (pixel % Picture.Width, pixel / Picture.Width);
 
     private bool IsDrawnBy(Lab lab, int pixel) => At(pixel) is var (x, y) && IsNear(lab[x, y], Picture[x, y]);

@@ -4,9 +4,7 @@ namespace RayCaster.Teaching;
 public static class FitnessReport
 {
     /// <summary>Why a scene hides mistakes, and what would bring them to light.</summary>
-    /// <param name="Holds">Whether this is so in a scene.</param>
     /// <param name="Why">What there is, and what to change.</param>
-    /// <param name="Ids">The mistakes that are hidden by it.</param>
     private sealed record Reason(Func<Scene, bool> Holds, string Why, params string[] Ids);
 
     /// <summary>The first that holds and names a mistake is its reason.</summary>
@@ -88,7 +86,6 @@ public static class FitnessReport
     }
 
     /// <summary>The same for programs.</summary>
-    /// <param name="fitness">What the scenes are fit for.</param>
     /// <param name="absent">What was required and does not show.</param>
     public static string Json(SceneFitness fitness, IReadOnlyList<string> absent) => JsonText.Of(new
     {

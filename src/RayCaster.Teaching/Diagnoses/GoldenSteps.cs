@@ -19,6 +19,5 @@ internal readonly struct GoldenSteps
         while (!BigInteger.GreatestCommonDivisor(step, count).IsOne) step++;
     }
 
-    /// <summary>The k-th place.</summary>
     public int this[int k] => (int)(k * step % count);
 }

@@ -10,9 +10,6 @@ internal static class LikelyCause
     private const int LeastLines = 4;
 
     /// <summary>What surely is so: one number of the scene is another, or one model is missing or has another colour.</summary>
-    /// <param name="prepared">The scene.</param>
-    /// <param name="byModels">The picture beside the right one.</param>
-    /// <param name="evidence">Of the picture.</param>
     /// <param name="most">The share of the wrong pixels that a number may leave unexplained.</param>
     public static string? Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence, double most)
     {

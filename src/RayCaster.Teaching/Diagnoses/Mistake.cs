@@ -46,7 +46,6 @@ public sealed class Mistake
 {
     private readonly List<Mistake> wordings = [];
 
-    /// <summary>States a mistake, and its hint.</summary>
     internal Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate,
         string symptom, string question, string answer, bool isWithinRounding = false)
         : this(id, concerns, slide, cause, deviate, new Hint(symptom, question, answer)) => IsWithinRounding = isWithinRounding;
@@ -75,7 +74,6 @@ public sealed class Mistake
     /// <summary>The same mistake as different people write it: one id, but each a cause of its own. This one is the first.</summary>
     public IReadOnlyList<Mistake> Wordings => wordings;
 
-    /// <summary>Plants the mistake.</summary>
     internal Action<Lab> Deviate { get; }
 
     /// <summary>Whether it moves no channel by more than a level, as rounding does, so that no wrong pixel can be its work.</summary>
@@ -103,14 +101,12 @@ public sealed class Mistake
         return this;
     }
 
-    /// <summary>Adds a family of wordings.</summary>
     internal Mistake Or(IEnumerable<(string Cause, Action<Lab> Deviate)> family)
     {
         foreach (var (cause, deviate) in family) Or(cause, deviate);
         return this;
     }
 
-    /// <summary>The formula that a model is drawn by.</summary>
     internal static Concerns KindOf(Model model) => KindOf(model.Kind);
 
     /// <summary>The formula that a kind of shape, as a scene file calls it, is drawn by.</summary>

@@ -4,7 +4,6 @@ namespace RayCaster.Teaching;
 /// <param name="Draw">The scene with another number: x is by how much it differs, or the logarithm of how many times it is what it should
 /// be.</param>
 /// <param name="Tries">The x that are tried first.</param>
-/// <param name="Says">What is to be said of an x.</param>
 internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double> Tries, Func<double, string> Says)
 {
     /// <summary>The share of the wrong pixels that a model of another size or place shows, or should show, at least.</summary>
@@ -16,10 +15,6 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
     private static readonly double[] times = [.. Both([0.07, 0.15, 0.25, 0.35, 0.5, 0.7, 1, 1.5, 2, 3])];
 
     /// <summary>The number that explains a picture best.</summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="byModels">The picture beside the right one.</param>
-    /// <param name="evidence">Of the picture.</param>
-    /// <param name="threads">How many threads draw.</param>
     /// <returns>How many pixels it leaves unexplained, and what it says.</returns>
     public static (double Unexplained, string Says) Find(Scene scene, SceneDifference byModels, Evidence evidence, int? threads)
     {

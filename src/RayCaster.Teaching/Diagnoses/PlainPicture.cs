@@ -7,9 +7,6 @@ internal static class PlainPicture
     private const double Hardly = 0.005, Enough = 0.05;
 
     /// <summary>What such a picture shows, and where to look; null for a picture that shows more, or of a scene that does not.</summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="picture">A wrong picture of it.</param>
-    /// <param name="right">Its right picture.</param>
     public static string? Says(Scene scene, Picture picture, Picture right)
     {
         var background = scene.Background.ToBytes();

@@ -36,7 +36,6 @@ public sealed class SceneDiagnosis
     /// diagnosis.</summary>
     public IReadOnlyList<Mistake> Hidden => hidden.Value;
 
-    /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
     internal bool TooManyModels => Scene.Models.Count > Lab.MostModels;
 
     internal int? Threads { get; }

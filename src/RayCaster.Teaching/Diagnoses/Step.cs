@@ -4,15 +4,12 @@ namespace RayCaster.Teaching;
 /// <remarks>What is around a formula stays around it, in whichever order the mistakes are made, so that a second mistake adds to the
 /// first.</remarks>
 /// <typeparam name="F">What the step takes and gives.</typeparam>
-/// <param name="definition">The right step.</param>
 internal sealed class Step<F>(F definition) where F : Delegate
 {
     private readonly List<Func<F, F>> around = [];
 
-    /// <summary>The step as it is now.</summary>
     public F Do { get; private set; } = definition;
 
-    /// <summary>Whether a mistake has changed it.</summary>
     public bool IsChanged { get; private set; }
 
     /// <summary>Puts another formula in the place of this one.</summary>

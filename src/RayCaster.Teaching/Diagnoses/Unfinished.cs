@@ -15,7 +15,6 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     /// <summary>A program that does all.</summary>
     public static Unfinished Nothing { get; } = new([]);
 
-    /// <summary>The kinds of shape that it does not draw.</summary>
     public IEnumerable<string> Kinds => NotYet.Where(part => part is not (Attenuation or Clipping));
 
     /// <summary>The mistakes that draw so: "no attenuation", say, is one of the catalogue, too.</summary>
@@ -34,7 +33,6 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
 
     /// <summary>Every way to be unfinished: each subset of the scene's kinds of shape but none and all, with and without attenuation and
     /// clipping.</summary>
-    /// <param name="done">What is surely there.</param>
     public static IEnumerable<Unfinished> Ways(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
         var kinds = KindsOf(pictures);
@@ -50,7 +48,6 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     /// drawn; kinds that have no colour of their own may be there or not. Clipping may be missing by itself.
     /// </summary>
     /// <param name="pictures">The pictures of one program; what is not seen in the scenes' own pictures cannot be missed.</param>
-    /// <param name="done">What is surely there.</param>
     public static IEnumerable<Unfinished> ByColors(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
         var kinds = KindsOf(pictures);
@@ -69,7 +66,6 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
                select new Unfinished([.. missing, .. more, .. rest]);
     }
 
-    /// <summary>The kinds of shape in the pictures' scenes.</summary>
     public static string[] KindsOf(IReadOnlyList<Evidence> pictures) =>
         [.. pictures.SelectMany(picture => picture.Scene.Models).Select(model => model.Kind).Distinct()];
 

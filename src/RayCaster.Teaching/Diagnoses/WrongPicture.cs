@@ -4,7 +4,6 @@ namespace RayCaster.Teaching;
 public static class WrongPicture
 {
     /// <summary>Draws a scene with mistakes.</summary>
-    /// <param name="scene">The scene.</param>
     /// <param name="mistakes">The mistakes, made all at once; each is one of the catalogue or one of its wordings.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <returns>The picture; two of the mistakes swap its sides.</returns>

@@ -2,9 +2,7 @@ namespace RayCaster.Teaching;
 
 /// <summary>A way to draw the scene wrong, and how near it comes to a picture.</summary>
 /// <param name="Base">What the program does not do yet.</param>
-/// <param name="Wordings">Its mistakes, each in one of its wordings.</param>
 /// <param name="OtherSample">Whether rays pass through the other place of each pixel.</param>
-/// <param name="Misfit">How far it is from explaining the picture.</param>
 internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Wordings, bool OtherSample, Misfit Misfit = default)
 {
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
@@ -15,7 +13,6 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>Its mistakes; rays through the other place of each pixel are one.</summary>
     public IEnumerable<Mistake> Mistakes => Wordings.Concat(OtherSample ? [center] : []);
 
-    /// <summary>Their ids.</summary>
     public IEnumerable<string> MistakeIds => Mistakes.Select(mistake => mistake.Id);
 
     /// <summary>How many parts are missing, and how many mistakes there are.</summary>
@@ -31,10 +28,8 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>How many of its mistakes are made in another than their usual wording, the first.</summary>
     public int Unusual => Wordings.Count(wording => wording != MistakeCatalog.Named(wording.Id));
 
-    /// <summary>Draws the scene so.</summary>
     public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Mistakes]));
 
-    /// <summary>The mistakes to be named.</summary>
     public IReadOnlyList<Mistake> Named => [.. Wordings, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
 
     /// <summary>

@@ -1,6 +1,5 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What is special about a pixel.</summary>
 internal static class PixelNotes
 {
     /// <summary>If two t agree this well, last bits of a formula decide which is less.</summary>
