@@ -2,7 +2,6 @@ namespace RayCaster.Engine;
 
 /// <summary>Draws pictures the fast way: tile by tile, several pixels at once, on several threads. Every bit is that of
 /// <see cref="ScalarRenderer"/>.</summary>
-/// <param name="scene">What to draw.</param>
 /// <param name="threads">How many threads cast rays; one per core if left out.</param>
 public sealed class Renderer(Scene scene, int? threads = null)
 {

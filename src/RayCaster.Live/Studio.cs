@@ -24,7 +24,6 @@ internal sealed class Studio
         cancellation);
 
     /// <summary>Does work that takes all cores, after the work before it.</summary>
-    /// <param name="cancellation">Ends the wait.</param>
     public async Task<T> DoAsync<T>(Func<T> work, CancellationToken cancellation)
     {
         await turn.WaitAsync(cancellation);

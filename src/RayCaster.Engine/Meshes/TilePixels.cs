@@ -58,7 +58,6 @@ internal sealed class TilePixels
             Covered.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
     }
 
-    /// <summary>Queues a pixel and a triangle.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Enqueue(int pixel, int triangle, float mostW)
     {

@@ -52,7 +52,6 @@ internal sealed class TriangleBoxes
     /// <summary>The number of triangles in a box; less at the mesh's end.</summary>
     public int Length { get; }
 
-    /// <summary>The boxes of a mesh.</summary>
     /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
     /// <param name="camera">What sees it: the boxes suit any camera, but short clusters pay only where triangles are large on the screen.</param>
     /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>

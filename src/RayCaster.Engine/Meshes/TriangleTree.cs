@@ -10,7 +10,6 @@ public sealed class TriangleTree
     private readonly TreeNode[] nodes;
     private readonly int depth;
 
-    /// <param name="vertices">The corners.</param>
     /// <param name="indices">Three for each triangle.</param>
     public TriangleTree(Vector3[] vertices, int[] indices)
     {
