@@ -63,7 +63,7 @@ internal sealed class JsonTree
 
     /// <param name="text">Valid UTF-8.</param>
     /// <param name="mistake">Why it is not JSON, if null is returned.</param>
-    public static JsonTree? Parse(SourceText text, out JsonMistake mistake)
+    public static JsonTree? Parse(SourceText text, out JsonMistake? mistake)
     {
         var tree = new JsonTree(text);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
@@ -84,7 +84,7 @@ internal sealed class JsonTree
                 var start = (int)reader.TokenStartIndex;
                 tree.Add(last, start, last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd);
             }
-            mistake = default;
+            mistake = null;
             return tree;
         }
         catch (JsonException e)

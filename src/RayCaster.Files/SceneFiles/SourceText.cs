@@ -8,7 +8,7 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 {
     private const int LongestExcerpt = 120;
     private readonly ArraySegment<byte> bytes = MemoryMarshal.TryGetArray(utf8, out var array) ? array : utf8.ToArray();
-    private readonly int mark = utf8.Span.StartsWith(Encodings.Utf8Mark) ? Encodings.Utf8Mark.Length : 0;
+    private readonly int mark = utf8.Span.StartsWith("\uFEFF"u8) ? 3 : 0; // the bytes of a byte order mark
     private int[]? lineStarts;
     private (int Offset, int Column) last = (0, 1); // the last result of Locate, from which it goes on: a long line may have many problems
 

@@ -25,8 +25,9 @@ public static class DiagnosisReport
         if (diagnosis.Finding == Finding.TellsNothing)
             Wrap(text, "", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
         else if (diagnosis.Finding == Finding.NoneOfThese) AppendNone(text, diagnosis);
-        else if (diagnosis.Finding == Finding.Unfinished) AppendLost(text, diagnosis);
-        else AppendSuspects(text, diagnosis, level);
+        else if (diagnosis.Finding == Finding.Mistake) AppendSuspects(text, diagnosis, level);
+        else if (diagnosis.Suspects.Count > 0)
+            Wrap(text, "", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
         return text.ToString();
     }
 
@@ -75,13 +76,6 @@ public static class DiagnosisReport
         if (diagnosis.Nearest.Count > 0) text.AppendLine("The nearest mistakes, though none explains the picture:");
         foreach (var nearest in diagnosis.Nearest) text.AppendLine($"  {Names(nearest),-16} would leave {Rest(diagnosis, nearest)}");
         AppendNotTried(text, diagnosis);
-    }
-
-    /// <summary>Some mistakes lose a shape as well as not having written it.</summary>
-    private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
-    {
-        if (diagnosis.Suspects.Count > 0)
-            Wrap(text, "", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
     }
 
     private static void AppendSuspects(StringBuilder text, Diagnosis diagnosis, HintLevel level)

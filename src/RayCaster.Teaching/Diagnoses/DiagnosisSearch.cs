@@ -192,7 +192,7 @@ internal sealed class DiagnosisSearch(
     private List<WrongProgram> Pairs(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners) =>
     [
         .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)], everySingle, partners)
-           let left = pictures.Select(picture => picture.Beside(first.Draw(picture.Scene))).ToArray()
+           let left = pictures.Select(picture => new Evidence(picture, first.Draw(picture.Scene))).ToArray()
            let seconds = Those(trial => left.Any(picture => picture.IsHelpedBy(trial.Draw(picture.Scene))),
                from other in known
                where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)

@@ -57,8 +57,8 @@ internal sealed class Evidence
         otherPixels = Spread(other, most);
     }
 
-    /// <summary>The same pixels, seen by someone who knows of a mistake: wrong are those that it does not explain.</summary>
-    private Evidence(Evidence whole, Lab first)
+    /// <summary>The same pixels as evidence for a second mistake: those that a first one does not explain count as wrong.</summary>
+    public Evidence(Evidence whole, Lab first)
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
         ILookup<bool, int> isExplained = whole.wrongPixels.Take(Affordable(most, first)).Concat(whole.otherPixels.Take(Affordable(most, first)))
@@ -121,9 +121,6 @@ internal sealed class Evidence
     /// <param name="Colors">The pixels' places in the student's picture, and their colours.</param>
     public sealed record Drawn(int Width, int Height, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
 
-    /// <summary>What speaks for a second mistake beside a first one.</summary>
-    public Evidence Beside(Lab first) => new(this, first);
-
     /// <summary>Whether a program may explain the picture: of a few pixels it draws all but one as the picture has them.</summary>
     public bool MayBeExplainedBy(Lab lab)
     {
@@ -153,7 +150,8 @@ internal sealed class Evidence
     /// <param name="share">What share of as many pixels as are chosen at most is looked at; few are enough to see that a mistake is far off.</param>
     public Misfit Misfit(Lab lab, double share = 1)
     {
-        if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong) return RayCaster.Teaching.Misfit.Complete(PixelCount);
+        if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong)
+            return new(PixelCount, PixelCount); // nothing is explained
         return Misfit(lab, wrongPixels, WrongCount, share) + Misfit(lab, otherPixels, PixelCount - WrongCount, share);
     }
 

@@ -5,9 +5,6 @@ namespace RayCaster.Teaching;
 /// <param name="Error">The sum of the pixels' greatest differences, 1 for black against white: decides between equals.</param>
 internal readonly record struct Misfit(double Unexplained, double Error) : IComparable<Misfit>
 {
-    /// <summary>Nothing explained.</summary>
-    public static Misfit Complete(int pixels) => new(pixels, pixels);
-
     /// <summary>One number to sort by: an unexplained pixel weighs most, how far it is off hardly.</summary>
     public double Weight => Unexplained + 0.02 * Error;
 
