@@ -2,34 +2,17 @@ namespace RayCaster.Teaching;
 
 /// <summary>What a mistake touches, so that a scene without it need not be tried.</summary>
 [Flags]
-public enum Concerns
+internal enum Concerns
 {
-    /// <summary>The way from a pixel to its ray: every picture.</summary>
-    Camera = 1,
-
-    /// <summary>Which crossing counts and which of two hits shows: every picture.</summary>
-    Hit = 2,
-
-    /// <summary>The formula of planes.</summary>
-    Planes = 4,
-
-    /// <summary>The formula of spheres.</summary>
+    Camera = 1, // the way from a pixel to its ray: every picture
+    Hit = 2, // which crossing counts and which of two hits shows: every picture
+    Planes = 4, // the formula of planes, and so on
     Spheres = 8,
-
-    /// <summary>The formula of boxes.</summary>
     Boxes = 16,
-
-    /// <summary>The formula of circles.</summary>
     Circles = 32,
-
-    /// <summary>The formula of triangles, those of meshes included.</summary>
-    Triangles = 64,
-
-    /// <summary>The way from a hit to three bytes: every picture.</summary>
-    Color = 128,
-
-    /// <summary>The way from the bytes to the file: every picture.</summary>
-    File = 256,
+    Triangles = 64, // those of meshes included
+    Color = 128, // the way from a hit to three bytes: every picture
+    File = 256, // the way from the bytes to the file: every picture
 }
 
 /// <summary>Help in three steps, so that it need not do the homework.</summary>
@@ -68,8 +51,7 @@ public sealed class Mistake
     /// <summary>Help in three steps.</summary>
     public Hint Hint { get; }
 
-    /// <summary>What it touches.</summary>
-    public Concerns Concerns { get; }
+    internal Concerns Concerns { get; }
 
     /// <summary>The same mistake as different people write it: one id, but each a cause of its own. This one is the first.</summary>
     public IReadOnlyList<Mistake> Wordings => wordings;
