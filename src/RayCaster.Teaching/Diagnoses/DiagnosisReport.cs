@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A <see cref="Diagnosis"/> in words for a student, and as JSON for tools.</summary>
+/// <summary>A <see cref="Diagnosis"/> in words for students, and as JSON for other programs.</summary>
 public static class DiagnosisReport
 {
     private const int Width = 96;
@@ -43,7 +43,7 @@ public static class DiagnosisReport
                 "a channel, 255 x + 0.5, where truncating takes 255 x.");
     }
 
-    /// <summary>After "matches": the mistakes that the scene would not show, so that a right picture is not taken for a right program.</summary>
+    /// <summary>After "matches": the mistakes that the scene cannot show, because a right picture does not prove a right program.</summary>
     public static string HiddenText(IReadOnlyList<Mistake> hidden)
     {
         if (hidden.Count == 0) return "";
@@ -100,7 +100,7 @@ public static class DiagnosisReport
         }
     }
 
-    /// <summary>Everything, the answers too.</summary>
+    /// <summary>Everything, with the answers.</summary>
     /// <param name="picture">The picture's size; left out if null.</param>
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
@@ -130,7 +130,7 @@ public static class DiagnosisReport
                 .Concat(diagnosis.Nearest.Select(nearest => Json(nearest, "nearest, explains too little"))),
         });
 
-    /// <summary>Where nothing could be diagnosed: the same object, with what was in the way.</summary>
+    /// <summary>The same object if nothing could be diagnosed, with the reason.</summary>
     public static string Json(string error) => JsonText.Of(new { Finding = "could not tell", Error = error });
 
     private static object? Size((int Width, int Height)? size) => size is var (width, height) ? new { Width = width, Height = height } : null;

@@ -1,6 +1,6 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What a mistake touches, so that a scene without it need not be tried.</summary>
+/// <summary>What a mistake affects: it need not be tried on a scene without that.</summary>
 [Flags]
 internal enum Concerns
 {
@@ -15,15 +15,15 @@ internal enum Concerns
     File = 256, // the way from the bytes to the file: every picture
 }
 
-/// <summary>Help in three steps, so that it need not do the homework.</summary>
-/// <param name="Symptom">What is to be seen.</param>
+/// <summary>Help in three steps: the first ones leave the work to the student.</summary>
+/// <param name="Symptom">What one sees.</param>
 /// <param name="Question">What to ask oneself.</param>
 /// <param name="Answer">What to write instead.</param>
 public sealed record Hint(string Symptom, string Question, string Answer);
 
 /// <summary>
-/// Something that people get wrong in a ray caster, stated as a small deviation from the definition: it changes one or two steps of a
-/// <see cref="Lab"/>, and what it does not change is right. Several may be made at once.
+/// A mistake that people make in a ray caster, stated as a small deviation from the definition: it changes one or two steps of a
+/// <see cref="Lab"/>, and all other steps stay right. A program may have several.
 /// </summary>
 public sealed class Mistake
 {
@@ -45,7 +45,7 @@ public sealed class Mistake
     /// <summary>What is wrong in the program, in one line.</summary>
     public string Cause { get; }
 
-    /// <summary>The title of the slide that has the right formula; docs/slides-to-code.md leads from it to the code.</summary>
+    /// <summary>The title of the slide with the right formula; docs/slides-to-code.md names its code.</summary>
     public string Slide { get; }
 
     /// <summary>Help in three steps.</summary>
@@ -53,18 +53,18 @@ public sealed class Mistake
 
     internal Concerns Concerns { get; }
 
-    /// <summary>The same mistake as different people write it: one id, but each a cause of its own. This one is the first.</summary>
+    /// <summary>The same mistake as different people write it: one id, but a cause for each. This one is the first.</summary>
     public IReadOnlyList<Mistake> Wordings => wordings;
 
     internal Action<Lab> Deviate { get; }
 
-    /// <summary>Whether it moves no channel by more than a level, as rounding does, so that no wrong pixel can be its work.</summary>
+    /// <summary>Whether it changes channels by at most a level, like rounding, so it makes no pixel wrong.</summary>
     internal bool IsWithinRounding { get; }
 
-    /// <summary>Whether a scene has what the mistake touches; where not, its picture is right.</summary>
+    /// <summary>Whether a scene has what the mistake affects; if not, its picture is right.</summary>
     public bool Touches(Scene scene) => TouchesAny(scene.Models.Select(KindOf));
 
-    /// <summary>Whether a program has what the mistake touches that draws these kinds of shape, as a scene file calls them.</summary>
+    /// <summary>Whether the mistake affects programs that draw these kinds of shape, by their names in scene files.</summary>
     public bool Touches(IEnumerable<string> kinds) => TouchesAny(kinds.Select(KindOf));
 
     private bool TouchesAny(IEnumerable<Concerns> shapes)
@@ -76,7 +76,7 @@ public sealed class Mistake
     /// <summary>Its id.</summary>
     public override string ToString() => Id;
 
-    /// <summary>Adds a wording: another place where the same thought goes wrong.</summary>
+    /// <summary>Adds a wording: another place where the same mistake is made.</summary>
     internal Mistake Or(string cause, Action<Lab> deviate)
     {
         wordings.Add(new Mistake(Id, Concerns, Slide, cause, deviate, Hint));
@@ -91,7 +91,7 @@ public sealed class Mistake
 
     internal static Concerns KindOf(Model model) => KindOf(model.Kind);
 
-    /// <summary>The formula that a kind of shape, as a scene file calls it, is drawn by.</summary>
+    /// <summary>The formula of a kind of shape, by its name in scene files.</summary>
     internal static Concerns KindOf(string kind) => kind switch
     {
         "plane" => Concerns.Planes,
