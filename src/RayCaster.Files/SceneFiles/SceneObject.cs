@@ -144,9 +144,6 @@ internal sealed class SceneObject
     public string OptionalChoice(string key, string meaning, params string[] words) =>
         Choice(key, meaning, words[0], words) ?? words[0];
 
-    /// <summary>One of several words that must be there, or null.</summary>
-    public string? Choice(string key, string meaning, string[] words) => Choice(key, meaning, null, words);
-
     /// <summary>An object, or null where there is none.</summary>
     public SceneObject? Object(string key, string meaning)
     {
@@ -258,7 +255,8 @@ internal sealed class SceneObject
         return false;
     }
 
-    private string? Choice(string key, string meaning, string? orElse, string[] words)
+    /// <summary>One of several words, or null; it must be there if <paramref name="orElse"/> is null.</summary>
+    public string? Choice(string key, string meaning, string? orElse, string[] words)
     {
         described?.Add(new(key, KeyKind.Choice, meaning, orElse is null, orElse) { Choices = words });
         if (Take(key, meaning, orElse is null, words) is not { } value || !IsText(value, key)) return null;

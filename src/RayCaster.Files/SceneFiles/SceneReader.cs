@@ -148,7 +148,7 @@ public static class SceneReader
     /// <summary>Reads a model of any type; null if the type is unknown.</summary>
     private static Model? ReadModel(SceneObject o)
     {
-        var name = o.Choice("type", "What the model is.", PrimitiveList.Names);
+        var name = o.Choice("type", "What the model is.", null, PrimitiveList.Names);
         foreach (var type in PrimitiveList.All)
         {
             if (type.Name != name) continue;
