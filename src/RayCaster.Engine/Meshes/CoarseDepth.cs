@@ -43,7 +43,7 @@ internal sealed class CoarseDepth
     }
 
     /// <summary>Whether each pixel of a triangle's box certainly has a hit with a greater w than the triangle's plane.</summary>
-    /// <param name="setup">What <see cref="TriangleSetUp"/> knows of eight triangles.</param>
+    /// <param name="setup">The <see cref="TriangleSetUp"/> of eight triangles.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public bool Hides(RawSpan<float> setup, int lane)
     {

@@ -12,7 +12,7 @@ internal sealed class TriangleBoxes
     /// indices, which must be there first.</summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
-    /// <summary>How many clusters tell how large a mesh's clusters are on the screen, and in how many pixels they are large.</summary>
+    /// <summary>By how many clusters the size of all on the screen is estimated, and in how many pixels they are large.</summary>
     private const int Samples = 32, LargeArea = Tile.MaxSide * Tile.MaxSide;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];

@@ -4,7 +4,7 @@ namespace RayCaster.Files;
 /// name thousands.</summary>
 internal sealed class FileNames
 {
-    /// <summary>As many as problems of a scene are printed.</summary>
+    /// <summary>The number of problems of a scene that are printed.</summary>
     private const int MostHints = SceneReading.Printed;
 
     /// <summary>In a larger folder only the first files are compared.</summary>
