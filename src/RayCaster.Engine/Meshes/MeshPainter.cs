@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Paints the tiles of a mesh in floats; each thread has its own. The filter knows a range for each hit's w; so t and each channel's level

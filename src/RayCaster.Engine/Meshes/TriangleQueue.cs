@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Collects triangles until there are many of them: of eight that come together often only some go on, and while they are only collected,

@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Rasterizes triangles in a tile; each thread has its own.</summary>

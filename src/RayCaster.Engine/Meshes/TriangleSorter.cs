@@ -1,5 +1,3 @@
-using System.Numerics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Finds the tiles of triangles, eight at a time; each thread has its own.</summary>

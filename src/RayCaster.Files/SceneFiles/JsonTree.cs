@@ -1,5 +1,3 @@
-using System.Text.Json;
-
 namespace RayCaster.Files;
 
 /// <summary>A JSON text as a tree, with the place of each value in the text. Comments and trailing commas are allowed.</summary>
