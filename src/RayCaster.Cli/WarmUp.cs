@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster.Cli;
 
 /// <summary>
@@ -35,6 +37,7 @@ internal static class WarmUp
     /// <param name="pixels">The number of pixels, if it is known already.</param>
     public static void Begin(ReadOnlySpan<byte> text, long pixels)
     {
+        if (!RuntimeFeature.IsDynamicCodeCompiled) return; // a native program
         var isLong = text.Length > LongText;
         var start = text[..Math.Min(text.Length, Glimpse)];
         var isPlain = !isLong && start.IndexOf("\"mesh\""u8) < 0;

@@ -14,9 +14,9 @@ public sealed class Renderer(Scene scene, int? threads = null)
 
     /// <summary>
     /// Whether this process draws many pictures. Then the engine compiles the kernels of the float path, which takes as long as casting some ten
-    /// million rays (without this option only a picture of as many pixels uses them), and keeps what depends only on a mesh or on the list of models
-    /// in memory, as long as the mesh or the list lives: about 2.3 bytes for each triangle, 48 for each sphere. Meshes, and the list, must not
-    /// change between the pictures; colours may. It affects only time and memory.
+    /// million rays (without this option only a native program and a picture of as many pixels use them), and keeps what depends only on a mesh or
+    /// on the list of models in memory, as long as the mesh or the list lives: about 2.3 bytes for each triangle, 48 for each sphere. Meshes, and
+    /// the list, must not change between the pictures; colours may. It affects only time and memory.
     /// </summary>
     public bool ManyFrames { get; init; }
 

@@ -21,13 +21,12 @@ public static class DiagnosisReport
                 $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(diagnosis.Finding == Finding.Unfinished ? " The rest is right." : "")}");
         else if (diagnosis.MissingModel is { } missing)
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
+        AppendLost(text, diagnosis);
         foreach (var likely in diagnosis.Likely) Wrap(text, "", likely);
         if (diagnosis.Finding == Finding.TellsNothing)
             Wrap(text, "", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
         else if (diagnosis.Finding == Finding.NoneOfThese) AppendNone(text, diagnosis);
         else if (diagnosis.Finding == Finding.Mistake) AppendSuspects(text, diagnosis, level);
-        else if (diagnosis.Suspects.Count > 0)
-            Wrap(text, "", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
         return text.ToString();
     }
 
@@ -78,6 +77,15 @@ public static class DiagnosisReport
         AppendNotTried(text, diagnosis);
     }
 
+    /// <summary>Which mistakes lose a shape that is written already.</summary>
+    private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
+    {
+        if (diagnosis.Finding == Finding.Unfinished && diagnosis.Suspects.Count > 0)
+            Wrap(text, "", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
+        else if (diagnosis.NotYet.FirstOrDefault(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping)) is { } shape)
+            Wrap(text, "", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes lose it.");
+    }
+
     private static void AppendSuspects(StringBuilder text, Diagnosis diagnosis, HintLevel level)
     {
         var suspects = diagnosis.Suspects;
@@ -104,10 +112,13 @@ public static class DiagnosisReport
     /// <param name="picture">The picture's size; left out if null.</param>
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
+    /// <param name="warning">Why all of it may be wrong; left out if null.</param>
     public static string Json(Diagnosis diagnosis,
-        (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null) =>
+        (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null,
+        string? warning = null) =>
         JsonText.Of(new
         {
+            Warning = warning,
             Finding = diagnosis.Finding switch
             {
                 Finding.Matches => "matches",
@@ -191,7 +202,8 @@ public static class DiagnosisReport
 
     private static string Share(double pixels, Diagnosis diagnosis) => ComparisonText.Share((int)Math.Round(pixels), diagnosis.PixelCount);
 
-    private static void Wrap(StringBuilder text, string head, string words)
+    /// <summary>Appends words in lines that a terminal shows whole; all but the first are indented by the length of the head.</summary>
+    internal static void Wrap(StringBuilder text, string head, string words)
     {
         var line = new StringBuilder(head);
         foreach (var word in words.Split(' '))

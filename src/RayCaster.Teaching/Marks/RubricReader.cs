@@ -123,6 +123,9 @@ public static class RubricReader
                     $" must be one of {string.Join(", ", places)} or a word, but is \"{words[i]}\"{Spelling.DidYouMean(words[i], places)}", i);
     }
 
+    /// <summary>A path without "..", for messages: from the current folder, if it is not absolute.</summary>
+    private static string Plain(string path) => Path.IsPathRooted(path) ? Path.GetFullPath(path) : Path.GetRelativePath(".", path);
+
     private static List<MarkedScene> ReadScenes(
         SceneObject o, IReadOnlyList<string> files, string folder, IncrementalHash? digest, StringBuilder reports)
     {
@@ -130,7 +133,7 @@ public static class RubricReader
         if (o.Has("scenes") && files.Count == 0 && o.IsSound) o.Refuse("scenes", $" must name at least one scene file");
         for (var i = 0; i < files.Count; i++)
         {
-            var path = Path.Combine(folder, files[i].Replace('\\', '/'));
+            var path = Plain(Path.Combine(folder, files[i].Replace('\\', '/')));
             var name = Path.GetFileNameWithoutExtension(path);
             var reading = SceneReader.Read(path);
             digest?.AppendData(reading.Text.Span);

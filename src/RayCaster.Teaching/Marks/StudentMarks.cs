@@ -1,3 +1,6 @@
+using System.Text.Json;
+using System.Text.Json.Serialization;
+
 namespace RayCaster.Teaching;
 
 /// <summary>A student's points, with reasons. Can be written and read as JSON.</summary>
@@ -48,3 +51,8 @@ public enum SceneVerdict
     /// <summary>There is no picture, or it has another size than the scene.</summary>
     NoPicture,
 }
+
+/// <summary>Reads and writes the file of a student's finished marks. A file that lacks a part is an error.</summary>
+[JsonSourceGenerationOptions(JsonSerializerDefaults.Web, RespectRequiredConstructorParameters = true)]
+[JsonSerializable(typeof(StudentMarks))]
+internal sealed partial class KeptMarks : JsonSerializerContext;
