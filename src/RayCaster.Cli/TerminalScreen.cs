@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Cli;
 
 /// <summary>The terminal in which the app runs, if there is one.</summary>
