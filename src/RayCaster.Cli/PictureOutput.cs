@@ -23,7 +23,6 @@ internal static class PictureOutput
             : Directory.Exists(output) ? throw new PictureFileException($"cannot write {output}: it is a folder; name a file in it")
             : PictureFormats.ByExtension(output));
 
-    /// <summary>Opens the output, writes it and closes it.</summary>
     /// <param name="cancellation">If cancelled, the old file stays.</param>
     /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
