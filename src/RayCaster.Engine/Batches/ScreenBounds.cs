@@ -110,7 +110,7 @@ internal sealed class ScreenBounds
             IsOutside(x, y, z, N.Sqrt(half * half)),
             front > 0,
             0, // a triangle that is seen edge-on may have a t outside of its box
-            Bounds.LeastTOf(gap, size + half),
+            BoundsExtensions.LeastT(gap, size + half),
             (x - halfX) / N.Select(x < halfX, front, back), (x + halfX) / N.Select(x < -halfX, back, front),
             (y - halfY) / N.Select(y < halfY, front, back), (y + halfY) / N.Select(y < -halfY, back, front));
     }

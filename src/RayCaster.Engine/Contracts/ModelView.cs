@@ -7,9 +7,6 @@ internal abstract class ModelView<N> where N : struct, IPacket<N>
     /// <summary>Where in the picture the model can show at all.</summary>
     public virtual Tile Extent => Tile.Everywhere;
 
-    /// <summary>No hit anywhere in the picture is nearer than this.</summary>
-    public virtual double Nearest => 0;
-
     /// <summary>A view for one thread at a time; the same object if a view has no state.</summary>
     /// <param name="tools">What the thread's views share; new tools if left out.</param>
     public virtual ModelView<N> ForThread(ThreadTools? tools = null) => this;
@@ -17,7 +14,7 @@ internal abstract class ModelView<N> where N : struct, IPacket<N>
     /// <summary>Goes to a tile, before <see cref="Meet"/> is called for its rows; returns the range of the model's hits.</summary>
     public virtual HitRange Enter(in Tile tile, HitRange known) => known;
 
-    /// <summary>Returns the ranges of the model's hits in some parts; not called for a model whose <see cref="Extent"/> is small.</summary>
+    /// <summary>Returns the ranges of the model's hits in some parts.</summary>
     public virtual HitRanges Narrow(EightParts parts, HitRange whole) => new(whole);
 
     /// <summary>Intersects some rays in the tile with the model and keeps hits that are nearer than all before.</summary>

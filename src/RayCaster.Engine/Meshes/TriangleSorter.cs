@@ -11,9 +11,6 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
     /// <summary>A triangle in more tiles than this goes to all tiles, so that a million large ones do not fill each tile's list.</summary>
     private const int ManyTiles = 64;
 
-    /// <summary>How many triangles ahead vertices are fetched: they may lie anywhere.</summary>
-    private const int Ahead = 24;
-
     public TileLists Lists { get; } = new(screen.Camera.Width);
 
     /// <summary>Triangles in many tiles.</summary>
@@ -36,7 +33,6 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
         Span<float> w = stackalloc float[8];
         for (; first < end; first += 8)
         {
-            corners.FetchVertices(first + Ahead, 8);
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
             corners.See(ids, out var t);
             var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
@@ -56,11 +52,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.A.W, t.B.W, t.C.W) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
             shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
 
-            // If the box holds only one sample, the edges tell whether it is outside. (Others are tested in their tiles.)
-            var passes = TriangleSetUp.Pass(t, column0, row0, size, margin);
-            var single = Vector256.Equals(column0, column1) & Vector256.Equals(row0, row1);
-            shows &= ~(passes & single) & fit;
-
+            shows &= fit;
             var inRange = end - first >= 8 ? 0xFFu : (1u << (end - first)) - 1;
             var unfit = ~fit.ExtractMostSignificantBits() & inRange;
             for (; unfit != 0; unfit &= unfit - 1)

@@ -9,9 +9,6 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 
     private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = EightParts.Count / PartsAcross;
 
-    /// <summary>With more models than this it pays to look for hidden ones.</summary>
-    private const int Few = 4;
-
     private readonly Frame<N> frame;
     private readonly ModelView<N>[] views;
     private readonly Tile[] extents;
@@ -42,7 +39,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         candidates.Clear();
         for (var i = 0; i < views.Length; i++)
             if (extents[i].Overlaps(strip))
-                candidates.Add(new(i, new(views[i].Nearest, double.PositiveInfinity)));
+                candidates.Add(new(i, HitRange.Unknown));
         tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
         Narrow(tiles, candidates, ofTiles);
         var areAllKnown = batch?.IsFor(strip) != true;
@@ -118,7 +115,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         foreach (var candidate in whole)
         {
             ref var extent = ref extents[candidate.Index];
-            var ranges = extent.IsSmall ? new(candidate.Range) : views[candidate.Index].Narrow(parts, candidate.Range);
+            var ranges = views[candidate.Index].Narrow(parts, candidate.Range);
             for (var i = 0; i < EightParts.Count; i++)
             {
                 if (!extent.Overlaps(parts[i])) continue;
@@ -168,10 +165,10 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         list.RemoveRange(kept, list.Count - kept);
     }
 
-    /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part with few models that are all single shapes.</summary>
+    /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part whose models are all single shapes.</summary>
     private void CastRows(in Tile part, List<Candidate> list)
     {
-        var isSmall = list.Count <= Few && part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
+        var isSmall = part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
         var rows = isSmall ? part.Height : 1;
         rays.Enter<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row += rows)

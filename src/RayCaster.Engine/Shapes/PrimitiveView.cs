@@ -12,9 +12,9 @@ internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeVie
 
     // many pictures are done before the runtime optimises by itself
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    protected override void Intersect(RayStream rays, int first, int end)
+    protected override void Intersect(RayStream rays)
     {
         var shape = primitive; // a local, so that its constants stay in registers
-        for (var i = first; i < end; i += N.Count) rays.Note(i, shape.Intersect(rays.RaysAt<N>(i)));
+        for (var i = 0; i < rays.Length; i += N.Count) rays.Note(i, shape.Intersect(rays.RaysAt<N>(i)));
     }
 }
