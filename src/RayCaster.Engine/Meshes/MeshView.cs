@@ -4,7 +4,7 @@ namespace RayCaster.Engine;
 /// A mesh as a camera sees it. All rays of a picture start in one point, so a filter in floats can project the triangles and find for each pixel the
 /// one that is certainly in front; where that is not certain it proposes several. The triangle's formula then decides which is hit, and where.
 /// </summary>
-internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IPacket<N>
+internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
 {
     private readonly ScreenSpace screen;
     private readonly Vector3[] vertices;
@@ -48,7 +48,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
 
     public override Tile Extent { get; }
 
-    public override ModelView<N> ForThread(ThreadTools? tools = null) => new MeshView<N>(this, (tools ?? new()).Of<TileFilters<N>>());
+    public override ModelView ForThread(ThreadTools tools) => new MeshView<N>(this, tools.Of<TileFilters<N>>());
 
     public override HitRange Enter(in Tile tile, HitRange known)
     {
@@ -70,7 +70,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         foreach (var set in sets) set.Free();
     }
 
-    public bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
+    public override bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
     {
         if (hard is not null) return false;
         var painter = filters!.PainterOf(screen, scene, index);

@@ -10,12 +10,12 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = EightParts.Count / PartsAcross;
 
     private readonly Frame<N> frame;
-    private readonly ModelView<N>[] views;
+    private readonly ModelView[] views;
     private readonly Tile[] extents;
     private readonly int[] places; // of the views' models in the scene
     private readonly BatchCaster<N>? batch;
     private readonly RayStream rays;
-    private readonly Predicate<Candidate> isPrimitive;
+    private readonly Predicate<Candidate> isShape;
     private IHitConsumer consumer = null!;
     private readonly List<Candidate> candidates = []; // of the strip
     private readonly EightParts tiles, parts;         // the strip's, and some of a tile
@@ -30,7 +30,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         if (frame.PrimitiveBatch is not null) batch = new(frame.PrimitiveBatch, frame.Scene.Camera);
         rays = new(frame.Scene.Camera, RayStream.MaxArea);
         (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
-        isPrimitive = candidate => views[candidate.Index] is ICoveringView;
+        isShape = candidate => views[candidate.Index].IsShape;
     }
 
     public void Cast(in Tile strip, IHitConsumer consumer)
@@ -62,7 +62,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         }
         DropHidden(list, cover);
         if (batch?.IsFor(tile) == true) CastBatch(batch, tile, list);
-        else if (list.Count == 1 && views[list[0].Index] is ITileView alone) CastAlone(tile, list, alone);
+        else if (list.Count == 1 && !isShape(list[0])) CastAlone(tile, list);
         else Cut(tile, list);
     }
 
@@ -76,10 +76,11 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Casts a tile in which only one model may show; cutting it would tell no more.</summary>
-    private void CastAlone(in Tile tile, List<Candidate> list, ITileView alone)
+    /// <summary>Casts a tile in which only one model may show that is no single shape: cutting it would tell no more.</summary>
+    private void CastAlone(in Tile tile, List<Candidate> list)
     {
-        if (!(frame.IsLong && consumer.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);
+        var only = list[0].Index;
+        if (!(frame.IsLong && consumer.TryTake(tile, views[only], places[only]))) CastRows(tile, list);
     }
 
     private void Cut(in Tile tile, List<Candidate> list)
@@ -129,7 +130,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 
     /// <summary>Whether one model certainly covers the part.</summary>
     private bool IsCovered(List<Candidate> list) =>
-        list.Count == 1 && frame.IsLong && list[0].Range.Cover < double.PositiveInfinity && isPrimitive(list[0]);
+        list.Count == 1 && frame.IsLong && list[0].Range.Cover < double.PositiveInfinity && isShape(list[0]);
 
     /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
     /// ones.</summary>
@@ -153,7 +154,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     }
 
     private bool TryCover(in Tile part, Candidate only) =>
-        consumer.TryTake(new CoveredTile(part, (ICoveringView)views[only.Index], places[only.Index], only.Range.IsNear));
+        consumer.TryTake(new CoveredTile(part, views[only.Index], places[only.Index], only.Range.IsNear));
 
     /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
     private static void DropHidden(List<Candidate> list, double cover)
@@ -168,7 +169,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part whose models are all single shapes.</summary>
     private void CastRows(in Tile part, List<Candidate> list)
     {
-        var isSmall = part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
+        var isSmall = part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isShape);
         var rows = isSmall ? part.Height : 1;
         rays.Enter<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row += rows)

@@ -3,10 +3,10 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Engine;
 
 /// <summary>A primitive: its own formula over intervals tells what a tile may hit, and over packets what each pixel hits.</summary>
-internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeView<N>((primitive as IBounded)?.Bounds, camera), ICoveringView
+internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeView<N>((primitive as IBounded)?.Bounds, camera)
     where P : struct, IPrimitive where N : struct, IPacket<N>
 {
-    public bool Accept(IShapeVisitor visitor) => visitor.Visit(primitive);
+    public override bool Accept(IShapeVisitor visitor) => visitor.Visit(primitive);
 
     protected override void Intersect(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Intersect(parts.Rays);
 

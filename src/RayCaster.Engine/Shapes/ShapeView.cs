@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
 /// <summary>What views of all kinds of shape share; only a shape's formula is compiled for each kind.</summary>
-internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
+internal abstract class ShapeView<N> : ModelView where N : struct, IPacket<N>
 {
     private readonly ClipRange clip;
 
@@ -12,6 +12,8 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
     }
 
     public sealed override Tile Extent { get; }
+
+    public sealed override bool IsShape => true;
 
     public sealed override HitRanges Narrow(EightParts parts, HitRange whole)
     {
