@@ -20,13 +20,14 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     private Tile tile;
     private Sides sides;
     private int count;
-    private uint touched; // blocks with packets listed
+    private uint touched; // the blocks whose farthest hit may have changed
 
     /// <summary>Its rays, and the nearest hits so far.</summary>
     public RayStream Rays { get; } = new(camera, Side * Side);
 
     public void Enter(in Tile tile)
     {
+        touched = (1u << Blocks) - 1; // until Refresh, nothing is known of any block
         (this.tile, sides) = (tile, new(tile));
         Rays.Enter<N>(tile.Column, tile.Width, Side);
         Rays.Aim<N>(tile.Row, tile.Height);
@@ -53,13 +54,6 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     {
         for (; touched != 0; touched &= touched - 1) Measure(BitOperations.TrailingZeroCount(touched));
         count = 0;
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void RefreshAll()
-    {
-        for (var block = 0; block < Blocks; block++) Measure(block);
-        (count, touched) = (0, 0);
     }
 
     /// <summary>Lists the packets in a member's rectangle that do not hide it.</summary>

@@ -66,12 +66,6 @@ internal struct Packet : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Select(Packet mask, Packet a, Packet b) => new() { Lanes = Vector256.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
-    public static Packet If(Packet mask, Packet value) => Select(mask, value, double.NaN);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the same
-    public static Vector3<Packet> Divide(Vector3<Packet> a, Packet b) => new(a.X / b, a.Y / b, a.Z / b);
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Equal(Packet a, Packet b) => new() { Lanes = Vector256.Equals(a.Lanes, b.Lanes) };
 
@@ -125,7 +119,4 @@ internal struct Packet : IPacket<Packet>
     public readonly Vector128<int> ToInts() => Avx.IsSupported
         ? Avx.ConvertToVector128Int32WithTruncation(Lanes)
         : Vector128.Create((int)Lanes[0], (int)Lanes[1], (int)Lanes[2], (int)Lanes[3]);
-
-    /// <summary>The numbers of all lanes, for printing a step of a formula.</summary>
-    public readonly override string ToString() => FormattableString.Invariant($"{Lanes}");
 }

@@ -63,12 +63,6 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) =>
         new() { Lanes = Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
-    public static WidePacket If(WidePacket mask, WidePacket value) => Select(mask, value, double.NaN);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
-    public static Vector3<WidePacket> Divide(Vector3<WidePacket> a, WidePacket b) => new(a.X / b, a.Y / b, a.Z / b);
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };
 
@@ -123,9 +117,6 @@ internal struct WidePacket : IPacket<WidePacket>
     public readonly Vector256<int> ToInts() => Avx512F.IsSupported
         ? Avx512F.ConvertToVector256Int32WithTruncation(Lanes)
         : Vector256.Create(new Packet(Lanes.GetLower()).ToInts(), new Packet(Lanes.GetUpper()).ToInts());
-
-    /// <summary>The numbers of all lanes, for printing a step of a formula.</summary>
-    public readonly override string ToString() => FormattableString.Invariant($"{Lanes}");
 
     /// <summary>Two halves; <see cref="Vector512.Create{T}(Vector256{T}, Vector256{T})"/> would clear the upper one before it is set.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
