@@ -84,7 +84,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
                 {
                     packets[end] = i + x;
                     places[end] = place;
-                    end += (N.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
+                    end += (Lanes.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
                 }
             }
         }

@@ -12,8 +12,8 @@ internal abstract class ModelView
     public virtual bool IsShape => false;
 
     /// <summary>A view for one thread at a time; the same object if a view has no state.</summary>
-    /// <param name="tools">What the thread's views share.</param>
-    public virtual ModelView ForThread(ThreadTools tools) => this;
+    /// <param name="shared">What the thread's views share; null until the first view that needs it has made it.</param>
+    public virtual ModelView ForThread(ref object? shared) => this;
 
     /// <summary>Goes to a tile, before <see cref="Meet"/> is called for its rows; returns the range of the model's hits.</summary>
     public virtual HitRange Enter(in Tile tile, HitRange known) => known;

@@ -37,7 +37,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         sets = [whole, clipped];
 
         if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);
-        Extent = hard is null ? ExtentOf(whole.Extent, clipped.Extent) : Tile.Everywhere;
+        Extent = hard is null ? whole.Extent.Around(clipped.Extent) : Tile.Everywhere;
     }
 
     private MeshView(MeshView<N> shared, TileFilters<N> filters)
@@ -48,7 +48,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
 
     public override Tile Extent { get; }
 
-    public override ModelView ForThread(ThreadTools tools) => new MeshView<N>(this, tools.Of<TileFilters<N>>());
+    public override ModelView ForThread(ref object? shared) => new MeshView<N>(this, (TileFilters<N>)(shared ??= new TileFilters<N>()));
 
     public override HitRange Enter(in Tile tile, HitRange known)
     {
@@ -92,12 +92,5 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
     {
         if (filter!.Owner != this || filter.Tile != entered) Enter();
         return filter;
-    }
-
-    private static Tile ExtentOf((int Left, int Right, int Bottom, int Top) a, (int Left, int Right, int Bottom, int Top) b)
-    {
-        var (left, right) = (Math.Min(a.Left, b.Left), Math.Max(a.Right, b.Right));
-        var (bottom, top) = (Math.Min(a.Bottom, b.Bottom), Math.Max(a.Top, b.Top));
-        return right < left ? default : new(left, bottom, right - left + 1, top - bottom + 1);
     }
 }

@@ -30,7 +30,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         {
             Large.AddRange(sorter.Large);
             Unfit.AddRange(sorter.Unfit);
-            Extend(sorter.Lists.Extent);
+            Extent = Extent.Around(sorter.Lists.Extent);
         }
     }
 
@@ -40,7 +40,7 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
     public int[]? Owners { get; }
 
     /// <summary>The pixels that may be covered.</summary>
-    public (int Left, int Right, int Bottom, int Top) Extent { get; private set; } = (int.MaxValue, -1, int.MaxValue, -1);
+    public Tile Extent { get; private set; }
 
     /// <summary>Triangles with a corner that is not fit for floats; they are not sorted.</summary>
     public List<int> Unfit { get; } = [];
@@ -53,8 +53,4 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
     /// <summary>Returns rented memory; the object cannot be used any more.</summary>
     public void Free() => triangles.Free();
-
-    private void Extend((int Left, int Right, int Bottom, int Top) other) => Extent = (
-        Math.Min(Extent.Left, other.Left), Math.Max(Extent.Right, other.Right),
-        Math.Min(Extent.Bottom, other.Bottom), Math.Max(Extent.Top, other.Top));
 }

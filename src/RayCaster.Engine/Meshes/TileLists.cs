@@ -12,7 +12,8 @@ internal sealed class TileLists(int width)
     public PooledList<(int Place, TriangleCluster Cluster)> Items { get; } = new();
 
     /// <summary>The pixels that may be covered.</summary>
-    public (int Left, int Right, int Bottom, int Top) Extent => ((int)extent.Left, (int)extent.Right, (int)extent.Bottom, (int)extent.Top);
+    public Tile Extent => extent.Right < extent.Left ? default : new(
+        (int)extent.Left, (int)extent.Bottom, (int)(extent.Right - extent.Left) + 1, (int)(extent.Top - extent.Bottom) + 1);
 
     /// <summary>In how many tiles the pixels of a rectangle lie.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -11,6 +11,10 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Broadcast<N>(double number) where N : struct, IReal<N> => number;
 
+    /// <summary>Whether a mask holds in all lanes.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool All<N>(N mask) where N : struct, IPacket<N> => N.Bits(mask) == (1u << N.Count) - 1;
+
     /// <summary>Asks the memory for something that is needed soon. The pointer is only a hint: nothing is read through it, wherever the thing may be
     /// moved.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -70,9 +70,6 @@ internal struct Packet : IPacket<Packet>
     public static Packet Equal(Packet a, Packet b) => new() { Lanes = Vector256.Equals(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool All(Packet mask) => mask.Lanes.ExtractMostSignificantBits() == (1 << Vector256<double>.Count) - 1;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Bits(Packet mask) => mask.Lanes.ExtractMostSignificantBits();
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -63,9 +63,6 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) =>
         new() { Lanes = Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };
-
     /// <summary>The lesser of two numbers; where one is NaN, either.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Lesser(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MinNative(a.Lanes, b.Lanes) };
@@ -75,7 +72,7 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Greater(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MaxNative(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool All(WidePacket mask) => mask.Lanes.ExtractMostSignificantBits() == (1UL << Vector512<double>.Count) - 1;
+    public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Bits(WidePacket mask) => (uint)mask.Lanes.ExtractMostSignificantBits();

@@ -24,8 +24,8 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     public TileCaster(Frame<N> frame)
     {
         this.frame = frame;
-        var tools = new ThreadTools();
-        views = Array.ConvertAll(frame.Views, view => view.ForThread(tools));
+        object? shared = null;
+        views = Array.ConvertAll(frame.Views, view => view.ForThread(ref shared));
         (extents, places) = (frame.Extents, frame.Places);
         if (frame.PrimitiveBatch is not null) batch = new(frame.PrimitiveBatch, frame.Scene.Camera);
         rays = new(frame.Scene.Camera, RayStream.MaxArea);

@@ -251,7 +251,8 @@ public class MarginTests
     private static int WrongPixels(Scene scene, double[,] definition, ScreenSpace screen)
     {
         var camera = scene.Camera;
-        var view = new MeshView<Packet>((Mesh)scene.Models[0], screen).ForThread(new());
+        object? shared = null;
+        var view = new MeshView<Packet>((Mesh)scene.Models[0], screen).ForThread(ref shared);
         var (span, wrong) = (new RayStream(camera), 0);
         for (var column = 0; column < camera.Width; column += Tile.MaxSide)
         {
