@@ -69,6 +69,9 @@ internal readonly struct FloatPacket(Vector256<float> lower, Vector256<float> up
     public static FloatPacket Select(FloatPacket mask, FloatPacket a, FloatPacket b) =>
         new(Vector256.ConditionalSelect(mask.Lower, a.Lower, b.Lower), Vector256.ConditionalSelect(mask.Upper, a.Upper, b.Upper));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // in a large method, the interface's default would not be inlined
+    public static FloatPacket If(FloatPacket mask, FloatPacket value) => Select(mask, value, double.NaN);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Of(Vector256<float> row) => new(row, row);
 

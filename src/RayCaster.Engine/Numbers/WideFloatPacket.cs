@@ -69,6 +69,9 @@ internal readonly struct WideFloatPacket(Vector512<float> lower, Vector512<float
     public static WideFloatPacket Select(WideFloatPacket mask, WideFloatPacket a, WideFloatPacket b) =>
         new(Vector512.ConditionalSelect(mask.Lower, a.Lower, b.Lower), Vector512.ConditionalSelect(mask.Upper, a.Upper, b.Upper));
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // in a large method, the interface's default would not be inlined
+    public static WideFloatPacket If(WideFloatPacket mask, WideFloatPacket value) => Select(mask, value, double.NaN);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WideFloatPacket Of(Vector512<float> row) => new(row, row);
 

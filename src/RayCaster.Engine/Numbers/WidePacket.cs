@@ -71,6 +71,9 @@ internal struct WidePacket : IPacket<WidePacket>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Greater(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MaxNative(a.Lanes, b.Lanes) };
 
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // in a large method, the interface's default would not be inlined
+    public static WidePacket If(WidePacket mask, WidePacket value) => Select(mask, value, double.NaN);
+
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };
 
