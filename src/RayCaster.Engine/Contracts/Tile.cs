@@ -37,15 +37,6 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
     public bool Overlaps(in Tile other) =>
         Column < other.EndColumn && other.Column < EndColumn && Row < other.EndRow && other.Row < EndRow;
 
-    /// <summary>The smallest rectangle around both; an empty one does not count.</summary>
-    internal Tile Around(in Tile other)
-    {
-        if (Area == 0) return other;
-        if (other.Area == 0) return this;
-        var (column, row) = (Math.Min(Column, other.Column), Math.Min(Row, other.Row));
-        return new(column, row, Math.Max(EndColumn, other.EndColumn) - column, Math.Max(EndRow, other.EndRow) - row);
-    }
-
     /// <summary>The pixels where something within bounds may show; empty if the bounds are behind the camera.</summary>
     /// <remarks>The bounds are padded by far more than a formula's rounding can move a hit sideways (<see cref="BoundsExtensions.PaddedFrom"/>). The
     /// projection itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.</remarks>

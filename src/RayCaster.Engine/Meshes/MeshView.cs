@@ -27,9 +27,9 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
             return;
         }
 
+        var boxes = TriangleBoxes.Of(mesh, screen.Camera, isKept, threads);
         var whole = new ScreenTriangles<N>(
-            screen, new MeshCorners<N>(screen, vertices, indices), null,
-            TriangleBoxes.Of(mesh, screen.Camera, isKept, threads), () => new Duplicates(vertices, indices), threads);
+            screen, new MeshCorners<N>(screen, vertices, indices), null, boxes, () => new Duplicates(vertices, indices), threads);
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
@@ -37,7 +37,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         sets = [whole, clipped];
 
         if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);
-        Extent = hard is null ? whole.Extent.Around(clipped.Extent) : Tile.Everywhere;
+        Extent = hard is null ? Tile.Of(boxes.Bounds.PaddedFrom(screen.Camera.Position), screen.Camera) : Tile.Everywhere;
     }
 
     private MeshView(MeshView<N> shared, TileFilters<N> filters)

@@ -30,7 +30,6 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         {
             Large.AddRange(sorter.Large);
             Unfit.AddRange(sorter.Unfit);
-            Extent = Extent.Around(sorter.Lists.Extent);
         }
     }
 
@@ -38,9 +37,6 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
     /// <summary>The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</summary>
     public int[]? Owners { get; }
-
-    /// <summary>The pixels that may be covered.</summary>
-    public Tile Extent { get; private set; }
 
     /// <summary>Triangles with a corner that is not fit for floats; they are not sorted.</summary>
     public List<int> Unfit { get; } = [];

@@ -24,6 +24,7 @@ internal sealed class TriangleBoxes
     private readonly int[] indices;
     private readonly Vector256<double> middle, perUnit;
     private readonly float[][] numbers = new float[6][]; // lows and highs
+    private Vector256<double> least = Vector256.Create(double.PositiveInfinity), most = Vector256.Create(double.NegativeInfinity); // of all
 
     /// <param name="indices">Three for each triangle. Each of them is checked here, once for all.</param>
     public TriangleBoxes(Vector3[] vertices, int[] indices, int threads, int length = TriangleCluster.Length)
@@ -49,6 +50,9 @@ internal sealed class TriangleBoxes
 
     /// <summary>The length that is 1 in the boxes.</summary>
     public double Unit { get; }
+
+    /// <summary>A box around all triangles.</summary>
+    public Bounds Bounds => new(new(least[0], least[1], least[2]), new(most[0], most[1], most[2]));
 
     public int Count { get; }
 
@@ -104,14 +108,17 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Find(int cluster, int endCluster)
     {
+        var (least, most) = (Vector256.Create(double.PositiveInfinity), Vector256.Create(double.NegativeInfinity));
         for (; cluster < endCluster; cluster++)
         {
             var (first, end) = TrianglesOf(cluster);
             var (low, high) = Around(first, end);
+            (least, most) = (Vector256.MinNative(low, least), Vector256.MaxNative(high, most));
             (low, high) = ((low - middle) * perUnit, (high - middle) * perUnit);
             Set(0, cluster, low - Padding(low));
             Set(3, cluster, high + Padding(high));
         }
+        lock (numbers) (this.least, this.most) = (Vector256.MinNative(least, this.least), Vector256.MaxNative(most, this.most));
 
         // Rounding to a float changes a number by at most 2⁻²⁴ of itself.
         static Vector256<double> Padding(Vector256<double> number) => Vector256.Create(1e-7) * (Vector256.Abs(number) + Vector256<double>.One);

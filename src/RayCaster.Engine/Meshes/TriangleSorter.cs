@@ -80,12 +80,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
     {
         var tiles = TileLists.TilesOf(left, right, bottom, top);
         if (tiles > 1 && twins is not null && twins.HasEarlier(triangle)) return;
-        if (tiles <= ManyTiles)
-        {
-            Lists.Add(new(triangle, 1), mostW, left, right, bottom, top);
-            return;
-        }
-        Lists.Extend(left, right, bottom, top);
-        Large.Add(new(triangle, 1));
+        if (tiles <= ManyTiles) Lists.Add(new(triangle, 1), mostW, left, right, bottom, top);
+        else Large.Add(new(triangle, 1));
     }
 }
