@@ -52,7 +52,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Refresh()
     {
-        for (; touched != 0; touched &= touched - 1) Measure(BitOperations.TrailingZeroCount(touched));
+        for (; touched != 0; touched &= touched - 1) FindFarthest(BitOperations.TrailingZeroCount(touched));
         count = 0;
     }
 
@@ -107,7 +107,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Measure(int block)
+    private void FindFarthest(int block)
     {
         var i = Corner(block);
         var most = Rays.NearestAt<N>(i);

@@ -10,7 +10,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
     private readonly Vector3[] vertices;
     private readonly int[] indices;
     private readonly ScreenTriangles<N>[] sets = []; // the triangles, and the pieces of those that had to be clipped
-    private readonly TriangleTree? hard;             // over those of which the filter knows nothing
+    private readonly TriangleTree? formulaOnly;             // over the triangles that the filter cannot handle
     private readonly TileFilters<N>? filters;        // of one thread, for all meshes
     private TileFilter<N>? filter;                   // holds this mesh's pixels until another mesh takes it
     private Tile entered;
@@ -22,7 +22,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         (vertices, indices, this.screen) = (mesh.Vertices, mesh.Indices, screen);
         if (!screen.IsFine)
         {
-            hard = new(vertices, indices);
+            formulaOnly = new(vertices, indices);
             Extent = Tile.Everywhere;
             return;
         }
@@ -36,13 +36,14 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         var clipped = new ScreenTriangles<N>(screen, new PieceCorners(clipper.Points), clipper.Owners, null, null, threads);
         sets = [whole, clipped];
 
-        if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);
-        Extent = hard is null ? Tile.Of(boxes.Bounds.PaddedFrom(screen.Camera.Position), screen.Camera) : Tile.Everywhere;
+        if (clipper.FormulaOnly.Count > 0) formulaOnly = new(vertices, [.. clipper.FormulaOnly]);
+        Extent = formulaOnly is null ? Tile.Of(boxes.Bounds.PaddedFrom(screen.Camera.Position), screen.Camera) : Tile.Everywhere;
     }
 
     private MeshView(MeshView<N> shared, TileFilters<N> filters)
     {
-        (screen, vertices, indices, sets, hard, Extent) = (shared.screen, shared.vertices, shared.indices, shared.sets, shared.hard, shared.Extent);
+        (screen, vertices, indices, sets) = (shared.screen, shared.vertices, shared.indices, shared.sets);
+        (formulaOnly, Extent) = (shared.formulaOnly, shared.Extent);
         this.filters = filters;
     }
 
@@ -55,14 +56,14 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
         if (sets.Length == 0) return known;
         entered = tile;
         var range = Enter();
-        return hard is null ? range : range with { Least = 0 };
+        return formulaOnly is null ? range : range with { Least = 0 };
     }
 
     public override void Meet(RayStream rays, int index)
     {
         if (shows) OwnFilter().Meet(rays, index);
-        if (hard is null) return;
-        for (var i = 0; i < rays.Length; i += N.Count) rays.Keep(i, hard.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
+        if (formulaOnly is null) return;
+        for (var i = 0; i < rays.Length; i += N.Count) rays.Keep(i, formulaOnly.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
     }
 
     public override void Free()
@@ -72,7 +73,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
 
     public override bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
     {
-        if (hard is not null) return false;
+        if (formulaOnly is not null) return false;
         var painter = filters!.PainterOf(screen, scene, index);
         if (painter.IsSupported) OwnFilter().Paint(painter, rgb, first, step);
         return painter.IsSupported;
@@ -81,7 +82,7 @@ internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
     private HitRange Enter()
     {
         filter = filters!.Take(screen, entered);
-        filter.Show(this, vertices, indices);
+        filter.SetMesh(this, vertices, indices);
         var range = filter.Enter(entered, sets);
         shows = filter.Owner == this;
         return range;

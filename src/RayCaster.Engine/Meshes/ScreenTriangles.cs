@@ -10,14 +10,14 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
     /// <param name="owners">The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</param>
     /// <param name="boxes">The boxes of the clusters; null if triangles are sorted one by one.</param>
-    /// <param name="twins">Makes a table of duplicates; null if it is not needed.</param>
+    /// <param name="duplicates">Makes a table of duplicates; null if it is not needed.</param>
     public ScreenTriangles(
-        ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? twins, int threads)
+        ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? duplicates, int threads)
     {
         (Corners, Owners) = (corners, owners);
         tilesAcross = Tile.TilesOf(screen.Camera.Width);
         var sorters = new TriangleSorter[Math.Clamp(corners.Count / LeastForAThread, 1, threads)];
-        for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
+        for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, duplicates?.Invoke());
         var clusterSorters = boxes is null ? [] : Array.ConvertAll(sorters, each => new ClusterSorter<N>(screen, boxes, each));
         ThreadTeam.Shares(sorters.Length, boxes?.Count ?? corners.Count, (i, first, end) =>
         {

@@ -142,10 +142,10 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {
-        if (end - first != Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundFew(first, end);
+        if (end - first != Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
         var places = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
-        if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Fetch(first);
+        if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Prefetch(first);
 
         // Separate bounds for each corner, so that no comparison waits for the one before it.
         var none = Vector256.Create(double.PositiveInfinity);
@@ -164,7 +164,7 @@ internal sealed class TriangleBoxes
     /// <summary>The same with checks: for a cluster that is shorter than the others, that has the last vertex, behind which there is no number, or a
     /// wrong index.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private (Vector256<double> Low, Vector256<double> High) AroundFew(int first, int end)
+    private (Vector256<double> Low, Vector256<double> High) AroundChecked(int first, int end)
     {
         var low = Vector256.Create(double.PositiveInfinity);
         var high = -low;
@@ -187,22 +187,22 @@ internal sealed class TriangleBoxes
         return Vector256.LessThanAll(most, Vector256.Create((uint)vertices.Length - 1));
     }
 
-    /// <summary>Fetches memory in advance. Most vertices lie next to others, so some of a cluster's are enough.</summary>
+    /// <summary>Prefetches indices and vertices. Most vertices lie next to others, so some of a cluster's are enough.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Fetch(int first)
+    private void Prefetch(int first)
     {
         var places = new RawSpan<int>(indices);
         for (var i = 3 * first; i < 3 * (first + Length); i += TriangleCluster.Length)
         {
-            Lanes.Fetch(ref places[i + 3 * IndicesAhead]);
-            FetchVertex(places[i + 3 * VerticesAhead]);
-            FetchVertex(places[i + 3 * VerticesAhead + 1]);
+            Lanes.Prefetch(ref places[i + 3 * IndicesAhead]);
+            PrefetchVertex(places[i + 3 * VerticesAhead]);
+            PrefetchVertex(places[i + 3 * VerticesAhead + 1]);
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void FetchVertex(int index)
+    private void PrefetchVertex(int index)
     {
-        if ((uint)index < (uint)vertices.Length) Lanes.Fetch(ref new RawSpan<Vector3>(vertices)[index]); // not checked yet
+        if ((uint)index < (uint)vertices.Length) Lanes.Prefetch(ref new RawSpan<Vector3>(vertices)[index]); // not checked yet
     }
 }

@@ -5,8 +5,8 @@ using System.Runtime.Intrinsics;
 namespace RayCaster.Engine;
 
 /// <summary>Finds the tiles of triangles, eight at a time; each thread has its own.</summary>
-/// <param name="twins">The large triangles so far; null if duplicates do not matter.</param>
-internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplicates? twins)
+/// <param name="duplicates">The large triangles so far; null if duplicates do not matter.</param>
+internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplicates? duplicates)
 {
     /// <summary>A triangle in more tiles than this goes to all tiles, so that a million large ones do not fill each tile's list.</summary>
     private const int ManyTiles = 64;
@@ -34,7 +34,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
         for (; first < end; first += 8)
         {
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
-            corners.See(ids, out var t);
+            corners.Project(ids, out var t);
             var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
             var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
             var size = right - left + (top - bottom);
@@ -58,7 +58,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             for (; unfit != 0; unfit &= unfit - 1)
             {
                 var i = first + BitOperations.TrailingZeroCount(unfit);
-                if (twins is null || !twins.HasEarlier(i)) Unfit.Add(i);
+                if (duplicates is null || !duplicates.HasEarlier(i)) Unfit.Add(i);
             }
             var bits = shows.ExtractMostSignificantBits() & inRange;
             if (bits == 0) continue;
@@ -79,7 +79,7 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
     private void Place(int triangle, float mostW, uint left, uint right, uint bottom, uint top)
     {
         var tiles = TileLists.TilesOf(left, right, bottom, top);
-        if (tiles > 1 && twins is not null && twins.HasEarlier(triangle)) return;
+        if (tiles > 1 && duplicates is not null && duplicates.HasEarlier(triangle)) return;
         if (tiles <= ManyTiles) Lists.Add(new(triangle, 1), mostW, left, right, bottom, top);
         else Large.Add(new(triangle, 1));
     }

@@ -15,10 +15,10 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool All<N>(N mask) where N : struct, IPacket<N> => N.Bits(mask) == (1u << N.Count) - 1;
 
-    /// <summary>Asks the memory for something that is needed soon. The pointer is only a hint: nothing is read through it, wherever the thing may be
-    /// moved.</summary>
+    /// <summary>Prefetches something that is needed soon into the cache. The pointer is only a hint: the program reads nothing through it, so
+    /// it may be out of date.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static unsafe void Fetch<T>(ref T thing) where T : struct
+    public static unsafe void Prefetch<T>(ref T thing) where T : struct
     {
         if (Sse.IsSupported) Sse.Prefetch0(Unsafe.AsPointer(ref thing));
     }

@@ -10,7 +10,7 @@ internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeVie
 
     protected override void Intersect(EightParts parts, out Crossings<Interval> crossings) => crossings = primitive.Intersect(parts.Rays);
 
-    // many pictures are done before the runtime optimises by itself
+    // optimised from the first call: many pictures are finished before the runtime would optimise it
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     protected override void Intersect(RayStream rays)
     {
