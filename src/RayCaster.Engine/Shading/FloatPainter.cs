@@ -13,9 +13,13 @@ internal sealed class FloatPainter : IShapeVisitor
     /// <summary>With a greater error, too many bytes would be uncertain.</summary>
     private const double MostError = 0.02;
 
+    /// <summary>With a smaller error, so few bytes are uncertain that a tighter bound does not pay.</summary>
+    private const double GoodError = 0.002;
+
     private readonly Scene scene;
     private readonly Camera camera;
     private readonly FloatRays rays;
+    private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
     private readonly uint[] doubts = new uint[Tile.MaxStrip * Tile.MaxSide / FloatBytes.Count / 2]; // a bit for each pixel of each packet
     private CoveredTile covered;
     private Tile part;
@@ -62,21 +66,30 @@ internal sealed class FloatPainter : IShapeVisitor
     /// <summary>Paints the shape, if its error is small enough.</summary>
     public bool Visit<P>(P shape) where P : struct, IPrimitive
     {
-        var color = scene.Models[covered.Index].Color;
+        var index = covered.Index;
+        var color = scene.Models[index].Color;
         var brightest = Math.Max(color.R, Math.Max(color.G, color.B));
         if (brightest > 1) return false;
         var steepest = -FloatLevel.SlopeOf(brightest, camera.Reach);
-        var error = Error(shape);
+        var error = Error(shape, index, GoodError / steepest);
         if (!(error * steepest < MostError)) return false;
         var levels = new FloatLevels(color, camera.Reach, error);
-        rays.Enter(part);
         if (FloatBytes.IsWide) Paint<P, WideFloatPacket>(shape, levels);
         else Paint<P, FloatPacket>(shape, levels);
         return true;
     }
 
-    /// <summary>The greatest difference between t in floats and in doubles, of all pixels of the part.</summary>
-    private double Error<P>(in P shape) where P : struct, IPrimitive
+    /// <summary>The greatest difference between t in floats and in doubles, of all pixels of a part.</summary>
+    /// <remarks>A bound for the whole strip is usually good enough, and serves its other parts, too.</remarks>
+    private double Error<P>(in P shape, int index, double goodError) where P : struct, IPrimitive
+    {
+        if (rays.Enter(part)) Array.Fill(knownErrors, (-1, 0));
+        ref var known = ref knownErrors[index % knownErrors.Length];
+        if (known.Index != index) known = (index, Error(rays.Strip, shape));
+        return known.Error < goodError ? known.Error : Error(part, shape);
+    }
+
+    private double Error<P>(in Tile part, in P shape) where P : struct, IPrimitive
     {
         var direction = rays.Directions(part);
         var hit = camera.ClipRange.First(shape.Intersect(new Ray<ErrorBound>(camera.Position, direction)), camera.ZPerT(direction));

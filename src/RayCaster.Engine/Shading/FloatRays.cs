@@ -14,16 +14,17 @@ internal sealed class FloatRays(Camera camera)
     /// <summary>What the directions of each row have in common, from the lowest row.</summary>
     public Floats Upwards { get; } = new(Tile.MaxSide + 1); // one row more than the strip has is read
 
-    /// <summary>Goes to the strip of a part.</summary>
-    public void Enter(in Tile part)
+    /// <summary>Goes to the strip of a part; returns whether it is a new one.</summary>
+    public bool Enter(in Tile part)
     {
         var strip = new Tile(part.Column & -Tile.MaxStrip, part.Row & -Tile.MaxSide, Tile.MaxStrip, Tile.MaxSide);
-        if (strip == Strip) return;
+        if (strip == Strip) return false;
         Strip = strip;
         for (var i = 0; i < strip.Width; i += 2 * Packet.Count)
             Across.Set(i, camera.Across(Packet.Sequence(strip.Column + i)), camera.Across(Packet.Sequence(strip.Column + i + Packet.Count)));
         for (var i = 0; i < strip.Height; i += 2 * Packet.Count)
             Upwards.Set(i, camera.Upwards(Packet.Sequence(strip.Row + i)), camera.Upwards(Packet.Sequence(strip.Row + i + Packet.Count)));
+        return true;
     }
 
     /// <summary>The directions of all rays of a part.</summary>
