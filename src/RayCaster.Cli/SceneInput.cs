@@ -31,7 +31,6 @@ internal static class SceneInput
         return warning;
     }
 
-    /// <summary>Reads a scene with its errors and warnings.</summary>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
     /// <param name="look">Gets the text before it is parsed.</param>
     public static SceneReading Read(string path, int? threads, Action<ReadOnlySpan<byte>>? look = null)

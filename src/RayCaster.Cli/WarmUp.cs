@@ -86,7 +86,7 @@ internal static class WarmUp
     {
         var scene = new Scene(new Camera(new(new(0, -2, 0.5), new(0.5, 0, 0)) { Width = Width, Height = Height }), models);
         using var writer = PictureWriter.Create(PictureFormat.Png, Stream.Null, Width, Height);
-        new Renderer(scene, threads: 1) { MayBeSmall = isPlain }.Draw(writer.WriteRows);
+        new Renderer(scene, threads: 1) { MayBeSmall = isPlain }.Draw(.., writer.WriteRows);
         writer.Finish();
     }
 

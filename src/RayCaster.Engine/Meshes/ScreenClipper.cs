@@ -1,5 +1,3 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Clips the triangles that reach behind the eye or far off the picture into pieces that can be projected.</summary>

@@ -1,7 +1,4 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
@@ -32,7 +29,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         cover = new(screen, pixels, coarse, hits.Decide);
     }
 
-    /// <summary>The view whose pixels it knows; null where it knows none.</summary>
+    /// <summary>The view whose pixels are stored; null if none are.</summary>
     public MeshView<N>? Owner { get; private set; }
 
     public Tile Tile => tile;

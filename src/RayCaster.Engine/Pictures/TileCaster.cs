@@ -39,7 +39,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         candidates.Clear();
         for (var i = 0; i < views.Length; i++)
             if (extents[i].Overlaps(strip))
-                candidates.Add(new(i, HitRange.Unknown));
+                candidates.Add(new(i, new(0, double.PositiveInfinity))); // nothing is known yet
         tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
         Narrow(tiles, candidates, ofTiles);
         var areAllKnown = batch?.IsFor(strip) != true;

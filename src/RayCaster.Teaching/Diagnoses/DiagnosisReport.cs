@@ -1,18 +1,11 @@
-using System.Globalization;
-using System.Text;
-
 namespace RayCaster.Teaching;
 
-/// <summary>A <see cref="Diagnosis"/> in words for a student, and as JSON for tools.</summary>
+/// <summary>A <see cref="Diagnosis"/> in words for students, and as JSON for other programs.</summary>
 public static class DiagnosisReport
 {
     private const int Width = 96;
 
     /// <summary>Lines of text.</summary>
-    /// <param name="diagnosis">What was found.</param>
-    /// <param name="picture">What the picture is called.</param>
-    /// <param name="scene">What the scene is called.</param>
-    /// <param name="level">How much is told.</param>
     public static string Text(Diagnosis diagnosis, string picture, string scene, HintLevel level = HintLevel.Question)
     {
         var text = new StringBuilder();
@@ -49,7 +42,7 @@ public static class DiagnosisReport
                 "a channel, 255 x + 0.5, where truncating takes 255 x.");
     }
 
-    /// <summary>After "matches": the mistakes that the scene would not show, so that a right picture is not taken for a right program.</summary>
+    /// <summary>After "matches": the mistakes that the scene cannot show, because a right picture does not prove a right program.</summary>
     public static string HiddenText(IReadOnlyList<Mistake> hidden)
     {
         if (hidden.Count == 0) return "";
@@ -84,7 +77,7 @@ public static class DiagnosisReport
         AppendNotTried(text, diagnosis);
     }
 
-    /// <summary>Some mistakes lose a shape as well as not having written it.</summary>
+    /// <summary>Which mistakes lose a shape that is written already.</summary>
     private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
     {
         if (diagnosis.Finding == Finding.Unfinished && diagnosis.Suspects.Count > 0)
@@ -115,8 +108,7 @@ public static class DiagnosisReport
         }
     }
 
-    /// <summary>Everything, the answers too.</summary>
-    /// <param name="diagnosis">What was found.</param>
+    /// <summary>Everything, with the answers.</summary>
     /// <param name="picture">The picture's size; left out if null.</param>
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
@@ -149,7 +141,7 @@ public static class DiagnosisReport
                 .Concat(diagnosis.Nearest.Select(nearest => Json(nearest, "nearest, explains too little"))),
         });
 
-    /// <summary>Where nothing could be diagnosed: the same object, with what was in the way.</summary>
+    /// <summary>The same object if nothing could be diagnosed, with the reason.</summary>
     public static string Json(string error) => JsonText.Of(new { Finding = "could not tell", Error = error });
 
     private static object? Size((int Width, int Height)? size) => size is var (width, height) ? new { Width = width, Height = height } : null;

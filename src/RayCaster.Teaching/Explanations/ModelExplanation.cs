@@ -1,7 +1,6 @@
 namespace RayCaster.Teaching;
 
 /// <summary>One model in the explanation of a pixel.</summary>
-/// <param name="Index">Its place in the scene, from 0.</param>
 /// <param name="Name">Its name, or its path in the scene file.</param>
 /// <param name="Steps">The steps of its formula; empty for a model in plain doubles and ifs, of which only t is known.</param>
 /// <param name="Crossings">The crossings, nearest first; if there is none, one entry says why.</param>

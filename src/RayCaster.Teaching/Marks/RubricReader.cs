@@ -1,14 +1,10 @@
 using System.Security.Cryptography;
-using System.Text;
 
 namespace RayCaster.Teaching;
 
 /// <summary>Makes a <see cref="Rubric"/> of a file, JSON as in a scene file, or says all that is wrong with it.</summary>
 public static class RubricReader
 {
-    /// <summary>The longest file, in bytes.</summary>
-    public const int MostBytes = 1 << 20;
-
     /// <summary>The most pixels that a scene may have: mistakes show in small pictures, and there are many of them.</summary>
     public const int MostPixels = 2_000_000;
 
@@ -22,7 +18,7 @@ public static class RubricReader
         using var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         var sceneReports = new StringBuilder();
         var rubric = ShortFile.Read(
-            path, MostBytes, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report);
+            path, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report);
         report += sceneReports;
         return rubric;
     }

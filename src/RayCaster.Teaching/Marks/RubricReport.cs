@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A rubric in words for the teacher.</summary>
