@@ -25,7 +25,7 @@ public class Aabb(Vector3 min, Vector3 max) : Model
     {
         // BEGIN SOLUTION "AABB – intersection parameters"
         // STUB return Todo.Note("AABB – intersection parameters", (1.0, 0.0));
-        if (d == 0) // along the slab: in it for ever or never. On its face (B0 − P) / d would be 0 / 0, and the face belongs to the box.
+        if (d == 0) // parallel to the slab: all of the ray is in it, or none. On its face (B0 − P) / d is 0 / 0; the face belongs to the box.
             return B0 <= P && P <= B1
                 ? (double.NegativeInfinity, double.PositiveInfinity)
                 : (double.PositiveInfinity, double.NegativeInfinity);

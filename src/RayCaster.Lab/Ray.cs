@@ -11,7 +11,7 @@ public class Ray(Vector3 origin, Vector3 direction)
 
     public Model HitModel; // the model hit there; null for none
 
-    // What zNear and zFar measure is z = t ZPerT. A ray that no camera has made sees all that is before it.
+    // What zNear and zFar measure is z = t ZPerT. A ray made without a camera is not clipped.
     public double Bias, ZNear, ZFar = double.MaxValue, ZPerT = 1;
 
     public Vector3 At(double t) =>

@@ -18,7 +18,7 @@ public class Step07Box
     [InlineData(1, 3, 0, 1, 1, 3)] // along the axis
     [InlineData(1, 3, 5, -1, 2, 4)] // against it: B1 comes first
     [InlineData(1, 3, 2, 0.5, -2, 2)] // from inside
-    [InlineData(1, 3, 2, 0, double.NegativeInfinity, double.PositiveInfinity)] // along the slab, in it for ever
+    [InlineData(1, 3, 2, 0, double.NegativeInfinity, double.PositiveInfinity)] // parallel to the slab, all of the ray in it
     [InlineData(1, 3, 1, 0, double.NegativeInfinity, double.PositiveInfinity)] // on its face, where (B0 - P) / d is 0 / 0
     public void TheIntersectionParameters(double B0, double B1, double P, double d, double t0, double t1)
     {

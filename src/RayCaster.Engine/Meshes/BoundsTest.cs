@@ -4,14 +4,14 @@ namespace RayCaster.Engine;
 internal readonly struct BoundsTest<N> where N : struct, IPacket<N>, IReal<N>
 {
     private readonly N inverseX, inverseY, inverseZ;
-    private readonly N mostlyX, ratherY; // masks: the axis that a ray follows most, as AlongRay chooses it
+    private readonly N mostlyX, isYAtLeastZ; // masks: the axis that a ray follows most, as AlongRay chooses it
 
     /// <param name="direction">The rays' directions; they share one origin.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public BoundsTest(Vector3<N> direction)
     {
         var (x, y, z) = (N.Max(direction.X, -direction.X), N.Max(direction.Y, -direction.Y), N.Max(direction.Z, -direction.Z));
-        (mostlyX, ratherY) = ((x >= y) & (x >= z), y >= z);
+        (mostlyX, isYAtLeastZ) = ((x >= y) & (x >= z), y >= z);
         (inverseX, inverseY, inverseZ) = ((N)1.0 / direction.X, (N)1.0 / direction.Y, (N)1.0 / direction.Z);
     }
 
@@ -30,8 +30,8 @@ internal readonly struct BoundsTest<N> where N : struct, IPacket<N>, IReal<N>
         var (nearY, farY) = (N.Min(y0, y1), N.Max(y0, y1));
         var (nearZ, farZ) = (N.Min(z0, z1), N.Max(z0, z1));
         var missed = N.Max(nearX, N.Max(nearY, nearZ)) > N.Min(farX, N.Min(farY, farZ));
-        var tooFar = N.Select(mostlyX, nearX, N.Select(ratherY, nearY, nearZ)) > nearest;
-        var behind = N.Select(mostlyX, farX, N.Select(ratherY, farY, farZ)) < 0;
+        var tooFar = N.Select(mostlyX, nearX, N.Select(isYAtLeastZ, nearY, nearZ)) > nearest;
+        var behind = N.Select(mostlyX, farX, N.Select(isYAtLeastZ, farY, farZ)) < 0;
         return !Lanes.All(missed | tooFar | behind);
     }
 }

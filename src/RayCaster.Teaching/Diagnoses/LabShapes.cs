@@ -110,7 +110,7 @@ internal sealed partial class Lab
         return Overlap.Do(tMin, tMax) ? new(tMin, tMax) : SlideFormulas.None;
     }
 
-    /// <summary>Where a ray crosses the faces of a slab; one that runs along it is in it for ever or never, on its face too.</summary>
+    /// <summary>Where a ray crosses the faces of a slab; of a ray parallel to it, all is in it or none, on its face too.</summary>
     private (double, double) FacesOf(int axis, Aabb box, Vector3 d)
     {
         var (lo, hi, origin, direction) = (box.Min.At(axis), box.Max.At(axis), P.At(axis), d.At(axis));

@@ -9,7 +9,7 @@ namespace RayCaster;
 public readonly struct AlongRay<N> where N : struct, IReal<N>
 {
     private readonly Vector3<N> origin;
-    private readonly N mostlyX, ratherY;     // masks: the axis that d follows most; neither means z
+    private readonly N mostlyX, isYAtLeastZ; // masks: the axis that d follows most is x; otherwise y if it is at least z, else z
     private readonly N slopeX, slopeY;       // how far the ray moves sideways for one step along z
 
     /// <summary>How far the ray moves along the renamed z for one unit of t.</summary>
@@ -23,7 +23,7 @@ public readonly struct AlongRay<N> where N : struct, IReal<N>
         var (x, y, z) = (N.Max(d.X, -d.X), N.Max(d.Y, -d.Y), N.Max(d.Z, -d.Z));
         origin = ray.Origin;
         mostlyX = (x >= y) & (x >= z);
-        ratherY = y >= z;
+        isYAtLeastZ = y >= z;
         d = Turn(d);
         (slopeX, slopeY, ZPerT) = (d.X / d.Z, d.Y / d.Z, d.Z);
     }
@@ -39,7 +39,7 @@ public readonly struct AlongRay<N> where N : struct, IReal<N>
     /// <summary>Renames the axes in a cycle, which keeps their handedness.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private Vector3<N> Turn(Vector3<N> p) => new(
-        N.Select(mostlyX, p.Y, N.Select(ratherY, p.Z, p.X)),
-        N.Select(mostlyX, p.Z, N.Select(ratherY, p.X, p.Y)),
-        N.Select(mostlyX, p.X, N.Select(ratherY, p.Y, p.Z)));
+        N.Select(mostlyX, p.Y, N.Select(isYAtLeastZ, p.Z, p.X)),
+        N.Select(mostlyX, p.Z, N.Select(isYAtLeastZ, p.X, p.Y)),
+        N.Select(mostlyX, p.X, N.Select(isYAtLeastZ, p.Y, p.Z)));
 }
