@@ -48,6 +48,13 @@ internal static class AxisMistakes
             "W = −(T − P) normalised.")
             .Or("W = P normalised: the camera looks at the origin", lab => lab.AxisW.Becomes(W => (p, t) => W(p, Vector3.Zero)))
             .Or("W = −(T + P) normalised", lab => lab.AxisW.Becomes(W => (p, t) => W(-p, t)))
+            .Or(from W in ((string Is, Func<Vector3, Vector3, Vector3> Of)[])[("−T", (_, t) => -t), ("P", (p, _) => p), ("−(T + P)", (p, t) => -(p + t))]
+                select ($"W = {W.Is} normalised, while d leads to a pixel on the plane through T", (Action<Lab>)(lab =>
+                {
+                    lab.AxisW.Is((p, t) => lab.Unit.Do(W.Of(p, t)));
+                    lab.Towards.Is((uc, ur) => uc * lab.U + ur * lab.V + (lab.T - lab.P).Normalized);
+                    lab.Depth.Is((t, d) => t * (d * (lab.T - lab.P).Normalized));
+                })))
             .Or(AcrossUp("T", lab => lab.T))
             .Or(AcrossUp("P", lab => lab.P))
             .Or("d = uc U + ur V + T", Add(lab => lab.W + lab.T))

@@ -36,6 +36,11 @@ internal sealed class DiagnosisSearch(
     /// <summary>The share of the evidence that each round looks at, and how many trials are left for it at least.</summary>
     private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
 
+    /// <summary>The same for mistakes in other manners, of which few fit, and how many manners are tried on top of one another.</summary>
+    private static readonly (double Share, int Trials)[] mannerRounds = [(0.02, int.MaxValue), (0.2, 3), (1, 1)];
+
+    private const int Manners = 2, Closest = 6;
+
     /// <summary>The share of the evidence that is looked at first where there are hundreds of trials or more: some thirty pixels.</summary>
     private const double Glance = 0.005;
 
@@ -93,6 +98,8 @@ internal sealed class DiagnosisSearch(
             singles = Sorted([.. singles, .. Best([.. other])]);
         }
         if (!IsDone(singles, Certain) && IsDone(singles, Rewordable)) singles = Sorted([.. singles, .. Best(Reworded(singles, Besides))]);
+        for (var (i, first) = (0, everySingle); i < Manners && !IsDone(singles, Certain); i++)
+            singles = Sorted([.. singles, .. first = Best(InManners([.. singles, .. first]), mannerRounds)]);
         singles = WithoutIdle(singles);
         // Beside a mistake that changes everything a missing shape counts for little, so it is looked for even where the mistake explains most.
         var beside = Best(
@@ -115,7 +122,9 @@ internal sealed class DiagnosisSearch(
         foreach (var pairs in PairsByEffort(singles, everySingle, onTop))
         {
             var best = BestPairs(pairs);
-            all.AddRange([.. best, .. IsDone(best, Certain) ? [] : Best(Reworded(best, Besides))]);
+            if (!IsDone(best, Certain)) best = Sorted([.. best, .. Best(Reworded(best, Besides))]);
+            for (var i = 0; i < Manners && !IsDone(best, Certain); i++) best = Sorted([.. best, .. Best(InManners(best[..Math.Min(best.Count, Closest)]), mannerRounds)]);
+            all.AddRange(best);
             if (IsDone(all, Certain)) break;
         }
         return Sorted(all);
@@ -235,6 +244,15 @@ internal sealed class DiagnosisSearch(
            from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.Wordings
            from otherSample in trial.Wordings.Count > 1 ? (bool[])[false, true] : [trial.OtherSample]
            select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)], OtherSample = otherSample },
+    ];
+
+    /// <summary>The best trials with one of their mistakes in each of its manners.</summary>
+    private static List<WrongProgram> InManners(List<WrongProgram> trials) =>
+    [
+        .. from trial in trials.GroupBy(trial => trial.Id).SelectMany(same => same.DistinctBy(trial => trial.Wordings[0]).Take(2))
+           from place in Enumerable.Range(0, trial.Wordings.Count)
+           from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.InManners(trial.Wordings[place])
+           select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)] },
     ];
 
     /// <summary>The same with more pixels at first, since a second mistake may explain only a few.</summary>

@@ -45,6 +45,7 @@ public sealed record Hint(string Symptom, string Question, string Answer);
 public sealed class Mistake
 {
     private readonly List<Mistake> wordings = [];
+    private readonly List<(string Cause, Action<Lab> Deviate)> manners = [];
 
     /// <summary>States a mistake, and its hint.</summary>
     internal Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate,
@@ -109,6 +110,17 @@ public sealed class Mistake
         foreach (var (cause, deviate) in family) Or(cause, deviate);
         return this;
     }
+
+    /// <summary>Adds manners: formulas that are right, but in which the mistake shows otherwise.</summary>
+    internal Mistake In(params ReadOnlySpan<(string Cause, Action<Lab> Deviate)> more)
+    {
+        manners.AddRange(more);
+        return this;
+    }
+
+    /// <summary>A wording of this mistake in each of its manners.</summary>
+    internal IEnumerable<Mistake> InManners(Mistake wording) =>
+        manners.Select(manner => new Mistake(Id, Concerns, Slide, $"{wording.Cause}; {manner.Cause}", wording.Deviate + manner.Deviate, Hint));
 
     /// <summary>The formula that a model is drawn by.</summary>
     internal static Concerns KindOf(Model model) => KindOf(model.Kind);
