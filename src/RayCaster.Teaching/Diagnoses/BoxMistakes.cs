@@ -83,6 +83,7 @@ internal static class BoxMistakes
                 Corners(box => new(box.Min - 0.5 * box.Max, box.Min + 0.5 * box.Max)))
             .Or("box: the first corner taken for its middle, the second for half its size",
                 Corners(box => new(box.Min - box.Max, box.Min + box.Max)))
+            .Or("box: its size taken for half of it", Corners(box => new(1.5 * box.Min - 0.5 * box.Max, 1.5 * box.Max - 0.5 * box.Min)))
             .Or("box: half as large from its first corner on", Corners(box => new(box.Min, 0.5 * (box.Min + box.Max)))),
     ];
 

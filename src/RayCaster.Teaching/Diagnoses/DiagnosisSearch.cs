@@ -22,7 +22,7 @@ internal sealed class DiagnosisSearch(
     private const double Explained = 0.02;
 
     /// <summary>The same where no second mistake could be worth its <see cref="WrongProgram.Cost"/>.</summary>
-    private const double Certain = 0.0067;
+    private const double Certain = 0.0067, CertainOtherSample = 0.0029;
 
     /// <summary>The share that a mistake may leave for its other wordings to be looked at once more.</summary>
     private const double Rewordable = 0.1;
@@ -37,9 +37,12 @@ internal sealed class DiagnosisSearch(
     private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
 
     /// <summary>The same for mistakes in other manners, of which few fit, and how many manners are tried on top of one another.</summary>
-    private static readonly (double Share, int Trials)[] mannerRounds = [(0.02, int.MaxValue), (0.2, 3), (1, 1)];
+    private static readonly (double Share, int Trials)[] mannerRounds = [(0.02, int.MaxValue), (0.2, 12), (1, 3)];
 
     private const int Manners = 2, Closest = 6;
+
+    /// <summary>So many of those that draw the same are looked at closely before others.</summary>
+    private const int Alike = 3;
 
     /// <summary>The share of the evidence that is looked at first where there are hundreds of trials or more: some thirty pixels.</summary>
     private const double Glance = 0.005;
@@ -87,7 +90,7 @@ internal sealed class DiagnosisSearch(
             .ToLookup(trial => meshes.Any(scene => trial.Draw(scene).TrianglesTried > 0));
         var everySingle = Measured([.. isSlow[false]], Glance);
         var singles = Best(everySingle[..(everySingle.Count / 3)]);
-        if (isSlow[true].Any() && !IsDone(singles, Certain)) // tried only where no quick one explains the picture
+        if (isSlow[true].Any() && !IsCertain(singles)) // tried only where no quick one explains the picture
         {
             everySingle = Sorted([.. everySingle, .. Measured([.. isSlow[true]], Glance)]);
             singles = Best(everySingle[..(everySingle.Count / 3)]);
@@ -97,8 +100,8 @@ internal sealed class DiagnosisSearch(
             var other = singles.Where(single => single.Id != center.Id).Take(OtherSamples).Select(single => single with { OtherSample = true });
             singles = Sorted([.. singles, .. Best([.. other])]);
         }
-        if (!IsDone(singles, Certain) && IsDone(singles, Rewordable)) singles = Sorted([.. singles, .. Best(Reworded(singles, Besides))]);
-        for (var (i, first) = (0, everySingle); i < Manners && !IsDone(singles, Certain); i++)
+        if (!IsCertain(singles) && IsDone(singles, Rewordable)) singles = Sorted([.. singles, .. Best(Reworded(singles, Besides))]);
+        for (var (i, first) = (0, everySingle); i < Manners && !IsCertain(singles); i++)
             singles = Sorted([.. singles, .. first = Best(InManners([.. singles, .. first]), mannerRounds)]);
         singles = WithoutIdle(singles);
         // Beside a mistake that changes everything a missing shape counts for little, so it is looked for even where the mistake explains most.
@@ -110,7 +113,7 @@ internal sealed class DiagnosisSearch(
                select single with { Base = way },
         ]);
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
-        if (IsDone([.. all.Where(trial => !trial.Base.Kinds.Any())], Certain) || IsDone(all, Nearly)) return Sorted(all);
+        if (IsCertain([.. all.Where(trial => !trial.Base.Kinds.Any())]) || IsDone(all, Nearly)) return Sorted(all);
         if (IsDone(all)) return Sorted([.. all, .. BestPairs(Pairs([.. Sorted(all).SelectMany(Written)], everySingle, 2))]);
 
         Unfinished[] ways = [.. Unfinished.ByColors(pictures, done).Take(Ways)];
@@ -122,10 +125,10 @@ internal sealed class DiagnosisSearch(
         foreach (var pairs in PairsByEffort(singles, everySingle, onTop))
         {
             var best = BestPairs(pairs);
-            if (!IsDone(best, Certain)) best = Sorted([.. best, .. Best(Reworded(best, Besides))]);
-            for (var i = 0; i < Manners && !IsDone(best, Certain); i++) best = Sorted([.. best, .. Best(InManners(best[..Math.Min(best.Count, Closest)]), mannerRounds)]);
+            if (!IsCertain(best)) best = Sorted([.. best, .. Best(Reworded(best, Besides))]);
+            for (var i = 0; i < Manners && !IsCertain(best); i++) best = Sorted([.. best, .. Best(InManners(best[..Math.Min(best.Count, Closest)]), mannerRounds)]);
             all.AddRange(best);
-            if (IsDone(all, Certain)) break;
+            if (IsCertain(all)) break;
         }
         return Sorted(all);
     }
@@ -154,7 +157,13 @@ internal sealed class DiagnosisSearch(
     private static WrongProgram[] Written(WrongProgram trial) =>
         trial.Base.Kinds.Any() ? [trial with { Base = Unfinished.Nothing }, trial] : [trial];
 
+    /// <summary>A trial, and the same with rays through the scene's place of each pixel: a second mistake may move outlines otherwise.</summary>
+    private static WrongProgram[] Resampled(WrongProgram trial) => trial.OtherSample ? [trial, trial with { OtherSample = false }] : [trial];
+
     private bool IsDone(List<WrongProgram> all, double left = Explained) => all.Exists(trial => trial.Misfit.Unexplained <= left * Wrong);
+
+    private bool IsCertain(List<WrongProgram> all) =>
+        all.Exists(trial => trial.Misfit.Unexplained <= (trial.OtherSample ? CertainOtherSample : Certain) * Wrong);
 
     // stable: of equals that with the usual wordings, and of these the first in the catalogue
     private List<WrongProgram> Sorted(List<WrongProgram> trials) =>
@@ -201,7 +210,7 @@ internal sealed class DiagnosisSearch(
     /// <summary>The nearest single mistakes, each with those others that explain most of what it leaves.</summary>
     private List<WrongProgram> Pairs(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners) =>
     [
-        .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)], everySingle, partners)
+        .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)], everySingle, partners).SelectMany(Resampled).Distinct()
            let left = pictures.Select(picture => picture.Beside(first.Draw(picture.Scene))).ToArray()
            let seconds = Those(trial => left.Any(picture => picture.IsHelpedBy(trial.Draw(picture.Scene))),
                from other in known
@@ -267,10 +276,14 @@ internal sealed class DiagnosisSearch(
         foreach (var (share, most) in rounds)
         {
             var kept = Math.Min(trials.Count, most == int.MaxValue ? most : Math.Max(most, share < 1 ? trials.Count / 8 : most));
-            trials = Measured(trials[..kept], share);
+            trials = Measured(share < 1 ? trials[..kept] : Varied(trials)[..kept], share);
         }
         return trials;
     }
+
+    /// <summary>The same, but of those that draw the same all but a few last, so that they do not crowd others out.</summary>
+    private static List<WrongProgram> Varied(List<WrongProgram> trials) =>
+        [.. trials.GroupBy(trial => trial.Misfit).SelectMany(same => same.Select((trial, i) => (trial, i))).OrderBy(each => each.i >= Alike).Select(each => each.trial)];
 
     private List<WrongProgram> Measured(List<WrongProgram> trials, double share, IReadOnlyList<Evidence>? left = null)
     {

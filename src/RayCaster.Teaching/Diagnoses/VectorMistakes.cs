@@ -226,6 +226,10 @@ internal static class VectorMistakes
             ($"a{axes[k]} b{axes[i]} − a{axes[i]} b{axes[k]}", (a, b) => a.At(k) * b.At(i) - a.At(i) * b.At(k)),
             ($"a{axes[i]} b{axes[k]} + a{axes[k]} b{axes[i]}", (a, b) => a.At(i) * b.At(k) + a.At(k) * b.At(i)),
             ($"−a{axes[i]} b{axes[k]} − a{axes[k]} b{axes[i]}", (a, b) => -(a.At(i) * b.At(k) + a.At(k) * b.At(i))),
+            ($"a{axes[i]} b{axes[k]}", (a, b) => a.At(i) * b.At(k)),
+            ($"−a{axes[k]} b{axes[i]}", (a, b) => -a.At(k) * b.At(i)),
+            ($"a{axis} b{axes[k]} − a{axes[k]} b{axis}", (a, b) => (b % a).At(i)),
+            ($"a{axes[i]} b{axis} − a{axis} b{axes[i]}", (a, b) => (b % a).At(k)),
         };
         for (var place = 0; place < 4; place++)
         {
