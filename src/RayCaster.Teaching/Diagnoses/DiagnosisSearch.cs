@@ -41,9 +41,6 @@ internal sealed class DiagnosisSearch(
 
     private const int Manners = 2, Closest = 6;
 
-    /// <summary>So many of those that draw the same are looked at closely before others.</summary>
-    private const int Alike = 3;
-
     /// <summary>The share of the evidence that is looked at first where there are hundreds of trials or more: some thirty pixels.</summary>
     private const double Glance = 0.005;
 
@@ -276,14 +273,10 @@ internal sealed class DiagnosisSearch(
         foreach (var (share, most) in rounds)
         {
             var kept = Math.Min(trials.Count, most == int.MaxValue ? most : Math.Max(most, share < 1 ? trials.Count / 8 : most));
-            trials = Measured(share < 1 ? trials[..kept] : Varied(trials)[..kept], share);
+            trials = Measured(trials[..kept], share);
         }
         return trials;
     }
-
-    /// <summary>The same, but of those that draw the same all but a few last, so that they do not crowd others out.</summary>
-    private static List<WrongProgram> Varied(List<WrongProgram> trials) =>
-        [.. trials.GroupBy(trial => trial.Misfit).SelectMany(same => same.Select((trial, i) => (trial, i))).OrderBy(each => each.i >= Alike).Select(each => each.trial)];
 
     private List<WrongProgram> Measured(List<WrongProgram> trials, double share, IReadOnlyList<Evidence>? left = null)
     {
