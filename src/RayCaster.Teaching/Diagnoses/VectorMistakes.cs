@@ -87,25 +87,23 @@ internal static class VectorMistakes
             .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
             .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
         new Mistake("cross-y", Concerns.Camera, Slides.Vectors, "the cross product's y has the wrong sign",
-            lab => MistakeCross(lab, (_, _, n) => n with { Y = -n.Y }),
+            Product((_, _, n) => n with { Y = -n.Y }) + ByCross[0].Deviate,
             "The picture is turned or skewed, and triangles are torn.",
             "What is (0, 0, 1) × (1, 0, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
             .In(ByCross)
-            .Or(CrossWordings('y', "ax bz − az bx"))
+            .Or(CrossWordings(1, "ax bz − az bx"))
             .Or(Crosses("y and z are swapped", (_, _, n) => new(n.X, n.Z, n.Y)))
             .Or(Crosses("components have + for −", (a, b, n) => n + 2 * new Vector3(a.Z * b.Y, a.X * b.Z, a.Y * b.X)))
-            .Or(Crosses("y is 0", (_, _, n) => n with { Y = 0 }))
             .Or(Crosses("y and z have the wrong sign", (_, _, n) => new(n.X, -n.Y, -n.Z))),
         new Mistake("cross-z", Concerns.Camera, Slides.Vectors, "the cross product's z is ax by − ay by",
-            lab => MistakeCross(lab, (a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }),
+            Product((a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }) + ByCross[0].Deviate,
             "The picture is skewed, and triangles are torn.",
             "What is (1, 2, 0) × (3, 5, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
             .In(ByCross)
-            .Or(CrossWordings('z', "ax by − ay by"))
+            .Or(CrossWordings(2, "ax by − ay by"))
             .Or(Crosses("x and z are swapped", (_, _, n) => new(n.Z, n.Y, n.X)))
-            .Or(Crosses("z is 0", (_, _, n) => n with { Z = 0 }))
             .Or(Crosses("x and z have the wrong sign", (_, _, n) => new(-n.X, n.Y, -n.Z))),
         new Mistake("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
             LeaveDirection + AllowAnyLength,
@@ -121,14 +119,13 @@ internal static class VectorMistakes
             .Or("d = ux U + uy V − W / tan(fovY / 2), not normalised", LeaveDirection + AssumeUnitLength + Zoom)
             .In(Lengths),
         new Mistake("cross-x", Concerns.Camera, Slides.Vectors, "the cross product's x has the wrong sign",
-            lab => MistakeCross(lab, (_, _, n) => n with { X = -n.X }),
+            Product((_, _, n) => n with { X = -n.X }) + ByCross[0].Deviate,
             "The picture is mirrored, turned or skewed, and triangles are torn.",
             "What is (0, 1, 0) × (0, 0, 1)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
             .In(ByCross)
-            .Or(CrossWordings('x', "az by − ay bz"))
+            .Or(CrossWordings(0, "az by − ay bz"))
             .Or(Crosses("x and y are swapped", (_, _, n) => new(n.Y, n.X, n.Z)))
-            .Or(Crosses("x is 0", (_, _, n) => n with { X = 0 }))
             .Or(Crosses("x and y have the wrong sign", (_, _, n) => new(-n.X, -n.Y, n.Z)))
             .Or(Crosses("components have moved on by one place", (_, _, n) => new(n.Y, n.Z, n.X)))
             .Or(Crosses("components have moved back by one place", (_, _, n) => new(n.Z, n.X, n.Y))),
@@ -214,53 +211,43 @@ internal static class VectorMistakes
     /// <summary>The slide's geometric formula for d·d = 1, with any d: the same as the analytic one with a = 1.</summary>
     private static Action<Lab> AssumeUnitLength => lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d));
 
-    /// <summary>A component with another sign, with + for −, or with one letter wrong.</summary>
-    /// <param name="axis">Which component.</param>
+    /// <summary>A component with other letters, with other signs, or with a term forgotten.</summary>
+    /// <param name="own">Which component.</param>
     /// <param name="first">The one that is the mistake's first wording.</param>
-    private static IEnumerable<(string, Action<Lab>)> CrossWordings(char axis, string first)
+    private static IEnumerable<(string, Action<Lab>)> CrossWordings(int own, string first)
     {
         const string axes = "xyz";
-        var (i, k) = ((axes.IndexOf(axis) + 1) % 3, (axes.IndexOf(axis) + 2) % 3);
-        var named = new List<(string What, Func<Vector3, Vector3, double> Is)>
-        {
-            ($"a{axes[k]} b{axes[i]} − a{axes[i]} b{axes[k]}", (a, b) => a.At(k) * b.At(i) - a.At(i) * b.At(k)),
-            ($"a{axes[i]} b{axes[k]} + a{axes[k]} b{axes[i]}", (a, b) => a.At(i) * b.At(k) + a.At(k) * b.At(i)),
-            ($"−a{axes[i]} b{axes[k]} − a{axes[k]} b{axes[i]}", (a, b) => -(a.At(i) * b.At(k) + a.At(k) * b.At(i))),
-            ($"a{axes[i]} b{axes[k]}", (a, b) => a.At(i) * b.At(k)),
-            ($"−a{axes[k]} b{axes[i]}", (a, b) => -a.At(k) * b.At(i)),
-            ($"a{axis} b{axes[k]} − a{axes[k]} b{axis}", (a, b) => (b % a).At(i)),
-            ($"a{axes[i]} b{axis} − a{axis} b{axes[i]}", (a, b) => (b % a).At(k)),
-        };
-        for (var place = 0; place < 4; place++)
-        {
-            for (var turn = 1; turn < 3; turn++)
-            {
-                int[] letters = [i, k, k, i]; // a_i b_k − a_k b_i
-                letters[place] = (letters[place] + turn) % 3;
-                named.Add(($"a{axes[letters[0]]} b{axes[letters[1]]} − a{axes[letters[2]]} b{axes[letters[3]]}",
-                    (a, b) => a.At(letters[0]) * b.At(letters[1]) - a.At(letters[2]) * b.At(letters[3])));
-            }
-        }
-        foreach (var (what, component) in named)
-        {
-            Vector3 Other(Vector3 a, Vector3 b, Vector3 n) => axis switch
-            {
-                'x' => n with { X = component(a, b) },
-                'y' => n with { Y = component(a, b) },
-                _ => n with { Z = component(a, b) },
-            };
-            foreach (var wording in Crosses($"{axis} is {what}", Other).Skip(what == first ? 1 : 0)) yield return wording;
-        }
+        var (i, k) = ((own + 1) % 3, (own + 2) % 3);
+        int[][] letters =
+        [
+            [k, i, i, k], [own, k, k, own], [i, own, own, i], // where a_i b_k − a_k b_i is right
+            .. from place in (int[])[0, 1, 2, 3]
+               from turn in (int[])[1, 2]
+               select ((int[])[i, k, k, i]).Select((letter, at) => at == place ? (letter + turn) % 3 : letter).ToArray(),
+        ];
+        (string Is, Func<Vector3, Vector3, double> Of)[] slips =
+        [
+            .. from l in letters
+               select ($"a{axes[l[0]]} b{axes[l[1]]} − a{axes[l[2]]} b{axes[l[3]]}",
+                   (Func<Vector3, Vector3, double>)((a, b) => a.At(l[0]) * b.At(l[1]) - a.At(l[2]) * b.At(l[3]))),
+            .. from signs in ((int First, int Last)[])[(1, 1), (-1, -1), (1, 0), (0, -1), (0, 0)]
+               select ($"{signs.First} · a{axes[i]} b{axes[k]} + {signs.Last} · a{axes[k]} b{axes[i]}",
+                   (Func<Vector3, Vector3, double>)((a, b) => signs.First * a.At(i) * b.At(k) + signs.Last * a.At(k) * b.At(i))),
+        ];
+        return from slip in slips
+               from wording in Crosses($"{axes[own]} is {slip.Is}", (a, b, n) => slip.Of(a, b) is var c ? Parts[own].Of(new(c, c, c), n) : n)
+                   .Skip(slip.Is == first ? 1 : 0)
+               select wording;
     }
 
     /// <summary>Another cross product, from a, b and a × b: in the slide's formulas, in the camera alone, in each way to the camera's axes that uses
     /// it, and in shapes alone.</summary>
     private static (string, Action<Lab>)[] Crosses(string which, Func<Vector3, Vector3, Vector3, Vector3> other)
     {
-        Action<Lab> wrong = lab => lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
+        var wrong = Product(other);
         return
         [
-            ($"the cross product's {which}", lab => MistakeCross(lab, other)),
+            ($"the cross product's {which}", wrong + ByCross[0].Deviate),
             ($"the cross product's {which}, but triangles do without it", wrong),
             ($"the cross product's {which}; U = (T − P) × up, V = U × (T − P)", wrong + (lab =>
             {
@@ -272,6 +259,9 @@ internal static class VectorMistakes
             .. from manner in ByCross.Take(4) select ($"the cross product's {which}, not in the camera; {manner.Cause}", wrong + RightAxes + manner.Deviate),
         ];
     }
+
+    private static Action<Lab> Product(Func<Vector3, Vector3, Vector3, Vector3> other) =>
+        lab => lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
 
     /// <summary>Who else may read a wrong cross product.</summary>
     private static (string Cause, Action<Lab> Deviate)[] ByCross =>
@@ -321,11 +311,4 @@ internal static class VectorMistakes
     }
 
     private static Action<Lab> ByAreas => lab => lab.TriangleIs((triangle, d) => lab.TriangleByAreas(triangle, d, 1e-9));
-
-    /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
-    private static void MistakeCross(Lab lab, Func<Vector3, Vector3, Vector3, Vector3> other)
-    {
-        lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
-        lab.TriangleIs((triangle, d) => lab.TriangleByShares(triangle, d, lab.Cross.Do));
-    }
 }
