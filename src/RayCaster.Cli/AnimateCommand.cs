@@ -34,7 +34,6 @@ internal sealed class AnimateCommand : Command
         return ExitCode.Done;
     }
 
-    /// <summary>The PNG that a command writes.</summary>
     public static string OutputOf(CommandLine line, string command)
     {
         if (line[Option.Output] is not { } output) throw ProblemException.Usage($"{command} needs a name for the picture, as in -o {command}.png");

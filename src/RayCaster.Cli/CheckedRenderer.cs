@@ -17,7 +17,6 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
     /// <summary>Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</summary>
     public bool ManyFrames { get; init; }
 
-    /// <summary>Draws lines of the picture.</summary>
     /// <param name="write">Receives whole lines of red, green and blue bytes.</param>
     /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
     /// <exception cref="FastWayDisagreesException">All lines were drawn, but some differ from the definition. A message was shown; the next call

@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>A command of the console app.</summary>
 internal abstract class Command
 {
     /// <summary>All commands by their names. Without one of these, the app draws a scene.</summary>

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Cli;
 
 /// <summary>The parsed command line: a command, its operands and its options.</summary>

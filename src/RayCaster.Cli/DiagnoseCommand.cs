@@ -61,7 +61,7 @@ internal sealed class DiagnoseCommand : Command
             if (json) StandardFile.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
             return ExitCode.CouldNot;
         }
-        SceneInput.WarnOfEditedJudge(scenePath, scene);
+        var warning = SceneInput.WarnOfEditedJudge(scenePath, scene);
 
         var picture = PictureFile.Read(picturePath);
         var size = (scene.Camera.Width, scene.Camera.Height);
@@ -76,7 +76,7 @@ internal sealed class DiagnoseCommand : Command
         var diagnosis = prepared.Judge(picture, done);
         var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
         StandardFile.WriteOutput(json
-            ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden)
+            ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, warning)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden));
         return diagnosis.Finding == Finding.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
     }

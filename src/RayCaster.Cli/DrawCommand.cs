@@ -1,6 +1,3 @@
-using System.Diagnostics;
-using System.Globalization;
-
 namespace RayCaster.Cli;
 
 internal sealed class DrawCommand : Command
@@ -40,7 +37,7 @@ internal sealed class DrawCommand : Command
         var lines = rows is null ? LineRange.Whole(scene.Camera.Height) : Rows.Of(rows, scene.Camera.Height);
         output ??= PartName(NameOf(path), lines, scene.Camera.Height);
         var start = Stopwatch.GetTimestamp();
-        var part = isPart ? PictureOutput.Facts(scene, lines) : null;
+        var part = isPart ? PartFacts.Of(scene, lines, PictureOutput.DigestOfModels(scene)) : null;
         if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part!, quiet))
         {
             line.Tell($"{output}: exists already");

@@ -1,6 +1,5 @@
 namespace RayCaster.Cli;
 
-/// <summary>The help of the console app.</summary>
 internal static class HelpText
 {
     /// <summary>Shown without arguments: the one command to try.</summary>

@@ -5,12 +5,16 @@ internal static class Interruption
 {
     private const int Patience = 500; // milliseconds
 
-    /// <summary>Deletes unfinished files, and says in one line what was finished. Does not wait if standard error is a pipe that no program
-    /// reads.</summary>
-    public static void Tell()
+    /// <summary>Deletes unfinished files, and says in one line what was finished, and how to continue. Does not wait if standard error is a pipe
+    /// that no program reads.</summary>
+    /// <param name="arguments">The command line.</param>
+    public static void Tell(string[] arguments)
     {
         WrittenFiles.GiveUp();
-        var telling = new Thread(() => StandardFile.WriteError($"raycaster: interrupted; {WhatIsThere()}\n")) { IsBackground = true };
+        var resumes = WrittenFiles.Count > 0
+            && arguments.Any(word => Command.All.TryGetValue(word, out var command) && command().Options.Contains(Option.Resume));
+        var text = $"raycaster: interrupted; {WhatIsThere()}{(resumes ? "; --resume continues" : "")}\n";
+        var telling = new Thread(() => StandardFile.WriteError(text)) { IsBackground = true };
         telling.Start();
         telling.Join(Patience);
     }

@@ -50,11 +50,8 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
         Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, NoBrowser, Version, Help,
     ];
 
-    public string Name => name;
-
-    public string Short => shortName;
-
-    public bool TakesValue => takesValue;
+    public readonly string Name = name, Short = shortName;
+    public readonly bool TakesValue = takesValue;
 
     /// <summary>The option with a long or a short name; null if there is none.</summary>
     public static Option? Named(string word) =>

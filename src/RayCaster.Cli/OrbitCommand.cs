@@ -1,6 +1,3 @@
-using System.Diagnostics;
-using System.Globalization;
-
 namespace RayCaster.Cli;
 
 internal sealed class OrbitCommand : Command
@@ -65,6 +62,7 @@ internal sealed class OrbitCommand : Command
         var digits = $"D{Math.Max(4, (frames - 1).ToString(CultureInfo.InvariantCulture).Length)}";
         var (start, drawn) = (Stopwatch.GetTimestamp(), 0);
         var leftByKilledRuns = ReplacedFile.LeftIn(folder == "" ? "." : folder);
+        var models = PictureOutput.DigestOfModels(scene);
         for (var frame = only.First; frame <= only.Last; frame++)
         {
             cancellation.ThrowIfCancellationRequested();
@@ -73,7 +71,7 @@ internal sealed class OrbitCommand : Command
             var view = scene with { Camera = camera };
             var whole = LineRange.Whole(camera.Height);
             var output = Path.Combine(folder, $"{name}-{frame.ToString(digits, CultureInfo.InvariantCulture)}.png");
-            var part = PictureOutput.Facts(view, whole); // the file contains what it shows, so --resume can skip it
+            var part = PartFacts.Of(view, whole, models); // the file contains what it shows, so --resume can skip it
             // The reason to draw a frame again is printed for the first one only.
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue;
             PictureOutput.Draw(

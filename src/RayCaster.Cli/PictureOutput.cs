@@ -23,7 +23,6 @@ internal static class PictureOutput
             : Directory.Exists(output) ? throw new PictureFileException($"cannot write {output}: it is a folder; name a file in it")
             : PictureFormats.ByExtension(output));
 
-    /// <summary>Opens the output, writes it and closes it.</summary>
     /// <param name="cancellation">If cancelled, the old file stays.</param>
     /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
@@ -88,13 +87,13 @@ internal static class PictureOutput
         return false;
     }
 
-    /// <summary>What a part shows, to be written into its file.</summary>
+    /// <summary>The digest of a scene's models, for the facts in the files of its parts and frames.</summary>
     /// <exception cref="ProblemException">A model cannot describe its numbers.</exception>
-    public static PartFacts Facts(Scene scene, LineRange lines)
+    public static string DigestOfModels(Scene scene)
     {
         try
         {
-            return PartFacts.Of(scene, lines);
+            return SceneDigest.OfModels(scene.Models);
         }
         catch (NotSupportedException e)
         {

@@ -34,7 +34,7 @@ internal static class Program
         }
         catch (Exception) when (cancellation.IsCancellationRequested) // after a cancellation, writing may fail because the terminal is gone
         {
-            Interruption.Tell();
+            Interruption.Tell(arguments);
             return exitCode;
         }
         catch (Exception e) when (Message(e) is { } message)

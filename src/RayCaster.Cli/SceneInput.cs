@@ -22,13 +22,15 @@ internal static class SceneInput
 
     /// <summary>Prints a warning if this build's picture of the scene differs from the stored reference: then it cannot judge other
     /// pictures.</summary>
-    public static void WarnOfEditedJudge(string path, Scene scene)
+    /// <returns>The warning; null if there is none.</returns>
+    public static string? WarnOfEditedJudge(string path, Scene scene)
     {
-        if (path != Standard && StoredReference.Contradiction(path, scene) is { } message)
-            StandardFile.WriteError($"{message}. What follows may be wrong.{Environment.NewLine}");
+        if (path == Standard || StoredReference.Contradiction(path, scene) is not { } message) return null;
+        var warning = $"{message}. What follows may be wrong.";
+        StandardFile.WriteError(warning + Environment.NewLine);
+        return warning;
     }
 
-    /// <summary>Reads a scene with its errors and warnings.</summary>
     /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
     /// <param name="look">Gets the text before it is parsed.</param>
     public static SceneReading Read(string path, int? threads, Action<ReadOnlySpan<byte>>? look = null)

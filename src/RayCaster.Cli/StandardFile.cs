@@ -1,4 +1,3 @@
-using System.Text;
 using Microsoft.Win32.SafeHandles;
 
 namespace RayCaster.Cli;
@@ -21,7 +20,6 @@ internal static class StandardFile
     public static void WriteOutput(string text) =>
         WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(PrintableText.Of(text, ofLines: true))));
 
-    /// <summary>Writes to standard output.</summary>
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>
     public static void WriteOutput(Action<Stream> write)
     {

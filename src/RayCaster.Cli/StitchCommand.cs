@@ -1,5 +1,3 @@
-using System.Diagnostics;
-
 namespace RayCaster.Cli;
 
 internal sealed class StitchCommand : Command

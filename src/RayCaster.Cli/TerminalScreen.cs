@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Cli;
 
 /// <summary>The terminal in which the app runs, if there is one.</summary>
@@ -19,7 +17,7 @@ internal static class TerminalScreen
     /// <summary>A preview that fits into the window, with a line for the prompt.</summary>
     public static TerminalPreview Preview(int width, int height)
     {
-        var (columns, lines) = !TakesOutput ? (0, 0) : (Width(), Height());
+        var (columns, lines) = !TakesOutput ? (0, 0) : (Width(), Known(() => Console.WindowHeight));
         return new(width, height, columns < FewestColumns ? UsualColumns : columns, (lines < FewestLines ? UsualLines : lines) - 1);
     }
 
@@ -33,8 +31,6 @@ internal static class TerminalScreen
 
     /// <summary>The number of columns; 0 if unknown.</summary>
     public static int Width() => Known(() => Console.WindowWidth);
-
-    private static int Height() => Known(() => Console.WindowHeight);
 
     private static int Known(Func<int> size)
     {

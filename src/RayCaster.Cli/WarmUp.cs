@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace RayCaster.Cli;
 
 /// <summary>
@@ -35,6 +37,7 @@ internal static class WarmUp
     /// <param name="pixels">The number of pixels, if it is known already.</param>
     public static void Begin(ReadOnlySpan<byte> text, long pixels)
     {
+        if (!RuntimeFeature.IsDynamicCodeCompiled) return; // a native program
         var isLong = text.Length > LongText;
         var start = text[..Math.Min(text.Length, Glimpse)];
         var isPlain = !isLong && start.IndexOf("\"mesh\""u8) < 0;
@@ -83,7 +86,7 @@ internal static class WarmUp
     {
         var scene = new Scene(new Camera(new(new(0, -2, 0.5), new(0.5, 0, 0)) { Width = Width, Height = Height }), models);
         using var writer = PictureWriter.Create(PictureFormat.Png, Stream.Null, Width, Height);
-        new Renderer(scene, threads: 1) { MayBeSmall = isPlain }.Draw(writer.WriteRows);
+        new Renderer(scene, threads: 1) { MayBeSmall = isPlain }.Draw(.., writer.WriteRows);
         writer.Finish();
     }
 

@@ -2,7 +2,6 @@ namespace RayCaster.Engine;
 
 /// <summary>Draws pictures the fast way: tile by tile, several pixels at once, on several threads. Every bit is that of
 /// <see cref="ScalarRenderer"/>.</summary>
-/// <param name="scene">What to draw.</param>
 /// <param name="threads">How many threads cast rays; one per core if left out.</param>
 public sealed class Renderer(Scene scene, int? threads = null)
 {
@@ -15,9 +14,9 @@ public sealed class Renderer(Scene scene, int? threads = null)
 
     /// <summary>
     /// Whether this process draws many pictures. Then the engine compiles the kernels of the float path, which takes as long as casting some ten
-    /// million rays (without this option only a picture of as many pixels uses them), and keeps what depends only on a mesh or on the list of models
-    /// in memory, as long as the mesh or the list lives: about 2.3 bytes for each triangle, 48 for each sphere. Meshes, and the list, must not
-    /// change between the pictures; colours may. It affects only time and memory.
+    /// million rays (without this option only a native program and a picture of as many pixels use them), and keeps what depends only on a mesh or
+    /// on the list of models in memory, as long as the mesh or the list lives: about 2.3 bytes for each triangle, 48 for each sphere. Meshes, and
+    /// the list, must not change between the pictures; colours may. It affects only time and memory.
     /// </summary>
     public bool ManyFrames { get; init; }
 
@@ -63,14 +62,11 @@ public sealed class Renderer(Scene scene, int? threads = null)
     }
 
     /// <summary>Draws the picture from top to bottom, some lines at a time, so that memory does not grow with its height.</summary>
+    /// <param name="lines">Which lines, counted from the top: <c>..</c> for all.</param>
     /// <param name="write">Takes whole lines of red, green and blue bytes; called in order, one call at a time, on the thread that calls
     /// this.</param>
     /// <param name="linesDone">Called from any thread with the number of further lines that are done.</param>
     /// <param name="cancellation">Stops the work with an <see cref="OperationCanceledException"/>.</param>
-    public void Draw(Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default) =>
-        Draw(0..camera.Height, write, linesDone, cancellation);
-
-    /// <summary>Draws some lines of the picture, counted from the top, in the same way.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The picture has no such lines.</exception>
     public void Draw(Range lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone = null, CancellationToken cancellation = default)
     {

@@ -19,7 +19,6 @@ internal sealed class Gate(int port, string token)
     /// <summary>A random token of 128 bits.</summary>
     public static string NewToken() => RandomNumberGenerator.GetHexString(32, lowercase: true);
 
-    /// <summary>The page's address, with the token.</summary>
     public string Address => $"http://127.0.0.1:{port}/?token={token}";
 
     /// <summary>Sets the headers of the answer and checks the request.</summary>

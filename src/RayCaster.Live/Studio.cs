@@ -24,7 +24,6 @@ internal sealed class Studio
         cancellation);
 
     /// <summary>Does work that takes all cores, after the work before it.</summary>
-    /// <param name="cancellation">Ends the wait.</param>
     public async Task<T> DoAsync<T>(Func<T> work, CancellationToken cancellation)
     {
         await turn.WaitAsync(cancellation);
@@ -64,9 +63,9 @@ internal sealed class Studio
     {
         if (view.Look != Look.Plain) return Frame.Of(ModelPicture.Draw(scene, view.Look, view.Model, cancellation));
         var frame = new Frame(scene.Camera.Width, scene.Camera.Height);
-        var check = ScalarRenderer.IsChanged ? new DefinitionCheck(scene, 0..scene.Camera.Height) : null;
+        var check = ScalarRenderer.IsChanged ? new DefinitionCheck(scene, ..) : null;
         var pixel = 0;
-        new Renderer(scene) { ManyFrames = true }.Draw(lines =>
+        new Renderer(scene) { ManyFrames = true }.Draw(.., lines =>
         {
             check?.Take(lines);
             frame.Fill(lines, pixel);

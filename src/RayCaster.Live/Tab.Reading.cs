@@ -35,7 +35,6 @@ internal sealed partial class Tab
         }
     }
 
-    /// <summary>Notes one request.</summary>
     private void Take(string name, JsonElement value)
     {
         lock (sync)

@@ -97,6 +97,5 @@ public sealed class DefinitionCheck
 
     /// <param name="Line">The first line of those that are drawn.</param>
     /// <param name="Drawn">What the fast way gives.</param>
-    /// <param name="Right">What the definition gives.</param>
     private readonly record struct Window(int Column, int Line, Picture Drawn, Picture Right);
 }

@@ -27,7 +27,6 @@ internal static class Extensions
         /// <summary>A pixel by its place in reading order.</summary>
         public (byte R, byte G, byte B) At(int place) => (picture.Rgb[3 * place], picture.Rgb[3 * place + 1], picture.Rgb[3 * place + 2]);
 
-        /// <summary>How many pixels there are.</summary>
         public int Count => picture.Width * picture.Height;
 
         /// <summary>Whether all pixels are equal, so that the picture proves nothing.</summary>

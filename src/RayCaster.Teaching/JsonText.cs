@@ -1,26 +1,76 @@
+using System.Buffers;
+using System.Collections;
+using System.Diagnostics.CodeAnalysis;
 using System.Text.Encodings.Web;
 using System.Text.Json;
-using System.Text.Json.Serialization;
 
 namespace RayCaster.Teaching;
 
 /// <summary>Objects as JSON text, for other programs and for people to read.</summary>
+/// <remarks>JsonSerializer writes objects of anonymous types by code that it makes while it runs, which a native program cannot.</remarks>
 internal static class JsonText
 {
-    private static readonly JsonSerializerOptions options = new()
+    private static readonly JsonWriterOptions options = new()
     {
-        WriteIndented = true,
+        Indented = true,
         NewLine = "\n",
         Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping, // letters of all languages stay
-        PropertyNamingPolicy = JsonNamingPolicy.CamelCase,
-        DefaultIgnoreCondition = JsonIgnoreCondition.WhenWritingNull,
-        NumberHandling = JsonNumberHandling.AllowNamedFloatingPointLiterals,
-        Converters = { new JsonStringEnumConverter(JsonNamingPolicy.CamelCase) },
     };
 
     /// <summary>A property that is written as null; one that is null is left out.</summary>
-    public static object Null { get; } = JsonSerializer.SerializeToElement<object?>(null);
+    public static object Null => DBNull.Value;
 
-    /// <summary>The text, indented, with a line end. NaN and the infinities, which JSON has no numbers for, become texts.</summary>
-    public static string Of(object value) => JsonSerializer.Serialize(value, options) + "\n";
+    /// <summary>
+    /// The text, indented, with a line end. Names of properties and of enum members begin with a small letter. NaN and the infinities, which JSON
+    /// has no numbers for, become texts.
+    /// </summary>
+    public static string Of(object value)
+    {
+        var text = new ArrayBufferWriter<byte>();
+        using (var json = new Utf8JsonWriter(text, options)) Write(json, value);
+        return Encoding.UTF8.GetString(text.WrittenSpan) + "\n";
+    }
+
+    [UnconditionalSuppressMessage("Trimming", "IL2075", Justification = "A native program keeps all members of this assembly's types.")]
+    private static void Write(Utf8JsonWriter json, object value)
+    {
+        switch (value)
+        {
+            case DBNull:
+                json.WriteNullValue();
+                break;
+            case bool flag:
+                json.WriteBooleanValue(flag);
+                break;
+            case double number when double.IsFinite(number):
+                json.WriteNumberValue(number);
+                break;
+            case int or long:
+                json.WriteNumberValue(Convert.ToInt64(value, CultureInfo.InvariantCulture));
+                break;
+            case string or char or double:
+                json.WriteStringValue(Convert.ToString(value, CultureInfo.InvariantCulture));
+                break;
+            case Enum name:
+                json.WriteStringValue(Name(name.ToString()));
+                break;
+            case IEnumerable list:
+                json.WriteStartArray();
+                foreach (var item in list) Write(json, item);
+                json.WriteEndArray();
+                break;
+            default:
+                json.WriteStartObject();
+                foreach (var property in value.GetType().GetProperties())
+                {
+                    if (property.GetValue(value) is not { } content) continue;
+                    json.WritePropertyName(Name(property.Name));
+                    Write(json, content);
+                }
+                json.WriteEndObject();
+                break;
+        }
+    }
+
+    private static string Name(string name) => JsonNamingPolicy.CamelCase.ConvertName(name);
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What is read is what draws: edits lines that README shows, one at a time, in a copy of the project, builds, draws scenes/room.json, and wants the picture
-# or a message to change.
+# or a message to change. diagnose warns of an edit in its JSON, too.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1
@@ -61,5 +61,14 @@ edit "triangle"                  $course/Models/Triangle.cs          's/((u >= 0
 edit "the models' first hit"     $course/Models/Model.cs             's/ray.Clip.First<Scalar>(crossings, ray.ZPerT)/0.5 * ray.Clip.First<Scalar>(crossings, ray.ZPerT)/'
 edit "the scene's reader"        src/RayCaster.Files/SceneFiles/SceneReader.cs 's/"width"/"wide"/'
 edit "the picture's writer"      src/RayCaster.Files/PictureFiles/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
+
+sed -i 's/Radius \* Radius - D \* D/Radius - D * D/' $course/Models/Sphere.cs
+draw >/dev/null
+dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll diagnose scenes/room.json right.png --json >said.json 2>/dev/null || true
+if grep -q '"warning": "The judge has been edited' said.json; then
+    passed=$((passed + 1)); echo "ok     diagnose --json says that the judge has been edited"
+else
+    failed=$((failed + 1)); echo "FAILED diagnose --json does not say that the judge has been edited"
+fi
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

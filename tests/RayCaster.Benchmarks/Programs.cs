@@ -13,6 +13,10 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
 {
     private readonly int rounds = options.Quick ? 3 : options.Repeats;
 
+    private readonly (string Name, string Path)[] apps = workshop.PublishNative() is { } native
+        ? [("as built", Workshop.App), ("native", native)]
+        : [("as built", Workshop.App)];
+
     public IEnumerable<ProgramComparison> Run()
     {
         Console.WriteLine("\nWhole processes");
@@ -27,12 +31,12 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
     private IEnumerable<ProgramComparison> Hello()
     {
         var hello = workshop.BuildHello();
-        var scene = Path.Combine(Workshop.Root, "scenes", "room.json");
-        var picture = workshop.PathOf("room.png");
-        var ours = new Way("ours", Answer.Bytes, () => workshop.Run(Workshop.App, [scene, "-o", picture, "--quiet"]).Processor);
+        string[] arguments = [Path.Combine(Workshop.Root, "scenes", "room.json"), "-o", workshop.PathOf("room.png"), "--quiet"];
         var theirs = new Way("hello", Answer.Bytes, () => workshop.Run(hello, []).Processor);
-        yield return Compare("the course's room, 500×500, file to PNG", "our processor time / that of an app that only says hello",
-            theirs, ours, Math.Max(rounds, 7));
+        Way[] ours = [.. apps.Select(app => new Way(app.Name, Answer.Bytes, () => workshop.Run(app.Path, arguments).Processor))];
+        Measure([theirs, .. ours], Math.Max(rounds, 7));
+        return ours.Select(way => new ProgramComparison($"the course's room, 500×500, file to PNG, {way.Name}",
+            "our processor time / that of an app that only says hello", Ratio.Of(theirs, way)));
     }
 
     private IEnumerable<ProgramComparison> PovRay()
@@ -50,12 +54,13 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
                 SceneFiles.WritePov(pov, scene, benchmark.Mesh);
                 foreach (var threads in options.Threads)
                 {
-                    var ours = OurApp(json, width, height, threads);
+                    var ours = OurApps(json, width, height, threads);
                     var theirs = new Way("POV-Ray", Answer.Bytes, () => workshop.Run(povray,
                         [$"+I{pov}", $"+O{workshop.PathOf("pov.png")}", $"+W{width}", $"+H{height}", $"+WT{threads}", "File_Gamma=1", "-D", "-A",
                             "-GA"]).Elapsed);
                     var what = $"{benchmark.Title}, {width}×{height}, {threads} {(threads == 1 ? "thread" : "threads")}, file to PNG";
-                    yield return Compare(what, "POV-Ray's time / ours", ours, theirs, Math.Min(rounds, 3));
+                    Measure([.. ours, theirs], Math.Min(rounds, 3));
+                    foreach (var way in ours) yield return new($"{what}, {way.Name}", "POV-Ray's time / ours", Ratio.Of(way, theirs));
                     CheckPov(what);
                 }
             }
@@ -83,27 +88,30 @@ internal sealed class Programs(Options options, Workshop workshop, string? embre
         PeerScene.Write(camera, scene, withModels: false);
         foreach (var threads in options.Threads)
         {
-            var ours = OurApp(json, Width, Height, threads);
+            var ours = OurApps(json, Width, Height, threads);
             var theirs = new[] { "low", "medium" }.Select(quality => new Way(quality, Answer.Bytes, () => workshop.Run(embree,
                 [camera, Number(threads), workshop.PathOf($"{name}.ply"), Number(Width), Number(Height), quality]).Elapsed)).ToArray();
             var what = $"{benchmark.Title} from a binary PLY, {Width}×{Height}, {threads} {(threads == 1 ? "thread" : "threads")}";
-            Interleaving.WarmUp([ours, .. theirs], milliseconds: 0);
-            Interleaving.Run([ours, .. theirs], rounds);
+            Measure([.. ours, .. theirs], rounds);
             var best = theirs.MinBy(way => way.Median)!;
-            yield return new(what, $"Embree's time ({best.Name} build quality, no PNG) / ours (with a PNG)", Ratio.Of(ours, best));
+            foreach (var way in ours)
+                yield return new($"{what}, {way.Name}", $"Embree's time ({best.Name} build quality, no PNG) / ours (with a PNG)",
+                    Ratio.Of(way, best));
         }
     }
 
-    private Way OurApp(string scene, int width, int height, int threads) => new("ours", Answer.Bytes, () => workshop.Run(Workshop.App,
-        [scene, "-o", workshop.PathOf("ours.png"), "--quiet", "--size", $"{width}x{height}", "--threads", Number(threads)]).Elapsed);
-
-    /// <summary>How many times as fast a way is as a peer.</summary>
-    private static ProgramComparison Compare(string what, string measure, Way way, Way peer, int rounds)
+    private Way[] OurApps(string scene, int width, int height, int threads)
     {
-        way.Run();
-        peer.Run();
-        Interleaving.Run([way, peer], rounds);
-        return new(what, measure, Ratio.Of(way, peer));
+        string[] arguments =
+            [scene, "-o", workshop.PathOf("ours.png"), "--quiet", "--size", $"{width}x{height}", "--threads", Number(threads)];
+        return [.. apps.Select(app => new Way(app.Name, Answer.Bytes, () => workshop.Run(app.Path, arguments).Elapsed))];
+    }
+
+    /// <summary>Runs each once, so that the files are in memory, and then all in turn.</summary>
+    private static void Measure(Way[] ways, int rounds)
+    {
+        Interleaving.WarmUp(ways, milliseconds: 0);
+        Interleaving.Run(ways, rounds);
     }
 
     private static string Number(int number) => number.ToString(CultureInfo.InvariantCulture);

@@ -73,6 +73,21 @@ internal sealed class Workshop : IDisposable
         return PathOf("hello/out/hello");
     }
 
+    /// <summary>The console app as a native program (docs/native.md), or null, after saying why, where it cannot be compiled.</summary>
+    public string? PublishNative()
+    {
+        try
+        {
+            Run("dotnet", ["publish", Path.Combine(Root, "src", "RayCaster.Cli"), "-p:PublishAot=true", "-o", PathOf("native")]);
+            return PathOf("native/raycaster");
+        }
+        catch (InvalidOperationException)
+        {
+            Console.WriteLine("The native program is left out: it cannot be compiled here. It needs a linker, on Debian: apt-get install gcc");
+            return null;
+        }
+    }
+
     /// <summary>Runs a program to its end, which must be a good one.</summary>
     /// <returns>The milliseconds on the clock, and those of all cores, if the system tells.</returns>
     public (double Elapsed, double Processor) Run(string program, IEnumerable<string> arguments)

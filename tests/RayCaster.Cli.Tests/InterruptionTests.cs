@@ -90,7 +90,8 @@ public sealed class InterruptionTests : IDisposable
         using var process = raycaster.Start("orbit", Room, "--frames", "1000", "-s", "500x500", "-q");
         while (!File.Exists(raycaster.PathOf("room-0001.png")) && !process.HasExited) Thread.Sleep(10);
         Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
-        Assert.Matches(@"^raycaster: interrupted; \d+ files were written before, the last is room-\d+\.png\n$", process.StandardError.ReadToEnd());
+        Assert.Matches(@"^raycaster: interrupted; \d+ files were written before, the last is room-\d+\.png; --resume continues\n$",
+            process.StandardError.ReadToEnd());
         Assert.DoesNotContain(raycaster.Files, file => file.EndsWith(".tmp"));
         foreach (var file in raycaster.Files) Assert.Equal(500, PictureFile.Read(raycaster.PathOf(file)).Width);
     }

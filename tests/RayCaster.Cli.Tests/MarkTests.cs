@@ -184,6 +184,57 @@ public sealed class MarkTests : IDisposable
     }
 
     [Fact]
+    public void AnInterruptedRunSaysHowToContinue()
+    {
+        if (OperatingSystem.IsWindows()) return; // no kill command there
+        WriteRubric("\"run\": [\"sh\", \"{dir}/draw.sh\", \"{scene}\", \"{out}\"],");
+        raycaster.Write(Folder("anna") + "draw.sh", "exit 1");
+        raycaster.Write(Folder("boris") + "draw.sh", "sleep 100");
+        using var process = raycaster.Start("mark", "rubric.json", "class", "-o", "marks", "-t", "1", "-q");
+        while (!File.Exists(raycaster.PathOf("marks/.kept/anna.json")) && !process.HasExited) Thread.Sleep(10);
+        Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
+        Assert.EndsWith("; --resume continues\n", process.StandardError.ReadToEnd());
+    }
+
+    [Fact]
+    public void PicturesOfOneColourAreCountedAndNotCalledAlike()
+    {
+        WriteRubric("");
+        foreach (var student in (string[])["anna", "boris"])
+            PictureFile.Write(raycaster.PathOf(Folder(student) + "ball.png"), new Picture(60, 40));
+        foreach (var student in (string[])["clara", "dora"]) raycaster.Run("ball.json", "-q", "--mistake", "rows", "-o", Folder(student) + "ball.png");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
+        var page = File.ReadAllText(raycaster.PathOf("marks/class.html"));
+        Assert.Contains("""
+            <h2>Empty pictures: 2</h2>
+            <p>ball, 2 of 4: <a href="anna/feedback.html">anna</a>, <a href="boris/feedback.html">boris</a></p>
+            """.ReplaceLineEndings("\n"), page);
+        var alike = page[page.IndexOf("wrong in the same way", StringComparison.Ordinal)..page.IndexOf("Empty", StringComparison.Ordinal)];
+        Assert.Equal((true, false), (alike.Contains("ball, 2 students"), alike.Contains("anna")));
+        Assert.Contains("2.5 of 5 points on average, 2.5 more are open. To look at yourself: 2.", page);
+    }
+
+    [Fact]
+    public void APictureOfAnotherSizeIsCalledThatAndStandsBesideTheRightOne()
+    {
+        WriteRubric("");
+        raycaster.Run("ball.json", "-q", "-s", "20x20", "-o", Folder("anna") + "ball.png");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
+        var page = File.ReadAllText(raycaster.PathOf("marks/anna/feedback.html"));
+        Assert.Contains("<h2>ball: another size</h2>\n<p>The picture is 20 x 20, not 60 x 40 pixels.</p>\n<p><img alt=\"your picture\"", page);
+        Assert.Contains("<img alt=\"the right picture\"", page);
+    }
+
+    [Fact] // eighty mistakes that cost nothing were one line
+    public void WhatIsSaidOfARubricFitsIntoATerminal()
+    {
+        WriteRubric("");
+        raycaster.Run("mark", "rubric.json");
+        Assert.Contains("These mistakes cost nothing: w-sign, ", raycaster.OutputText);
+        Assert.All(raycaster.OutputText.Split('\n'), line => Assert.InRange(line.Length, 0, 100));
+    }
+
+    [Fact]
     public void ARubricWithAnErrorIsToldWithItsPlace()
     {
         WriteRubric("\"tiemLimit\": 3,");

@@ -5,8 +5,12 @@ namespace RayCaster.Cli.Tests;
 /// <summary>The console app in a temporary folder: in this process, or where a test depends on it, in one of its own.</summary>
 internal sealed class RayCasterProcess : IDisposable
 {
+    /// <summary>Another console app that is to be tested, such as a native one (tests/Campaigns/native.sh), or null.</summary>
+    private static readonly string? other = Environment.GetEnvironmentVariable("RAYCASTER_APP");
+
     /// <summary>The console app itself.</summary>
-    public static readonly string App = Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raycaster.exe" : "raycaster");
+    public static readonly string App =
+        other ?? Path.Combine(AppContext.BaseDirectory, OperatingSystem.IsWindows() ? "raycaster.exe" : "raycaster");
 
     private readonly TemporaryFolder folder = new();
 
@@ -39,7 +43,7 @@ internal sealed class RayCasterProcess : IDisposable
 
     public RayCasterProcess Run(string input, string[] arguments)
     {
-        if (!SameProcess.IsPossible) return RunApart(input, arguments);
+        if (other is not null || !SameProcess.IsPossible) return RunApart(input, arguments);
         var (exitCode, output, error) = SameProcess.Run(Folder, input, arguments);
         return Finish(exitCode, output, System.Text.Encoding.UTF8.GetString(error));
     }

@@ -8,7 +8,6 @@ internal static partial class OpenSteps
     /// <summary>Whether a file depends on the steps that are open.</summary>
     public static bool Concern(string path) => path is "README.md" or ".github/workflows/classroom.yml" or ".gitlab-ci.yml";
 
-    /// <summary>The text of such a file.</summary>
     /// <param name="open">The open steps, at least one.</param>
     public static string In(string text, int[] open)
     {

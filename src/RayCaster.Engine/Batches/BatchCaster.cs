@@ -12,7 +12,6 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
     /// <summary>Whether members may show in a tile.</summary>
     public bool IsFor(in Tile tile) => batch.Shows(tile, order);
 
-    /// <summary>Casts all rays of a tile.</summary>
     /// <param name="others">Intersects a stream with the models that are not in the batch; null if there are none.</param>
     public void Cast(in Tile tile, Action<RayStream>? others, IHitConsumer consumer)
     {

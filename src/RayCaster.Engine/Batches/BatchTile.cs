@@ -1,6 +1,3 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>A part of the picture in which members of a batch are looked for: its rays, the nearest hits so far, and what they hide. Each thread has

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Sorts the members of a part, the nearest first; each thread has its own.</summary>

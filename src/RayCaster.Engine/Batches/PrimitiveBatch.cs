@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Many models with bounds, as a camera sees them. A part of the picture finds them by their rectangles, the nearest first, so that most

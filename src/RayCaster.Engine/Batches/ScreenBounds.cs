@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Finds where in the picture balls and boxes may show, and how near they are, for all lanes of a packet at once.</summary>

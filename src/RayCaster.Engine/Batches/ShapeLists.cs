@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>What depends only on the models of a scene: the shapes that have bounds, a list for each kind.</summary>
@@ -78,7 +76,6 @@ internal abstract class ShapeList
     /// <summary>Adds all shapes of another list if they are of this kind.</summary>
     public abstract bool Append(ShapeList list);
 
-    /// <summary>The shapes as members of a batch.</summary>
     public abstract BatchShapes<N> ForBatch<N>(ClipRange clip) where N : struct, IPacket<N>;
 }
 

@@ -1,8 +1,6 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
-/// <summary>What a box around something tells about the rays that may hit it.</summary>
+/// <summary>Which rays may hit what is in a box.</summary>
 public static class BoundsExtensions
 {
     /// <summary>Bounds seen from a point, with a margin of 1e-12 of their largest coordinate. The rounding of a formula moves a hit sideways by far

@@ -1,6 +1,6 @@
 namespace RayCaster.Engine;
 
-/// <summary>What projections into the picture need to know of a camera.</summary>
+/// <summary>Numbers of a camera for projections into the picture.</summary>
 internal static class CameraExtensions
 {
     extension(Camera camera)

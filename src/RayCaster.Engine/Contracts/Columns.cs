@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>What the rays of a column have in common: uc U (<see cref="Camera.Across"/>).</summary>

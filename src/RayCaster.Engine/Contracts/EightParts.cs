@@ -1,5 +1,3 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Eight parts of the picture, and all the rays of each as intervals: a part is a lane.</summary>

@@ -6,8 +6,6 @@ namespace RayCaster.Engine;
 /// <param name="IsNear">Every hit is certainly the shape's first crossing, so there is nothing to choose or clip.</param>
 internal readonly record struct HitRange(double Least, double Cover, bool IsNear = false)
 {
-    public static HitRange Unknown => new(0, double.PositiveInfinity);
-
     public static HitRange None => new(double.PositiveInfinity, double.PositiveInfinity);
 }
 

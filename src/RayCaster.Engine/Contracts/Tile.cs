@@ -3,8 +3,6 @@ namespace RayCaster.Engine;
 /// <summary>A rectangle of pixels.</summary>
 /// <param name="Column">The first column, from the left.</param>
 /// <param name="Row">The lowest row, from the bottom.</param>
-/// <param name="Width">Columns.</param>
-/// <param name="Height">Rows.</param>
 public readonly record struct Tile(int Column, int Row, int Width, int Height)
 {
     /// <summary>The most columns and rows of a tile; no tile crosses a multiple of it.</summary>

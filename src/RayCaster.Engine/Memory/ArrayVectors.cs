@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Vectors of consecutive numbers in an array. Only the first position is checked: the arrays have room for whole vectors. With the

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Tests whether all rays of a packet miss bounds.</summary>

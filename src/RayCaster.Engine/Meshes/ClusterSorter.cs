@@ -1,6 +1,3 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Finds the tiles in which a mesh's clusters may show; each thread has its own. Where a cluster's box says too little, it sorts the

@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>A coarse depth buffer: for each cell of 8 × 8 pixels the least w that their hits certainly have. What lies behind is hidden.</summary>
@@ -46,7 +43,7 @@ internal sealed class CoarseDepth
     }
 
     /// <summary>Whether each pixel of a triangle's box certainly has a hit with a greater w than the triangle's plane.</summary>
-    /// <param name="setup">What <see cref="TriangleSetUp"/> knows of eight triangles.</param>
+    /// <param name="setup">The <see cref="TriangleSetUp"/> of eight triangles.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public bool Hides(RawSpan<float> setup, int lane)
     {

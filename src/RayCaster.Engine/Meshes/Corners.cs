@@ -5,7 +5,6 @@ internal abstract class Corners
 {
     public abstract int Count { get; }
 
-    /// <summary>Sees eight triangles.</summary>
     /// <param name="seen">Their corners on the screen; meaningless where a corner is not fit for floats.</param>
     public abstract void See(ReadOnlySpan<int> triangles, out EightTriangles seen);
 

@@ -1,5 +1,3 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>The corners of eight triangles on the screen, a triangle to a lane.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Computes where each ray of a packet hits its own triangle, by the triangle's formula.</summary>

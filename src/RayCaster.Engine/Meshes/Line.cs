@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>A line through a point, and where it enters bounds.</summary>
-/// <param name="origin">The point.</param>
 /// <param name="direction">The line's direction.</param>
 public readonly struct Line(Vector3 origin, Vector3 direction)
 {

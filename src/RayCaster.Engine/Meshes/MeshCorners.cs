@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>The corners of a mesh's triangles. They are projected at each use: storing all projected vertices takes longer, because memory is slower

@@ -1,6 +1,3 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Paints the tiles of a mesh in floats; each thread has its own. The filter knows a range for each hit's w; so t and each channel's level
@@ -48,7 +45,6 @@ internal sealed class MeshPainter
     /// <summary>The positions of pixels whose bytes the last painting could not decide.</summary>
     public PooledList<int> Doubts { get; } = new();
 
-    /// <summary>Writes the bytes of a tile.</summary>
     /// <param name="covered">The least w that a pixel's hit may have, row by row of <see cref="TilePixels.Stride"/>.</param>
     /// <param name="front">The greatest; 0 where there is no hit.</param>
     /// <param name="decided">Less than +∞ where the formula decided about a pixel; null if there is none.</param>

@@ -10,7 +10,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     private readonly Vector3[] vertices;
     private readonly int[] indices;
     private readonly ScreenTriangles<N>[] sets = []; // the triangles, and the pieces of those that had to be clipped
-    private readonly TriangleTree? hard;             // over those of which the filter knows nothing
+    private readonly TriangleTree? hard;             // over the triangles that the filter cannot judge
     private readonly TileFilters<N>? filters;        // of one thread, for all meshes
     private TileFilter<N>? filter;                   // holds this mesh's pixels until another mesh takes it
     private Tile entered;

@@ -1,5 +1,3 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>The corners of triangles that are projected already.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Clips the triangles that reach behind the eye or far off the picture into pieces that can be projected.</summary>
@@ -24,7 +22,7 @@ internal sealed class ScreenClipper
         ];
     }
 
-    /// <summary>Triangles of which only the formula knows anything: three vertices for each.</summary>
+    /// <summary>Triangles that only the formula can judge: three vertices for each.</summary>
     public List<int> Hard { get; } = [];
 
     /// <summary>The pieces, three points for each.</summary>

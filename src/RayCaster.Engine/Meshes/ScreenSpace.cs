@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Screen space: the column and row of a point (samples lie at whole numbers) and w = |T − P| / depth, which is linear over the picture on

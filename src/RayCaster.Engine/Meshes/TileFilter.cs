@@ -1,7 +1,4 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
-using System.Runtime.Intrinsics;
 
 namespace RayCaster.Engine;
 
@@ -9,7 +6,7 @@ namespace RayCaster.Engine;
 /// left out, group by group, then triangles that cover no sample, eight at once.</summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
-    /// <summary>After so many runs or triangles it is found out anew what is hidden.</summary>
+    /// <summary>How many runs or triangles are drawn before hidden ones are sought again.</summary>
     private const int RunsAtOnce = 128, TrianglesAtOnce = 512;
 
     /// <summary>How many runs ahead memory is fetched.</summary>
@@ -32,7 +29,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         cover = new(screen, pixels, coarse, hits.Decide);
     }
 
-    /// <summary>The view whose pixels it knows; null where it knows none.</summary>
+    /// <summary>The view whose pixels are stored; null if none are.</summary>
     public MeshView<N>? Owner { get; private set; }
 
     public Tile Tile => tile;
@@ -93,7 +90,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         return 0.3f * least + 0.7f * most;
     }
 
-    /// <summary>Comes to a tile in which there may be something; all that is known is of another one.</summary>
+    /// <summary>Begins a tile in which something may show; the stored pixels are those of another tile.</summary>
     private void Begin()
     {
         isEmpty = false;

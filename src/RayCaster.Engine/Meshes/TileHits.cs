@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Computes where the rays of a tile hit the triangles that the filter proposes, by the triangle's formula; each thread has its

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Triangles with the tiles in which they may show; each thread fills its own.</summary>
@@ -28,7 +26,6 @@ internal sealed class TileLists(int width)
     }
 
     /// <summary>Adds what shows in a rectangle of pixels.</summary>
-    /// <param name="run">The triangles.</param>
     /// <param name="mostW">The greatest w of a sample that they cover.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(TriangleRun run, float mostW, uint left, uint right, uint bottom, uint top)

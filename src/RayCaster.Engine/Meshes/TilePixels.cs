@@ -1,12 +1,9 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>
-/// What the filter knows of each pixel of a tile: the triangle that may be in front. A triangle that certainly covers a pixel hides what is
-/// certainly behind it. Where two are too close to each other, or a sample is too close to an edge, the second triangle waits in a queue for its
-/// formula.
+/// What the filter stores for each pixel of a tile: the triangle that may be in front. A triangle that certainly covers a pixel hides what is
+/// certainly behind it. Where two are too close to each other, or a sample is too close to an edge, the second triangle is queued, and its formula
+/// decides.
 /// </summary>
 internal sealed class TilePixels
 {
@@ -59,7 +56,6 @@ internal sealed class TilePixels
             Covered.AsSpan(row * Stride, Stride)[(row < tile.Height ? tile.Width : 0)..].Fill(float.PositiveInfinity);
     }
 
-    /// <summary>Queues a pixel and a triangle.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Enqueue(int pixel, int triangle, float mostW)
     {

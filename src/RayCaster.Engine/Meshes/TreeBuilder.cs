@@ -69,7 +69,6 @@ internal sealed class TreeBuilder
 
     private static Vector3 Center(Bounds bounds) => 0.5 * bounds.Min + 0.5 * bounds.Max;
 
-    /// <summary>A coordinate by the number of its axis.</summary>
     public static double Coordinate(Vector3 v, int axis) => axis switch { 0 => v.X, 1 => v.Y, _ => v.Z };
 }
 

@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>What depends only on a mesh: a box around each cluster of consecutive triangles.</summary>
@@ -15,7 +12,7 @@ internal sealed class TriangleBoxes
     /// indices, which must be there first.</summary>
     private const int VerticesAhead = 6 * TriangleCluster.Length, IndicesAhead = 24 * TriangleCluster.Length;
 
-    /// <summary>How many clusters tell how large a mesh's clusters are on the screen, and in how many pixels they are large.</summary>
+    /// <summary>By how many clusters the size of all on the screen is estimated, and in how many pixels they are large.</summary>
     private const int Samples = 32, LargeArea = Tile.MaxSide * Tile.MaxSide;
 
     private static readonly ConditionalWeakTable<Mesh, TriangleBoxes> kept = [];
@@ -55,7 +52,6 @@ internal sealed class TriangleBoxes
     /// <summary>The number of triangles in a box; less at the mesh's end.</summary>
     public int Length { get; }
 
-    /// <summary>The boxes of a mesh.</summary>
     /// <param name="mesh">The mesh, whose vertices and indices never change.</param>
     /// <param name="camera">What sees it: the boxes suit any camera, but short clusters pay only where triangles are large on the screen.</param>
     /// <param name="isKept">Whether the boxes stay in memory as long as the mesh does, for the next picture.</param>

@@ -1,7 +1,6 @@
 namespace RayCaster.Engine;
 
 /// <summary>Consecutive triangles of a mesh, which in most meshes are neighbours, as they show in a tile.</summary>
-/// <param name="Run">The triangles.</param>
 /// <param name="MostW">The greatest w of a sample that they cover.</param>
 /// <param name="Cells">The cells of the tile (<see cref="CoarseDepth"/>) in which they may cover samples.</param>
 internal readonly record struct TriangleCluster(TriangleRun Run, float MostW, Cells Cells)

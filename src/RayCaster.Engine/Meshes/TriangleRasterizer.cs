@@ -1,7 +1,3 @@
-using System.Numerics;
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Rasterizes triangles in a tile; each thread has its own.</summary>

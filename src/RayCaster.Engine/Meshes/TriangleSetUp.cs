@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>What the filter needs of eight triangles in a tile: the box of samples, an edge function for each side that is positive inside, and w as

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>A bounding volume hierarchy (BVH) over the triangles of a mesh. Bounds reject whole branches; the triangle's own formula decides which
@@ -12,7 +10,6 @@ public sealed class TriangleTree
     private readonly TreeNode[] nodes;
     private readonly int depth;
 
-    /// <param name="vertices">The corners.</param>
     /// <param name="indices">Three for each triangle.</param>
     public TriangleTree(Vector3[] vertices, int[] indices)
     {

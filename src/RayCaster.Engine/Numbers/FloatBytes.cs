@@ -1,11 +1,9 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
 
 /// <summary>Converts channels' levels from floats to bytes. A byte is certain where both ends of a level's range have the same whole part.</summary>
-internal static class FloatBytes
+internal static partial class FloatBytes
 {
     /// <summary>The rounding error of a range's ends: levels are below 256, so half a float's unit is 2⁻¹⁷.</summary>
     public const double RoundingOfTheEnds = 7.7e-6;
@@ -22,54 +20,6 @@ internal static class FloatBytes
 
     /// <summary>How many pixels of a row its packets hold.</summary>
     public static int Count => IsWide ? WideFloatPacket.Count : FloatPacket.Count;
-
-    /// <summary>The whole parts of three channels, packed into one int.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector512<int> Packed(Vector512<float> r, Vector512<float> g, Vector512<float> b) =>
-        Avx512F.ConvertToVector512Int32WithTruncation(r)
-        | (Avx512F.ConvertToVector512Int32WithTruncation(g) << 8)
-        | (Avx512F.ConvertToVector512Int32WithTruncation(b) << 16);
-
-    /// <inheritdoc cref="Packed(Vector512{float}, Vector512{float}, Vector512{float})"/>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<int> Packed(Vector256<float> r, Vector256<float> g, Vector256<float> b) =>
-        Avx.ConvertToVector256Int32WithTruncation(r)
-        | (Avx.ConvertToVector256Int32WithTruncation(g) << 8)
-        | (Avx.ConvertToVector256Int32WithTruncation(b) << 16);
-
-    /// <summary>Writes the 48 bytes of 16 pixels.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Store(Vector512<int> pixels, byte[] rgb, int place)
-    {
-        var bytes = InARow(pixels);
-        bytes.GetLower().StoreTo(rgb, place);
-        bytes.GetUpper().GetLower().StoreTo(rgb, place + Vector256<byte>.Count);
-    }
-
-    /// <summary>Writes the 24 bytes of 8 pixels.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static void Store(Vector256<int> pixels, byte[] rgb, int place)
-    {
-        var bytes = InARow(pixels);
-        bytes.GetLower().StoreTo(rgb, place);
-        bytes.GetUpper().GetLower().StoreTo(rgb, place + Vector128<byte>.Count);
-    }
-
-    /// <summary>Writes as many bytes of the first pixels as there is room for.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void StoreFew(in Vector512<int> pixels, Span<byte> to)
-    {
-        var bytes = InARow(pixels);
-        for (var i = 0; i < to.Length; i++) to[i] = bytes[i];
-    }
-
-    /// <inheritdoc cref="StoreFew(in Vector512{int}, Span{byte})"/>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void StoreFew(in Vector256<int> pixels, Span<byte> to)
-    {
-        var bytes = InARow(pixels);
-        for (var i = 0; i < to.Length; i++) to[i] = bytes[i];
-    }
 
     /// <summary>Three bytes of each of 16 pixels, without the fourth; those after the 48 are meaningless.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

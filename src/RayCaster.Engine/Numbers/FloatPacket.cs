@@ -1,9 +1,8 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
-/// <summary>Two rows of eight floats.</summary>
+// The build makes WideFloatPacket of this file, with vectors of twice the length (RayCaster.Engine.csproj).
+
+/// <summary>Two rows of floats.</summary>
 /// <param name="lower">The numbers of the lower row.</param>
 /// <param name="upper">Those of the upper row.</param>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -103,7 +102,7 @@ internal readonly struct FloatPacket(Vector256<float> lower, Vector256<float> up
         var pixels = Vector256.ConditionalSelect(isMiss, Vector256.Create(background), least);
         if (count >= Count) FloatBytes.Store(pixels, rgb, place);
         else FloatBytes.StoreFew(pixels, rgb.AsSpan(place, 3 * count));
-        return (Vector256.Equals(least, most) | isMiss).ExtractMostSignificantBits() ^ 0xFF;
+        return (uint)(Vector256.Equals(least, most) | isMiss).ExtractMostSignificantBits() ^ 0xFF;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -119,6 +118,6 @@ internal readonly struct FloatPacket(Vector256<float> lower, Vector256<float> up
         var least = FloatBytes.Packed(levels.Red.Least(t), levels.Green.Least(t), levels.Blue.Least(t));
         var most = FloatBytes.Packed(levels.Red.Most(t), levels.Green.Most(t), levels.Blue.Most(t));
         FloatBytes.Store(least, rgb, place);
-        return Vector256.Equals(least, most).ExtractMostSignificantBits() ^ 0xFF;
+        return (uint)Vector256.Equals(least, most).ExtractMostSignificantBits() ^ 0xFF;
     }
 }

@@ -1,5 +1,3 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Numbers of several pixels side by side; as a mask all bits of a lane set for true, none for false.</summary>

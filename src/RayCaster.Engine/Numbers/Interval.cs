@@ -1,10 +1,9 @@
-using System.Runtime.CompilerServices;
 using N = RayCaster.Engine.WidePacket;
 
 namespace RayCaster.Engine;
 
-/// <summary>All the numbers from Lo to Hi, and NaN if said so: a formula over it tells what all the rays of a part of the picture may do. Each lane
-/// is a part of its own. As a mask Lo is where it surely holds, Hi where it may.</summary>
+/// <summary>All numbers from Lo to Hi, and NaN if that is marked. A formula over it gives the range of its results for all rays of a part of the
+/// picture; each lane is another part. As a mask, Lo is where it certainly holds, Hi where it may hold.</summary>
 /// <remarks>
 /// It holds what doubles compute, not what real numbers would give, so nothing is rounded outwards: each operation is monotonic in each operand, and
 /// so is rounding to nearest; what is computed from numbers between two others lies between what is computed from those. Where a divisor may be 0,

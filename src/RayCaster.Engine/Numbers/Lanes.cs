@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
@@ -11,8 +9,8 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Broadcast<N>(double number) where N : struct, IReal<N> => number;
 
-    /// <summary>Asks the memory for something that is needed soon. The pointer is only a hint: nothing is read through it, wherever the thing may be
-    /// moved.</summary>
+    /// <summary>Loads something into the caches before it is needed. The pointer is only a hint: nothing is read through it, even if the collector
+    /// moves the thing.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static unsafe void Fetch<T>(ref T thing) where T : struct
     {

@@ -1,102 +1,16 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
 
-/// <summary>Four doubles, one for each of four pixels side by side: a formula over it gives each lane the bits that <see cref="Scalar"/>
-/// gives.</summary>
-/// <remarks>Operators set the field themselves: a constructor in each of them makes a kernel's compilation, which a small picture waits for, a tenth
-/// longer.</remarks>
-internal struct Packet : IPacket<Packet>
+/// <summary>Four doubles.</summary>
+internal partial struct Packet
 {
-    /// <summary>The numbers; as a mask all bits of a lane set for true, none for false.</summary>
-    public Vector256<double> Lanes;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Packet(Vector256<double> lanes) => Lanes = lanes;
-
-    public static int Count => Vector256<double>.Count;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static implicit operator Packet(double value) => new() { Lanes = Vector256.Create(value) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator +(Packet a, Packet b) => new() { Lanes = a.Lanes + b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator -(Packet a, Packet b) => new() { Lanes = a.Lanes - b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator -(Packet a) => new() { Lanes = -a.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator *(Packet a, Packet b) => new() { Lanes = a.Lanes * b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator /(Packet a, Packet b) => new() { Lanes = a.Lanes / b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator <(Packet a, Packet b) => new() { Lanes = Vector256.LessThan(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator >(Packet a, Packet b) => new() { Lanes = Vector256.GreaterThan(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator <=(Packet a, Packet b) => new() { Lanes = Vector256.LessThanOrEqual(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator >=(Packet a, Packet b) => new() { Lanes = Vector256.GreaterThanOrEqual(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator &(Packet a, Packet b) => new() { Lanes = a.Lanes & b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet operator |(Packet a, Packet b) => new() { Lanes = a.Lanes | b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Sqrt(Packet x) => new() { Lanes = Vector256.Sqrt(x.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Min(Packet a, Packet b) => new() { Lanes = Vector256.Min(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Max(Packet a, Packet b) => new() { Lanes = Vector256.Max(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Select(Packet mask, Packet a, Packet b) => new() { Lanes = Vector256.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
-    public static Packet If(Packet mask, Packet value) => Select(mask, value, double.NaN);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the same
-    public static Vector3<Packet> Divide(Vector3<Packet> a, Packet b) => new(a.X / b, a.Y / b, a.Z / b);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Equal(Packet a, Packet b) => new() { Lanes = Vector256.Equals(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool All(Packet mask) => mask.Lanes.ExtractMostSignificantBits() == (1 << Vector256<double>.Count) - 1;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static uint Bits(Packet mask) => mask.Lanes.ExtractMostSignificantBits();
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet MultiplyAddEstimate(Packet a, Packet b, Packet c) =>
-        new() { Lanes = Vector256.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(Packet a)
     {
         var pairs = Vector128.Max(a.Lanes.GetLower(), a.Lanes.GetUpper());
         return Math.Max(pairs[0], pairs[1]);
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Sequence(int first) => new() { Lanes = Vector256.Create((double)first) + Vector256.Create(0.0, 1, 2, 3) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Packet Load(double[] numbers, int first) => new() { Lanes = numbers.Load256(first) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Load(float[] numbers, int first) => new() { Lanes = Vector256.WidenLower(numbers.Load128(first).ToVector256Unsafe()) };
@@ -117,15 +31,9 @@ internal struct Packet : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector256<float> Narrow(Packet lower, Packet upper) => Vector256.Narrow(lower.Lanes, upper.Lanes);
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Store(double[] numbers, int first) => Lanes.StoreTo(numbers, first);
-
     /// <summary>The whole parts of numbers from 0 to 2³¹.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector128<int> ToInts() => Avx.IsSupported
         ? Avx.ConvertToVector128Int32WithTruncation(Lanes)
         : Vector128.Create((int)Lanes[0], (int)Lanes[1], (int)Lanes[2], (int)Lanes[3]);
-
-    /// <summary>The numbers of all lanes, for printing a step of a formula.</summary>
-    public readonly override string ToString() => FormattableString.Invariant($"{Lanes}");
 }

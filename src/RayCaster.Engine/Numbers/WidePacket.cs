@@ -1,77 +1,10 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
 
-/// <summary>Eight doubles: a <see cref="Packet"/> for machines that compute with eight at once.</summary>
-internal struct WidePacket : IPacket<WidePacket>
+/// <summary>Eight doubles, for machines that compute with eight at once.</summary>
+internal partial struct WidePacket
 {
-    public Vector512<double> Lanes;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public WidePacket(Vector512<double> lanes) => Lanes = lanes;
-
-    public static int Count => Vector512<double>.Count;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static implicit operator WidePacket(double value) => new() { Lanes = Vector512.Create(value) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator +(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes + b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator -(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes - b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator -(WidePacket a) => new() { Lanes = -a.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator *(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes * b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator /(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes / b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator <(WidePacket a, WidePacket b) => new() { Lanes = Vector512.LessThan(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator >(WidePacket a, WidePacket b) => new() { Lanes = Vector512.GreaterThan(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator <=(WidePacket a, WidePacket b) => new() { Lanes = Vector512.LessThanOrEqual(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator >=(WidePacket a, WidePacket b) => new() { Lanes = Vector512.GreaterThanOrEqual(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator &(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes & b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket operator |(WidePacket a, WidePacket b) => new() { Lanes = a.Lanes | b.Lanes };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Sqrt(WidePacket x) => new() { Lanes = Vector512.Sqrt(x.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Min(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Min(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Max(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Max(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Select(WidePacket mask, WidePacket a, WidePacket b) =>
-        new() { Lanes = Vector512.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
-    public static WidePacket If(WidePacket mask, WidePacket value) => Select(mask, value, double.NaN);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
-    public static Vector3<WidePacket> Divide(Vector3<WidePacket> a, WidePacket b) => new(a.X / b, a.Y / b, a.Z / b);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Equal(WidePacket a, WidePacket b) => new() { Lanes = Vector512.Equals(a.Lanes, b.Lanes) };
-
     /// <summary>The lesser of two numbers; where one is NaN, either.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Lesser(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MinNative(a.Lanes, b.Lanes) };
@@ -81,23 +14,7 @@ internal struct WidePacket : IPacket<WidePacket>
     public static WidePacket Greater(WidePacket a, WidePacket b) => new() { Lanes = Vector512.MaxNative(a.Lanes, b.Lanes) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool All(WidePacket mask) => mask.Lanes.ExtractMostSignificantBits() == (1UL << Vector512<double>.Count) - 1;
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static uint Bits(WidePacket mask) => (uint)mask.Lanes.ExtractMostSignificantBits();
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket MultiplyAddEstimate(WidePacket a, WidePacket b, WidePacket c) =>
-        new() { Lanes = Vector512.MultiplyAddEstimate(a.Lanes, b.Lanes, c.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static double Greatest(WidePacket a) => Packet.Greatest(new() { Lanes = Vector256.Max(a.Lanes.GetLower(), a.Lanes.GetUpper()) });
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Sequence(int first) => new() { Lanes = Vector512.Create((double)first) + Vector512.Create(0.0, 1, 2, 3, 4, 5, 6, 7) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static WidePacket Load(double[] numbers, int first) => new() { Lanes = numbers.Load512(first) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static WidePacket Load(float[] numbers, int first) => new() { Lanes = Vector512.WidenLower(numbers.Load256(first).ToVector512Unsafe()) };
@@ -115,17 +32,11 @@ internal struct WidePacket : IPacket<WidePacket>
         ? Avx512F.ConvertToVector256Single(lower.Lanes)
         : Vector256.Narrow(lower.Lanes.GetLower(), lower.Lanes.GetUpper());
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public readonly void Store(double[] numbers, int first) => Lanes.StoreTo(numbers, first);
-
     /// <summary>The whole parts of numbers within ±2³¹.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly Vector256<int> ToInts() => Avx512F.IsSupported
         ? Avx512F.ConvertToVector256Int32WithTruncation(Lanes)
         : Vector256.Create(new Packet(Lanes.GetLower()).ToInts(), new Packet(Lanes.GetUpper()).ToInts());
-
-    /// <summary>The numbers of all lanes, for printing a step of a formula.</summary>
-    public readonly override string ToString() => FormattableString.Invariant($"{Lanes}");
 
     /// <summary>Two halves; <see cref="Vector512.Create{T}(Vector256{T}, Vector256{T})"/> would clear the upper one before it is set.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -45,7 +45,6 @@ internal sealed class BandQueue
         for (var i = 0; i < buffers.Length; i++) (buffers[i], stripsMissing[i]) = (new byte[3 * camera.Width * rowsOfBand], stripsAcross);
     }
 
-    /// <summary>Draws it all.</summary>
     public void WriteAll(Action<ReadOnlySpan<byte>> write)
     {
         var shader = frame.Shader; // before other threads need it

@@ -1,12 +1,10 @@
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>What all threads share that draw one picture.</summary>
 internal abstract class Frame : IDisposable
 {
     /// <summary>Kernels for single kinds of shape save half of the time, but compiling them takes as long as casting some ten million rays. They are
-    /// used for a picture of at least so many pixels, or if many pictures follow each other.</summary>
+    /// used for a picture of at least so many pixels, or if many pictures follow each other, and always in a native program.</summary>
     private const long PixelsOfLongWork = 1 << 24;
 
     private readonly int threads;
@@ -14,7 +12,7 @@ internal abstract class Frame : IDisposable
     protected Frame(Scene scene, int threads, bool manyFrames)
     {
         (Scene, this.threads) = (scene, threads);
-        IsLong = manyFrames || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
+        IsLong = manyFrames || !RuntimeFeature.IsDynamicCodeCompiled || (long)scene.Camera.Width * scene.Camera.Height >= PixelsOfLongWork;
     }
 
     /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>

@@ -1,13 +1,13 @@
 namespace RayCaster.Engine;
 
-/// <summary>Says when a picture is so little work that saving work would cost more than it saves.</summary>
+/// <summary>Decides when a picture is so little work that saving work would cost more than it saves.</summary>
 internal static class PlainWork
 {
-    /// <summary>From so many rays times models on it pays to find out which models show where. Tiles and intervals cost as much processor time
-    /// before the first ray as 30 million crossings; most of it is compilation.</summary>
+    /// <summary>With more rays times models, finding out which models show where saves time. Before the first ray, tiles and intervals cost as much
+    /// processor time as 30 million crossings; most of it is compilation.</summary>
     private const long Large = 32_000_000;
 
-    /// <summary>From so many pixels on another thread pays.</summary>
+    /// <summary>With more pixels, a second thread saves time.</summary>
     private const long ManyPixels = 1 << 20;
 
     /// <summary>Whether each ray of these lines is simply intersected with each model near its pixel. A mesh is always prepared tile by

@@ -79,7 +79,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Casts a tile in which only one model may show; cutting it would tell no more.</summary>
+    /// <summary>Casts a tile in which only one model may show, so that dividing it would gain nothing.</summary>
     private void CastAlone(in Tile tile, List<Candidate> list, ITileView alone)
     {
         if (!(frame.IsLong && consumer.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);

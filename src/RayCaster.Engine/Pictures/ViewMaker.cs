@@ -10,7 +10,6 @@ internal sealed class ViewMaker<N> : IModelVisitor where N : struct, IPacket<N>
 
     private ViewMaker(Camera camera, bool isKept, int threads) => (this.camera, this.isKept, this.threads) = (camera, isKept, threads);
 
-    /// <summary>The view of a model for a camera.</summary>
     /// <param name="isKept">Whether what depends only on the model stays in memory for the next picture.</param>
     public static ModelView<N> See(Model model, Camera camera, bool isKept, int threads)
     {

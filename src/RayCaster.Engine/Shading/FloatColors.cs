@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
 using System.Runtime.Intrinsics.X86;
 
 namespace RayCaster.Engine;
@@ -48,7 +46,6 @@ internal sealed class FloatColors
 
     /// <summary>The channels of sixteen pixels, in steps.</summary>
     /// <param name="isPacked">Whether there are <see cref="Packed"/> colours.</param>
-    /// <param name="packed">These.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector512<float> R, Vector512<float> G, Vector512<float> B) At(bool isPacked, RawSpan<long> packed, Vector512<int> places)
     {

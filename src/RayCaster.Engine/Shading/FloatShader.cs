@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Turns the hits of streams into bytes, sixteen pixels at once, in floats; <see cref="HitShader"/> computes uncertain bytes.</summary>

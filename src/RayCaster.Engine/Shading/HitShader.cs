@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Runtime.Intrinsics;
-
 namespace RayCaster.Engine;
 
 /// <summary>Turns the hits of streams into bytes: the formulas of <see cref="Scene.Shade"/> and <see cref="Color.ToBytes"/> for four pixels at

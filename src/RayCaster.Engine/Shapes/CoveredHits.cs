@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
 /// <summary>Finds where the rays of a part hit the one shape that covers it; each thread has its own. Only t is stored.</summary>

@@ -1,8 +1,6 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Engine;
 
-/// <summary>A primitive: its own formula over intervals tells what a tile may hit, and over packets what each pixel hits.</summary>
+/// <summary>A primitive: its own formula over intervals finds what a tile may hit, and over packets what each pixel hits.</summary>
 internal sealed class PrimitiveView<P, N>(P primitive, Camera camera) : ShapeView<N>((primitive as IBounded)?.Bounds, camera), ICoveringView
     where P : struct, IPrimitive where N : struct, IPacket<N>
 {

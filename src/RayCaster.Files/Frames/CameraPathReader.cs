@@ -5,15 +5,12 @@ namespace RayCaster.Files;
 /// </summary>
 public static class CameraPathReader
 {
-    /// <summary>The longest file, in bytes: some ten thousand keys.</summary>
-    public const int MostBytes = 1 << 20;
-
     /// <summary>Reads a file.</summary>
     /// <param name="camera">The scene's camera: its target and fovY are the defaults of a key.</param>
     /// <param name="report">All mistakes in the file, as text for people; empty if there are none.</param>
     /// <returns>The path, or null if there is an error.</returns>
     public static CameraPath? Read(string path, Camera camera, out string report) =>
-        ShortFile.Read(path, MostBytes, "the camera's path", o => ReadPath(o, camera), out report);
+        ShortFile.Read(path, "the camera's path", o => ReadPath(o, camera), out report);
 
     private static CameraPath? ReadPath(SceneObject o, Camera camera)
     {

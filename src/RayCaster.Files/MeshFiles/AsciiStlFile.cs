@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <summary>Ascii STL. Line ends separate words like blanks do, but the name of a solid ends with its line.</summary>

@@ -1,6 +1,3 @@
-using System.Buffers.Binary;
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Files;
 
 /// <summary>Binary STL: after the header a normal, three vertices and two more bytes for each triangle.</summary>

@@ -8,14 +8,12 @@ public static class MeshFile
 
     /// <summary>Reads a mesh file; its extension, in any case, says whether it is OBJ, PLY or STL.</summary>
     /// <param name="threads">How many threads read a large file; one per core if left out.</param>
+    /// <param name="names">Suggests names for the missing ones of many files.</param>
     /// <exception cref="MeshFileException">The file is not there, is of another kind, or is broken.</exception>
-    public static MeshData Read(string path, int? threads = null) => Read(path, threads, new FileNames());
-
-    /// <summary>The same for one of many files; <paramref name="names"/> suggests names for files that are missing.</summary>
-    internal static MeshData Read(string path, int? threads, FileNames names)
+    internal static MeshData Read(string path, int? threads = null, FileNames? names = null)
     {
         var reader = ReaderOf(path);
-        using var stream = Open(path, names);
+        using var stream = Open(path, names ?? new());
         return reader(new MeshSource(path, stream, threads: threads ?? Environment.ProcessorCount));
     }
 
@@ -42,7 +40,7 @@ public static class MeshFile
         }
         catch (Exception e) when (e is FileNotFoundException or DirectoryNotFoundException)
         {
-            throw new MeshFileException(path, $"file not found{names.HintFor(path)}", inner: e);
+            throw new MeshFileException(path, $"file not found{names.Hint(path)}", inner: e);
         }
         catch (UnauthorizedAccessException e)
         {

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Files;
 
 /// <summary>Where a scene puts a mesh: a vertex p becomes Rz·Ry·Rx·(scale ∘ p) + translate.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Files;
 
 /// <summary>PLY, ascii or binary: x, y and z of the element vertex, vertex_indices of the element face; all else is skipped.</summary>

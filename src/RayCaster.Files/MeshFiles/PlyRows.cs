@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Files;
 
 /// <summary>Finds where the rows of a PLY file end, without reading their values.</summary>

@@ -1,6 +1,3 @@
-using System.Buffers.Binary;
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Files;
 
 /// <summary>Reads the numbers in some rows of a PLY file, one after another.</summary>
@@ -14,9 +11,9 @@ internal abstract class PlyValues
     /// <summary>An upper limit of the numbers that are left, whatever a count in the file says.</summary>
     public abstract long MostLeft { get; }
 
-    public abstract void BeginRow();
+    public virtual void BeginRow() { }
 
-    public abstract void EndRow();
+    public virtual void EndRow() { }
 
     /// <summary>A mistake in the last number.</summary>
     public abstract MeshFileException Error(string reason);
@@ -98,10 +95,6 @@ internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValu
         if (count > (length - position) / property.Size) throw TooShort();
         position += (int)count * property.Size;
     }
-
-    public override void BeginRow() { }
-
-    public override void EndRow() { }
 
     public override MeshFileException Error(string reason) => block.Source.ErrorAtByte(block.Start + last, reason);
 

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Files;
 
 /// <summary>
@@ -11,7 +9,7 @@ public sealed class SpatialOrder
     /// <summary>A mesh with fewer triangles lies in the processor's caches, so its order hardly matters.</summary>
     private const int FewTriangles = 1 << 17;
 
-    /// <summary>The order is random if, of so many pairs of consecutive triangles, the two are on average so many of their sizes apart.</summary>
+    /// <summary>In random order, consecutive triangles of so many pairs are on average farther apart than so many of their sizes.</summary>
     private const int Pairs = 256, FarApart = 16;
 
     /// <summary>The bits of a cell's place along each axis: of a surface of a million triangles, a cell holds some ten.</summary>

@@ -1,5 +1,3 @@
-using System.Buffers.Binary;
-
 namespace RayCaster.Files;
 
 /// <summary>STL, binary or ascii. Each triangle has its own three vertices; the normals are not needed.</summary>

@@ -16,7 +16,6 @@ internal abstract class TextFormat(MeshSource source) : MeshFormat
     protected abstract int LastCut(ReadOnlySpan<byte> text);
 
     /// <summary>Takes the last line that has an end off a text.</summary>
-    /// <param name="text">The text; afterwards what is left of it.</param>
     /// <param name="line">The line without its end. A line that ends with CR and LF comes as an empty line first.</param>
     protected static bool TryTakeLastLine(ref ReadOnlySpan<byte> text, out ReadOnlySpan<byte> line)
     {

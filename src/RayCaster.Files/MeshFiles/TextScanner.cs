@@ -1,6 +1,3 @@
-using System.Runtime.CompilerServices;
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <summary>Divides a text into words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>
@@ -57,11 +54,9 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
     /// <summary>The next word, on this line or a later one; empty at the end of the file.</summary>
     public ReadOnlySpan<byte> Next()
     {
-        while (true)
-        {
-            var word = NextInLine();
-            if (!word.IsEmpty || !NextLine()) return word;
-        }
+        var word = NextInLine();
+        while (word.IsEmpty && NextLine()) word = NextInLine();
+        return word;
     }
 
     /// <summary>Skips the rest of the line; false at the end of the file.</summary>

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Files;
 
 /// <summary>Lines of a picture that follow each other, counted from the top, from 0.</summary>

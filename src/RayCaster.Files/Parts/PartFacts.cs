@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text.RegularExpressions;
 
 namespace RayCaster.Files;
@@ -10,7 +9,7 @@ namespace RayCaster.Files;
 /// picture 500x500
 /// lines 0..249
 /// scene 7d0e… (64 digits)
-/// raycaster 1.0.0
+/// raycaster 1.1.0
 /// </code>
 /// </summary>
 /// <param name="Digest">The <see cref="SceneDigest"/> of its scene.</param>
@@ -23,9 +22,9 @@ public sealed partial record PartFacts(int Width, int Height, LineRange Lines, s
     public static string ThisVersion => typeof(PartFacts).Assembly.GetName().Version!.ToString(3);
 
     /// <summary>The facts of a part that is drawn now.</summary>
-    /// <exception cref="NotSupportedException">A model does not list its <see cref="Model.Numbers"/>.</exception>
-    public static PartFacts Of(Scene scene, LineRange lines) =>
-        new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene), ThisVersion);
+    /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
+    public static PartFacts Of(Scene scene, LineRange lines, string models) =>
+        new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene, models), ThisVersion);
 
     /// <summary>Reads what <see cref="ToString"/> writes; null for any other text.</summary>
     public static PartFacts? Parse(string text)

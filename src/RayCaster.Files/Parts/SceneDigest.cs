@@ -1,7 +1,5 @@
-using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
 using System.Security.Cryptography;
-using System.Text;
 
 namespace RayCaster.Files;
 
@@ -10,10 +8,11 @@ namespace RayCaster.Files;
 /// from the values. Comments, blanks, names, the order of keys, defaults that are written out, and the places of mesh files do not change it.
 /// </summary>
 /// <remarks>
-/// These values are hashed, in this order: the text "raycaster picture 1"; width, height; position, target, up; fovY, h = 2 tan(fovY / 2); zNear,
-/// zFar, bias; clip and sample as 0 or 1; the background; the number of models, and of each its colour and its kind. Then of a primitive its
-/// numbers; of a mesh the number of vertices and of indices, and each of them, as the scene places it; of a model in plain doubles and ifs its
-/// <see cref="Model.Numbers"/>. A number is the eight bytes of a double, the lowest first; a text is its length and its UTF-8 bytes.
+/// These values are hashed, in this order: the text "raycaster picture 2"; width, height; position, target, up; fovY, h = 2 tan(fovY / 2); zNear,
+/// zFar, bias; clip and sample as 0 or 1; the background; the digest of the models. In that are hashed: the number of models, and of each its colour
+/// and its kind. Then of a primitive its numbers; of a mesh the number of vertices and of indices, and each of them, as the scene places it; of a
+/// model in plain doubles and ifs its <see cref="Model.Numbers"/>. A number is the eight bytes of a double, the lowest first; a text is its length
+/// and its UTF-8 bytes.
 /// <para>The last bit of tan, sin and cos may depend on the system. Therefore h and the placed vertices are hashed: if two systems compute
 /// different ones, their digests differ.</para>
 /// </remarks>
@@ -24,28 +23,39 @@ public sealed class SceneDigest : IModelVisitor
     private SceneDigest(IncrementalHash hash) => this.hash = hash;
 
     /// <summary>The digest of a scene: 64 hexadecimal digits, small letters.</summary>
-    /// <exception cref="NotSupportedException">A model does not list its <see cref="Model.Numbers"/>; the message is for people.</exception>
-    public static string Of(Scene scene)
+    /// <param name="models">The digest of its models (<see cref="OfModels"/>), which all frames of a moving camera share.</param>
+    public static string Of(Scene scene, string models)
     {
-        using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
-        var digest = new SceneDigest(hash);
         var camera = scene.Camera;
-        digest.Add("raycaster picture 1").Add(camera.Width).Add(camera.Height)
+        return Of(digest => digest.Add("raycaster picture 2").Add(camera.Width).Add(camera.Height)
             .Add(camera.Position).Add(camera.Target).Add(camera.Up).Add(camera.FovY).Add(camera.PlaneHeight)
             .Add(camera.ZNear).Add(camera.ZFar).Add(camera.Bias).Add((int)camera.Clip).Add((int)camera.Sample)
-            .Add(scene.Background).Add(scene.Models.Count);
-        for (var i = 0; i < scene.Models.Count; i++)
+            .Add(scene.Background).Add(models));
+    }
+
+    /// <summary>The digest of models in their order.</summary>
+    /// <exception cref="NotSupportedException">A model does not list its <see cref="Model.Numbers"/>; the message is for people.</exception>
+    public static string OfModels(IReadOnlyList<Model> models) => Of(digest =>
+    {
+        digest.Add(models.Count);
+        for (var i = 0; i < models.Count; i++)
         {
             try
             {
-                digest.Add(scene.Models[i].Color);
-                scene.Models[i].Accept(digest);
+                digest.Add(models[i].Color);
+                models[i].Accept(digest);
             }
             catch (NotSupportedException e)
             {
                 throw new NotSupportedException($"models[{i}] {e.Message}", e);
             }
         }
+    });
+
+    private static string Of(Action<SceneDigest> add)
+    {
+        using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        add(new(hash));
         return Convert.ToHexStringLower(hash.GetHashAndReset());
     }
 

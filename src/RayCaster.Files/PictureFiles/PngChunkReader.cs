@@ -1,6 +1,3 @@
-using System.Buffers.Binary;
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <summary>Reads the chunks of a PNG in order, and the data of each in pieces of any size, so that no chunk need fit into memory.</summary>

@@ -1,5 +1,3 @@
-using System.Buffers.Binary;
-
 namespace RayCaster.Files;
 
 /// <summary>Reads the lines of a PNG, pass by pass, with one byte for each sample.</summary>

@@ -1,5 +1,4 @@
 using System.IO.Compression;
-using System.Text;
 
 namespace RayCaster.Files;
 
@@ -175,12 +174,14 @@ internal sealed class PngReader : IDisposable
     }
 
     /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a missing one only with its switch UseStrictValidation
-    /// (Directory.Build.props).</summary>
+    /// (Directory.Build.props). Bytes behind it are ignored, as PNG's third edition asks (11.2.3): programs write their whole buffer. The
+    /// checksums of their chunks are checked.</summary>
     private void CheckEnd()
     {
         try
         {
             if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
+            data.BaseStream.CopyTo(Stream.Null);
         }
         catch (InvalidDataException e)
         {

@@ -50,7 +50,6 @@ internal sealed class PnmReader
         var dataAt = file.Place;
         if (file.Length is { } length && length - dataAt < DataBytes) throw CutShort(length - dataAt);
         var rgb = new byte[file.Length is null ? Math.Min(FirstBytes, 3L * width * height) : 3L * width * height];
-        var pixel = new byte[3];
         for (var (y, at) = (0, 0); y < height; y++)
         {
             if (kind == 6 && maxval == 255)
@@ -69,8 +68,7 @@ internal sealed class PnmReader
             {
                 MakeRoom(ref rgb, at + 3);
                 if (kind == 4) bits = x % 8 == 0 ? Byte(dataAt) : bits << 1;
-                for (var c = 0; c < Channels; c++) pixel[c] = ReadSample(bits, dataAt);
-                (rgb[at], rgb[at + 1], rgb[at + 2]) = Channels == 1 ? (pixel[0], pixel[0], pixel[0]) : (pixel[0], pixel[1], pixel[2]);
+                for (var c = 0; c < 3; c++) rgb[at + c] = c < Channels ? ReadSample(bits, dataAt) : rgb[at];
             }
         }
         return new Picture(width, height, rgb);

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <summary>Writes PPM in text: at most five pixels in a line of text; each line of the picture begins a new one.</summary>

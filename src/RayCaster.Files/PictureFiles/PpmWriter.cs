@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <summary>Writes PPM in bytes: the header, then the bytes of the pixels.</summary>

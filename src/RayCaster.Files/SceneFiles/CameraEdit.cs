@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Files;
 
 /// <summary>Writes a camera's position and target into the text of a scene. Only numbers that differ change; comments and layout stay.</summary>

@@ -1,4 +1,3 @@
-using System.Text;
 using System.Text.Unicode;
 
 namespace RayCaster.Files;
@@ -6,9 +5,6 @@ namespace RayCaster.Files;
 /// <summary>Recognises files that are not UTF-8.</summary>
 internal static class Encodings
 {
-    /// <summary>The byte order mark of UTF-8, which a file may begin with.</summary>
-    public static ReadOnlySpan<byte> Utf8Mark => [0xEF, 0xBB, 0xBF];
-
     /// <summary>What is wrong with a text's encoding, or null.</summary>
     public static JsonMistake? MistakeIn(ReadOnlySpan<byte> text) =>
         text is [(byte)'{', not 0, ..] && Utf8.IsValid(text) ? null : LookFor(text); // for most files the runtime need not compile LookFor

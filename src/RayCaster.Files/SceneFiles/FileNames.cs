@@ -4,7 +4,7 @@ namespace RayCaster.Files;
 /// name thousands.</summary>
 internal sealed class FileNames
 {
-    /// <summary>As many as problems of a scene are printed.</summary>
+    /// <summary>The number of problems of a scene that are printed.</summary>
     private const int MostHints = SceneReading.Printed;
 
     /// <summary>In a larger folder only the first files are compared.</summary>
@@ -18,10 +18,7 @@ internal sealed class FileNames
 
     /// <summary>The end of a message about a missing file: its full path, unless that was given, and a file with a similar name.</summary>
     /// <param name="extension">An extension that may have been left out.</param>
-    public static string Hint(string path, string extension = "") => new FileNames().HintFor(path, extension);
-
-    /// <inheritdoc cref="Hint"/>
-    public string HintFor(string path, string extension = "")
+    public string Hint(string path, string extension = "")
     {
         var full = Path.GetFullPath(path);
         var sought = full == path ? "" : $"; looked for {PrintableText.Of(full)}";

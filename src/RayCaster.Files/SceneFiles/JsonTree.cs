@@ -1,6 +1,3 @@
-using System.Text;
-using System.Text.Json;
-
 namespace RayCaster.Files;
 
 /// <summary>A JSON text as a tree, with the place of each value in the text. Comments and trailing commas are allowed.</summary>
@@ -34,7 +31,6 @@ internal sealed class JsonTree
     /// <summary>How many keys were compared in searches. It must grow only in proportion to the text, also in a file with many errors.</summary>
     public long KeysLookedAt;
 
-    /// <summary>The outermost value.</summary>
     public JsonValue Root => new(this, 0);
 
     public ref Node this[int node] => ref nodes[node];
@@ -63,10 +59,9 @@ internal sealed class JsonTree
         return text.ToArray();
     }
 
-    /// <summary>Reads a text.</summary>
     /// <param name="text">Valid UTF-8.</param>
     /// <param name="mistake">Why it is not JSON, if null is returned.</param>
-    public static JsonTree? Parse(SourceText text, out JsonMistake mistake)
+    public static JsonTree? Parse(SourceText text, out JsonMistake? mistake)
     {
         var tree = new JsonTree(text);
         var open = new int[MaxDepth]; // the arrays and objects that are not closed yet
@@ -87,7 +82,7 @@ internal sealed class JsonTree
                 var start = (int)reader.TokenStartIndex;
                 tree.Add(last, start, last == JsonTokenType.PropertyName ? start + reader.ValueSpan.Length + 2 : lastEnd);
             }
-            mistake = default;
+            mistake = null;
             return tree;
         }
         catch (JsonException e)

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <summary>Finds blanks and words in a text that is not JSON.</summary>

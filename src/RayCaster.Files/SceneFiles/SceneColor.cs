@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Files;
 
 /// <summary>Colours as a scene file writes them.</summary>

@@ -1,5 +1,3 @@
-using System.Text.Json;
-
 namespace RayCaster.Files;
 
 /// <summary>
@@ -54,7 +52,6 @@ internal sealed class SceneObject
         return o.Begin(value, null, name) ? o : null;
     }
 
-    /// <summary>Whether a key is written in the file.</summary>
     public bool Has(string key) => document is not null && json.Find(key) is not null;
 
     /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>
@@ -144,9 +141,6 @@ internal sealed class SceneObject
     /// <summary>One of several words; the first where it is left out.</summary>
     public string OptionalChoice(string key, string meaning, params string[] words) =>
         Choice(key, meaning, words[0], words) ?? words[0];
-
-    /// <summary>One of several words that must be there, or null.</summary>
-    public string? Choice(string key, string meaning, string[] words) => Choice(key, meaning, null, words);
 
     /// <summary>An object, or null where there is none.</summary>
     public SceneObject? Object(string key, string meaning)
@@ -259,7 +253,8 @@ internal sealed class SceneObject
         return false;
     }
 
-    private string? Choice(string key, string meaning, string? orElse, string[] words)
+    /// <summary>One of several words, or null; it must be there if <paramref name="orElse"/> is null.</summary>
+    public string? Choice(string key, string meaning, string? orElse, string[] words)
     {
         described?.Add(new(key, KeyKind.Choice, meaning, orElse is null, orElse) { Choices = words });
         if (Take(key, meaning, orElse is null, words) is not { } value || !IsText(value, key)) return null;

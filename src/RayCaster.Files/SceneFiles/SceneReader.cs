@@ -60,13 +60,10 @@ public static class SceneReader
 
     private static SceneObject? ReadRoot(SceneDocument document, string name)
     {
-        if (Encodings.MistakeIn(document.Text.Utf8) is { } encoding)
-        {
-            document.Add(true, encoding.Start, encoding.End, encoding.Message);
-            return null;
-        }
-        if (JsonTree.Parse(document.Text, out var mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name: name);
-        document.Add(true, mistake.Start, mistake.End, mistake.Message);
+        var mistake = Encodings.MistakeIn(document.Text.Utf8);
+        if (mistake is null && JsonTree.Parse(document.Text, out mistake) is { } tree) return SceneObject.AsObject(document, tree.Root, "", name);
+        var (start, end, message) = mistake!.Value;
+        document.Add(true, start, end, message);
         return null;
     }
 
@@ -151,7 +148,7 @@ public static class SceneReader
     /// <summary>Reads a model of any type; null if the type is unknown.</summary>
     private static Model? ReadModel(SceneObject o)
     {
-        var name = o.Choice("type", "What the model is.", PrimitiveList.Names);
+        var name = o.Choice("type", "What the model is.", null, PrimitiveList.Names);
         foreach (var type in PrimitiveList.All)
         {
             if (type.Name != name) continue;
@@ -177,7 +174,7 @@ public static class SceneReader
     {
         if (path.Length == 0) return "the name of the scene file is empty";
         if (Directory.Exists(path)) return "this is a folder, not a scene file";
-        return $"file not found{FileNames.Hint(path, ".json")}";
+        return $"file not found{new FileNames().Hint(path, ".json")}";
     }
 
     private static SceneReading TooLong(string path) => Unreadable(path, FormattableString.Invariant(

@@ -3,41 +3,40 @@ namespace RayCaster.Files;
 /// <summary>Reads a short file in the form of a scene file: a camera's path or a rubric.</summary>
 internal static class ShortFile
 {
+    /// <summary>The longest file, in bytes: some ten thousand keys of a camera's path.</summary>
+    public const int MostBytes = 1 << 20;
+
     /// <summary>Reads a file, which may be a pipe that never ends. Returns null if there is an error.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     /// <param name="name">The name of the outermost object in messages.</param>
     /// <param name="report">All errors and warnings, as text for people; empty if there are none.</param>
-    public static T? Read<T>(string path, int mostBytes, string name, Func<SceneObject, T?> read, out string report) where T : class
+    public static T? Read<T>(string path, string name, Func<SceneObject, T?> read, out string report) where T : class
     {
-        if (!TryRead(path, mostBytes, out var utf8, out report)) return null;
+        if (WhyNot(path, out var utf8) is { } problem)
+        {
+            report = $"{path}: error: {problem}\n";
+            return null;
+        }
         var result = SceneReader.Parse(utf8, path, "", name, read, out var document);
         report = new SceneReading(null, document.Problems()).Report();
         return result;
     }
 
-    private static bool TryRead(string path, int mostBytes, out ReadOnlyMemory<byte> utf8, out string report)
+    /// <summary>Reads the bytes; if that fails, returns the reason.</summary>
+    private static string? WhyNot(string path, out ArraySegment<byte> utf8)
     {
-        (utf8, report) = (default, "");
+        utf8 = default;
+        if (Directory.Exists(path)) return "this is a folder; name a file";
+        if (!File.Exists(path)) return $"file not found{new FileNames().Hint(path, ".json")}";
         try
         {
-            if (!File.Exists(path))
-            {
-                report = Directory.Exists(path) ? $"{path}: error: this is a folder; name a file\n"
-                    : $"{path}: error: file not found{FileNames.Hint(path, ".json")}\n";
-                return false;
-            }
             using var file = File.OpenRead(path);
-            if (StreamBytes.TryReadToEnd(file, mostBytes, out var bytes))
-            {
-                utf8 = bytes;
-                return true;
-            }
-            report = FormattableString.Invariant($"{path}: error: the file is longer than {mostBytes:N0} bytes, which is the limit\n");
+            return StreamBytes.TryReadToEnd(file, MostBytes, out utf8) ? null
+                : FormattableString.Invariant($"the file is longer than {MostBytes:N0} bytes, which is the limit");
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            report = $"{path}: error: the file cannot be read: {e.Message}\n";
+            return $"the file cannot be read: {e.Message}";
         }
-        return false;
     }
 }

@@ -1,5 +1,4 @@
 using System.Runtime.InteropServices;
-using System.Text;
 
 namespace RayCaster.Files;
 
@@ -9,16 +8,14 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
 {
     private const int LongestExcerpt = 120;
     private readonly ArraySegment<byte> bytes = MemoryMarshal.TryGetArray(utf8, out var array) ? array : utf8.ToArray();
-    private readonly int mark = utf8.Span.StartsWith(Encodings.Utf8Mark) ? Encodings.Utf8Mark.Length : 0;
+    private readonly int mark = utf8.Span.StartsWith("\uFEFF"u8) ? 3 : 0; // the bytes of a byte order mark
     private int[]? lineStarts;
     private (int Offset, int Column) last = (0, 1); // the last result of Locate, from which it goes on: a long line may have many problems
 
     public string Name => name;
 
-    /// <summary>The byte order mark, if there is one.</summary>
     public ReadOnlySpan<byte> Mark => bytes.AsSpan(0, mark);
 
-    /// <summary>The text after it.</summary>
     public ReadOnlySpan<byte> Utf8 => bytes.AsSpan(mark);
 
     /// <summary>A part of the text as written, shortened if it is long.</summary>

@@ -19,14 +19,18 @@ public static class Spelling
 
     /// <summary>The most likely right word, or null.</summary>
     /// <remarks>
-    /// First the same word in another case, then a synonym, then the word with the fewest letters missing, added, wrong or swapped
-    /// (Damerau–Levenshtein distance): at most one in a word of up to four letters, two in one of up to eight, else three.
+    /// First the same word in another case, then a synonym, then the only word that contains it (four letters at least), then the word with the
+    /// fewest letters missing, added, wrong or swapped (Damerau–Levenshtein distance): at most one in a word of up to four letters, two in one of
+    /// up to eight, else three.
     /// </remarks>
     public static string? Nearest(string word, IEnumerable<string> known)
     {
         if (known.FirstOrDefault(candidate => candidate.Equals(word, StringComparison.OrdinalIgnoreCase)) is { } same) return same;
         foreach (var (other, ours) in Synonyms)
             if (other.Equals(word, StringComparison.OrdinalIgnoreCase) && known.Contains(ours)) return ours;
+
+        if (word.Length >= 4 && known.Where(longer => longer.Contains(word, StringComparison.OrdinalIgnoreCase)).Take(2).ToArray() is [var only])
+            return only;
 
         var least = word.Length switch { <= 1 => 0, <= 4 => 1, <= 8 => 2, _ => 3 } + 1;
         string? nearest = null;

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Files;
 
 /// <summary>Finds the mistake in a word, a number or a text that is not JSON. Each method returns null if there is none, or if the file ends too

@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text.Json;
-
 namespace RayCaster.Files;
 
 /// <summary>The words of a message about a wrong value in a scene file. They follow the value's path.</summary>

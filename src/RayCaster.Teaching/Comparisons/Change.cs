@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A change of the whole picture that makes it agree with the right one.</summary>
@@ -60,7 +58,6 @@ internal sealed record Change(
     /// Corrects a picture. A pixel that nothing moves to gets the reference's colour; so does a byte that may come from the right one.
     /// </summary>
     /// <param name="mine">The picture in question; its sides are those of the reference, or swapped where the change swaps them.</param>
-    /// <param name="reference">The one that it should be.</param>
     public Picture Undo(Picture mine, Picture reference)
     {
         if (SidesSwapped || Bytes != 0)

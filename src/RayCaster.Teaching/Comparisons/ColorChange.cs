@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A change of a picture's colours, the same in every pixel: its channels stand in another order, or each goes through a formula.</summary>
@@ -15,10 +13,8 @@ internal sealed record ColorChange(string Description, string Order, ToneTable T
     /// <summary>All orders of the channels but the right one.</summary>
     public static ColorChange[] Orders { get; } = [Ordered("BGR"), Ordered("GRB"), Ordered("RBG"), Ordered("GBR"), Ordered("BRG")];
 
-    /// <summary>The negative.</summary>
     public static ColorChange Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", c => 1 - c);
 
-    /// <summary>The gamma curve of the standard sRGB.</summary>
     public static ColorChange Srgb { get; } = new("the gamma of sRGB is removed: the bytes must be linear",
         c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055);
 
@@ -37,7 +33,6 @@ internal sealed record ColorChange(string Description, string Order, ToneTable T
     /// <summary>What is added to c · Factor, 1 being full intensity; null for another formula.</summary>
     public double? Offset { get; private init; }
 
-    /// <summary>The channels in another order, as in <see cref="Order"/>.</summary>
     public static ColorChange Ordered(string order) => new(order switch
     {
         "BGR" => "red and blue are swapped",
@@ -46,7 +41,6 @@ internal sealed record ColorChange(string Description, string Order, ToneTable T
         _ => $"its channels are reordered: the bytes of a pixel stand in the order {order[0]}, {order[1]}, {order[2]}",
     }, order, ToneTable.Same);
 
-    /// <summary>c to a power: gamma.</summary>
     public static ColorChange Power(double exponent) => new(
         FormattableString.Invariant($"gamma is undone: it shows c^{exponent:0.###} instead of c{Gamma(exponent)}"), c => Math.Pow(c, exponent))
     {

@@ -4,8 +4,6 @@ namespace RayCaster.Teaching;
 public static class ComparisonJson
 {
     /// <summary>The text. Lines count from the top, rows from the bottom; an infinite PSNR is null.</summary>
-    /// <param name="mine">The name of the picture in question.</param>
-    /// <param name="reference">The name of the picture that it should be.</param>
     public static string Of(PictureComparison comparison, string mine, string reference)
     {
         var (d, r) = (comparison.Difference, comparison.Recognition);

@@ -26,7 +26,6 @@ public static class Likenesses
     /// <summary>Whether the picture is right: two correct programs can differ by as much.</summary>
     public static bool IsSame(this Likeness verdict) => verdict <= Likeness.OutlinesOnly;
 
-    /// <summary>The verdict on a difference.</summary>
     /// <param name="holdAllWrong">Whether all pixels that differ by more than rounding are on outlines.</param>
     internal static Likeness Of(PictureDifference difference, Func<PictureDifference, bool> holdAllWrong)
     {

@@ -2,7 +2,6 @@ namespace RayCaster.Teaching;
 
 /// <summary>How a wrong picture shows one model, or the background.</summary>
 /// <param name="Model">The model's place in the scene; −1 for the background.</param>
-/// <param name="Name">Its name in texts for people.</param>
 /// <param name="Pixels">How many pixels show it in the scene's own picture.</param>
 /// <param name="Wrong">How many of them differ by more than rounding.</param>
 internal sealed record ModelDifference(int Model, string Name, int Pixels, int Wrong)
@@ -13,7 +12,6 @@ internal sealed record ModelDifference(int Model, string Name, int Pixels, int W
     /// <summary>Another colour of the model that would give nearly all of its pixels; null for none.</summary>
     public Color? OtherColor { get; init; }
 
-    /// <summary>The colour that it has in the scene.</summary>
     public Color Color { get; init; }
 
     /// <summary>
@@ -22,6 +20,5 @@ internal sealed record ModelDifference(int Model, string Name, int Pixels, int W
     /// </summary>
     public IReadOnlyList<(int Model, int Pixels)> Shows { get; init; } = [];
 
-    /// <summary>The share of its pixels that are wrong, 0 … 1.</summary>
     public double Share => (double)Wrong / Pixels;
 }

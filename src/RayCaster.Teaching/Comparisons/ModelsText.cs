@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A comparison in words, model by model.</summary>

@@ -4,8 +4,6 @@ namespace RayCaster.Teaching;
 public sealed class PictureComparison
 {
     /// <summary>Compares two pictures, which may have different sizes.</summary>
-    /// <param name="mine">The picture in question.</param>
-    /// <param name="reference">The one that it should be.</param>
     /// <param name="scene">The reference's scene, in any size; without it, models are not compared.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     public PictureComparison(Picture mine, Picture reference, Scene? scene = null, int? threads = null)

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Teaching;
 
 /// <summary>Where two pictures of the same size differ, and by how many levels: a level is 1 of the 255 of a channel.</summary>
@@ -9,8 +7,6 @@ public sealed class PictureDifference
     private readonly int[] count = new int[256]; // of pixels by their levels
 
     /// <summary>Compares all pixels.</summary>
-    /// <param name="mine">The picture in question.</param>
-    /// <param name="reference">The one that it should be.</param>
     /// <exception cref="ArgumentException">The sizes differ.</exception>
     public PictureDifference(Picture mine, Picture reference)
     {
@@ -64,7 +60,6 @@ public sealed class PictureDifference
     public int CountBeyond(int levels) => count.Skip(levels + 1).Sum();
 
     /// <summary>The largest difference of a pixel's three channels.</summary>
-    /// <param name="y">The line, from the top.</param>
     public int LevelsAt(int x, int y) => levels[y * Mine.Width + x];
 
     /// <summary>The same by the pixel's place in reading order.</summary>

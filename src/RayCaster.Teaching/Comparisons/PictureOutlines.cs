@@ -25,14 +25,8 @@ internal static class PictureOutlines
     }
 
     /// <summary>How many pixels differ from the pixel to the right or below.</summary>
-    private static int OnOutlines(Picture picture)
-    {
-        var count = 0;
-        for (var y = 0; y < picture.Height; y++)
-            for (var x = 0; x < picture.Width; x++)
-                if (picture.IsEdge(x, y, Shading)) count++;
-        return count;
-    }
+    private static int OnOutlines(Picture picture) =>
+        Enumerable.Range(0, picture.Count).Count(place => picture.IsEdge(place % picture.Width, place / picture.Width, Shading));
 
     /// <summary>Whether the pixel is the upper left one of four that all differ by more than rounding.</summary>
     private static bool IsThick(PictureDifference difference, int x, int y) =>

@@ -28,7 +28,6 @@ internal sealed class SceneDifference
         Models = IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
     }
 
-    /// <summary>The difference of the reference and the scene's own picture.</summary>
     public PictureDifference ReferenceToOwn { get; }
 
     /// <summary>Whether the reference is the scene's own picture: at most 2 % of its pixels differ by more than rounding.</summary>
@@ -44,7 +43,6 @@ internal sealed class SceneDifference
     /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
     internal IReadOnlyList<int> ModelAt => hits.Model;
 
-    /// <summary>Compares model by model.</summary>
     /// <param name="scene">The scene, in any size.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     public static SceneDifference Find(Scene scene, PictureDifference difference, int? threads = null)
@@ -55,7 +53,6 @@ internal sealed class SceneDifference
         return new(scene, difference, hits, own, threads);
     }
 
-    /// <summary>The scene in the size of a picture.</summary>
     internal static Scene InSizeOf(Scene scene, Picture picture) =>
         (scene.Camera.Width, scene.Camera.Height) == (picture.Width, picture.Height)
             ? scene

@@ -12,11 +12,8 @@ internal enum Turn
 
 /// <summary>Where a pixel of a turned picture comes from, as a place in reading order: Start + x · Right + y · Down.</summary>
 /// <param name="Start">The place that the upper left pixel comes from.</param>
-/// <param name="Right">The step of the place for a step to the right.</param>
-/// <param name="Down">The step of the place for a step down.</param>
 internal readonly record struct TurnedPlaces(int Start, int Right, int Down)
 {
-    /// <summary>Whether the turn swaps width and height.</summary>
     public static bool SwapsSides(Turn turn) => turn >= Turn.Transposed;
 
     /// <param name="width">Its width before the turn.</param>

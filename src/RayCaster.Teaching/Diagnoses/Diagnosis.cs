@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What a diagnosis comes to.</summary>
+/// <summary>The result of a diagnosis.</summary>
 public enum Finding
 {
     /// <summary>The picture is the scene's, but for rounding and single pixels on outlines.</summary>
@@ -17,39 +17,38 @@ public enum Finding
     /// <summary>The picture is wrong, and no mistake of the catalogue explains it.</summary>
     NoneOfThese,
 
-    /// <summary>Nothing but background, or models that are all black or all white: many mistakes make such a picture, so none is named.</summary>
+    /// <summary>Nothing but background, or models that are all black or all white: many mistakes draw such a picture, so none is named.</summary>
     TellsNothing,
 }
 
 /// <summary>One mistake, or two at once, that may have made a picture.</summary>
 /// <param name="Mistakes">The mistakes, the one that explains more first, each in the wording that fits best.</param>
-/// <param name="Unexplained">In about how many pixels the picture looks otherwise nevertheless, by more than rounding.</param>
-/// <param name="OtherSample">Whether the picture is also sampled at the other place in its pixels than the scene says: centres for corners.</param>
-/// <param name="Twins">Mistakes that give the same picture of this scene, so that nothing can tell them apart.</param>
-/// <param name="NotYet">What is not drawn yet besides, as in <see cref="Diagnosis.NotYet"/>.</param>
+/// <param name="Unexplained">In about how many pixels the picture still differs by more than rounding.</param>
+/// <param name="OtherSample">Whether its rays also pass through another place of each pixel than the scene says: centres for corners.</param>
+/// <param name="Twins">Mistakes that draw the same picture of this scene.</param>
+/// <param name="NotYet">What is also not drawn yet, as in <see cref="Diagnosis.NotYet"/>.</param>
 /// <param name="SamePicture">Whether it draws the same picture of this scene as the first suspect; true of that one, too.</param>
-/// <param name="HasSymptoms">
-/// Whether the symptoms of the mistakes are surely to be seen: each is in the wording that its symptom is of, and they explain the picture.
-/// </param>
+/// <param name="HasSymptoms">Whether the picture certainly shows the mistakes' symptoms: each is in the wording that its symptom describes, and they
+/// explain the picture.</param>
 public sealed record Suspect(
     IReadOnlyList<Mistake> Mistakes, double Unexplained, bool OtherSample, IReadOnlyList<Mistake> Twins, IReadOnlyList<string> NotYet,
     bool SamePicture, bool HasSymptoms);
 
 /// <summary>
-/// Finds out what makes a wrong picture: draws some of the scene's pixels as programs do that are not finished, with each mistake of the
-/// catalogue, and with pairs of them, and sees which comes nearest.
+/// Finds out why a picture is wrong: draws some of the scene's pixels as unfinished programs do, with each mistake of the catalogue, and with
+/// pairs of them, and chooses the nearest.
 /// </summary>
 /// <remarks>
-/// A picture of somebody else's program never agrees to the last bit: a channel may be off by two levels, and the pixels may be sampled
-/// at their centres instead of their corners. Nearness is the number of pixels that look otherwise, which small faults and
-/// foreign algebra survive better than a mean of differences.
+/// The picture of another program is never equal to the last bit: a channel may be off by two levels, and rays may pass through the pixels'
+/// centres instead of their corners. The distance is the number of pixels that differ: small faults and other algebra disturb it less than a
+/// mean of differences.
 /// </remarks>
 public sealed class Diagnosis
 {
-    /// <summary>In <see cref="NotYet"/>: no model grows darker with its distance.</summary>
+    /// <summary>In <see cref="NotYet"/>: models do not get darker with the distance.</summary>
     public const string Attenuation = "attenuation";
 
-    /// <summary>In <see cref="NotYet"/>: zNear and zFar are not asked; only what lies behind the camera is left out.</summary>
+    /// <summary>In <see cref="NotYet"/>: zNear and zFar have no effect; only what lies behind the camera is left out.</summary>
     public const string Clipping = "clipping";
 
     /// <summary>What <see cref="NotYet"/> may hold: the kinds of shape as a scene file calls them, then the rest.</summary>
@@ -58,33 +57,33 @@ public sealed class Diagnosis
     /// <summary>How many pixels are drawn with each mistake, at most.</summary>
     private const int Pixels = 6000;
 
-    /// <summary>What may be left unexplained, as a share of the wrong pixels, for a cause to be certain.</summary>
+    /// <summary>A certain cause leaves at most this share of the wrong pixels unexplained.</summary>
     private const double Explained = 0.05;
 
-    /// <summary>The share of the wrong pixels that unfinished programs may leave for the rest to be right, at the other place of each pixel more,
-    /// and that a mistake may leave without asking whether a number of the scene explains more.</summary>
+    /// <summary>If an unfinished program leaves at most this share of the wrong pixels, the rest is right; more with rays through the other place of
+    /// each pixel. If a mistake leaves more than the first share, other numbers of the scene are tried.</summary>
     private const double Nearly = 0.001, NearlyOtherSample = 0.01;
 
-    /// <summary>The share of the wrong pixels that one mistake may leave before it is taken for chance; of more than one, less. A mistake
-    /// whose pixels may lie anywhere leaves more.</summary>
+    /// <summary>A mistake that leaves a greater share of the wrong pixels fits only by chance; several mistakes may leave less. A mistake whose
+    /// pixels may lie anywhere leaves more.</summary>
     private const double Foreign = 0.1, ForeignPair = 0.05, Scattered = 0.35;
 
-    /// <summary>Of what mistakes leave, so much may another number of the scene leave to be told instead: beside one mistake, beside two.</summary>
+    /// <summary>Another number of the scene replaces one mistake, or two, if it leaves at most this share of what they leave.</summary>
     private const double NumberForOne = 0.25, NumberForPair = 0.8;
 
-    /// <summary>Of what is left where shapes or a model are missing, so much may mistakes leave to be named in their place.</summary>
+    /// <summary>Mistakes are named in place of missing shapes or a missing model if they leave at most this share of what these leave.</summary>
     private const double Much = 0.25;
 
-    /// <summary>The share of the wrong pixels that a mistake may leave to be mentioned at all; of two, less.</summary>
+    /// <summary>A mistake is mentioned at all if it leaves at most this share of the wrong pixels; two mistakes may leave less.</summary>
     private const double Mentioned = 0.8, MentionedPair = 0.4;
 
-    /// <summary>So many mistakes that do not explain a picture are mentioned where none does.</summary>
+    /// <summary>How many of the nearest mistakes are mentioned if none explains the picture.</summary>
     private const int Shown = 3;
 
-    /// <summary>So many of the best are looked at for five to be named.</summary>
+    /// <summary>How many of the best are examined, of which at most five are named.</summary>
     private const int Looked = 12;
 
-    /// <summary>As many models are left out, one at a time, to see whether one is missing.</summary>
+    /// <summary>In larger scenes no models are left out one by one to find a missing one.</summary>
     private const int MostMissing = 32;
 
     private readonly SceneDiagnosis prepared;
@@ -122,31 +121,31 @@ public sealed class Diagnosis
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
     public bool TooManyModels => prepared.TooManyModels;
 
-    /// <summary>What might be in the picture but takes too long to try: the scene has too many triangles for it.</summary>
+    /// <summary>Mistakes that would take too long to try, because the scene has too many triangles.</summary>
     public IReadOnlyList<Mistake> NotTried => prepared.NotTried;
 
     /// <summary>
-    /// What the program does not do yet, as far as the picture shows it: kinds of shape as a scene file calls them, "attenuation", "clipping". With
-    /// <see cref="Finding.Unfinished"/> all else is right, otherwise there are mistakes besides.
+    /// What the program does not do yet, as far as the picture shows: kinds of shape by their names in scene files, "attenuation", "clipping". With
+    /// <see cref="Finding.Unfinished"/> everything else is right; otherwise there are also mistakes.
     /// </summary>
     public IReadOnlyList<string> NotYet { get; private set; } = [];
 
-    /// <summary>What sort of difference it is where no mistake explains it: sentences, the most telling first.</summary>
+    /// <summary>The kind of difference, if no mistake explains it: sentences, the most informative first.</summary>
     public IReadOnlyList<string> Likely { get; private set; } = [];
 
-    /// <summary>The model without which the scene gives the picture, as texts call it; null where none does.</summary>
+    /// <summary>The name of the model without which the scene gives the picture; null if there is none.</summary>
     public string? MissingModel { get; }
 
     /// <summary>Whether the scene's own picture is of one colour, so that a picture that matches says little.</summary>
     public bool ProvesNothing => prepared.Right.IsOneColor;
 
-    /// <summary>What it comes to.</summary>
+    /// <summary>The result.</summary>
     public Finding Finding { get; private set; }
 
-    /// <summary>What may have made the picture, the most likely first.</summary>
+    /// <summary>Which mistakes may have made the picture, the most likely first.</summary>
     public IReadOnlyList<Suspect> Suspects { get; private set; } = [];
 
-    /// <summary>Where no mistake explains the picture and nothing else does: those that come nearest, the one that explains most first.</summary>
+    /// <summary>If nothing explains the picture, the nearest mistakes, the one that explains most first.</summary>
     public IReadOnlyList<Suspect> Nearest { get; private set; } = [];
 
     /// <summary>How many pixels the picture has.</summary>
@@ -162,13 +161,12 @@ public sealed class Diagnosis
     public double DarkerShare => evidence.DarkerShare;
 
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
-    /// <param name="scene">The scene that it is meant to show, at the picture's size.</param>
-    /// <param name="picture">The picture; its size is the scene's, or that turned by a quarter.</param>
+    /// <param name="scene">The scene that it should show, at the picture's size.</param>
+    /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public static Diagnosis Of(Scene scene, Picture picture, int? threads = null) => new SceneDiagnosis(scene, threads).Judge(picture);
 
-    /// <summary>What a search comes to.</summary>
     private void Answer(DiagnosisSearch search, IReadOnlyCollection<string> done)
     {
         var (ranked, picture) = (search.Run(), evidence.Picture);
@@ -212,7 +210,6 @@ public sealed class Diagnosis
         Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => AsSuspect(trial, likeliest!))];
     }
 
-    /// <summary>The mistakes that come nearest, each in its best trial, the one that leaves least first.</summary>
     private IEnumerable<Suspect> NearestOf(List<WrongProgram> ranked, Lab likeliest) => ranked
         .Where(trial => trial.Wordings.Count > 0 && trial.Misfit.Unexplained < (trial.Wordings.Count > 1 ? MentionedPair : Mentioned) * WrongCount)
         .DistinctBy(trial => string.Join(' ', trial.Wordings.Select(wording => wording.Id).Order())).Take(Shown)
@@ -221,7 +218,7 @@ public sealed class Diagnosis
     private double MayLeave(WrongProgram trial) => trial.Wordings is [{ Id: "tri-area" }] ? Scattered
         : trial.Wordings.Count + trial.Base.Kinds.Count() > 1 ? ForeignPair : Foreign;
 
-    /// <summary>The mistakes by which a program loses a shape that it draws, beside those that it has.</summary>
+    /// <summary>The mistakes that would also make a program lose the missing shapes.</summary>
     private IEnumerable<WrongProgram> Losing(WrongProgram best)
     {
         var without = evidence.Draw(best.Draw(prepared.Scene));
@@ -235,7 +232,7 @@ public sealed class Diagnosis
                select trial;
     }
 
-    /// <summary>Beside shapes that are missing a small mistake counts for little: what is drawn is judged once more by itself.</summary>
+    /// <summary>Whether the rest is right. Beside missing shapes a small mistake counts for little, so the rest is judged by itself.</summary>
     private bool IsRestRight(string[] kinds, Picture picture, IReadOnlyCollection<string> done)
     {
         var drawn = prepared.Scene with { Models = [.. prepared.Scene.Models.Where(model => !kinds.Contains(model.Kind))] };

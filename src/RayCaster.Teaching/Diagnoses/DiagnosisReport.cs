@@ -1,18 +1,11 @@
-using System.Globalization;
-using System.Text;
-
 namespace RayCaster.Teaching;
 
-/// <summary>A <see cref="Diagnosis"/> in words for a student, and as JSON for tools.</summary>
+/// <summary>A <see cref="Diagnosis"/> in words for students, and as JSON for other programs.</summary>
 public static class DiagnosisReport
 {
     private const int Width = 96;
 
     /// <summary>Lines of text.</summary>
-    /// <param name="diagnosis">What was found.</param>
-    /// <param name="picture">What the picture is called.</param>
-    /// <param name="scene">What the scene is called.</param>
-    /// <param name="level">How much is told.</param>
     public static string Text(Diagnosis diagnosis, string picture, string scene, HintLevel level = HintLevel.Question)
     {
         var text = new StringBuilder();
@@ -28,12 +21,12 @@ public static class DiagnosisReport
                 $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(diagnosis.Finding == Finding.Unfinished ? " The rest is right." : "")}");
         else if (diagnosis.MissingModel is { } missing)
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
+        AppendLost(text, diagnosis);
         foreach (var likely in diagnosis.Likely) Wrap(text, "", likely);
         if (diagnosis.Finding == Finding.TellsNothing)
             Wrap(text, "", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
         else if (diagnosis.Finding == Finding.NoneOfThese) AppendNone(text, diagnosis);
-        else if (diagnosis.Finding == Finding.Unfinished) AppendLost(text, diagnosis);
-        else AppendSuspects(text, diagnosis, level);
+        else if (diagnosis.Finding == Finding.Mistake) AppendSuspects(text, diagnosis, level);
         return text.ToString();
     }
 
@@ -49,7 +42,7 @@ public static class DiagnosisReport
                 "a channel, 255 x + 0.5, where truncating takes 255 x.");
     }
 
-    /// <summary>After "matches": the mistakes that the scene would not show, so that a right picture is not taken for a right program.</summary>
+    /// <summary>After "matches": the mistakes that the scene cannot show, because a right picture does not prove a right program.</summary>
     public static string HiddenText(IReadOnlyList<Mistake> hidden)
     {
         if (hidden.Count == 0) return "";
@@ -84,11 +77,13 @@ public static class DiagnosisReport
         AppendNotTried(text, diagnosis);
     }
 
-    /// <summary>Some mistakes lose a shape as well as not having written it.</summary>
+    /// <summary>Which mistakes lose a shape that is written already.</summary>
     private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
     {
-        if (diagnosis.Suspects.Count > 0)
+        if (diagnosis.Finding == Finding.Unfinished && diagnosis.Suspects.Count > 0)
             Wrap(text, "", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
+        else if (diagnosis.NotYet.FirstOrDefault(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping)) is { } shape)
+            Wrap(text, "", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes lose it.");
     }
 
     private static void AppendSuspects(StringBuilder text, Diagnosis diagnosis, HintLevel level)
@@ -113,15 +108,17 @@ public static class DiagnosisReport
         }
     }
 
-    /// <summary>Everything, the answers too.</summary>
-    /// <param name="diagnosis">What was found.</param>
+    /// <summary>Everything, with the answers.</summary>
     /// <param name="picture">The picture's size; left out if null.</param>
     /// <param name="scene">The size that the scene's picture should have.</param>
     /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
+    /// <param name="warning">Why all of it may be wrong; left out if null.</param>
     public static string Json(Diagnosis diagnosis,
-        (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null) =>
+        (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null,
+        string? warning = null) =>
         JsonText.Of(new
         {
+            Warning = warning,
             Finding = diagnosis.Finding switch
             {
                 Finding.Matches => "matches",
@@ -144,7 +141,7 @@ public static class DiagnosisReport
                 .Concat(diagnosis.Nearest.Select(nearest => Json(nearest, "nearest, explains too little"))),
         });
 
-    /// <summary>Where nothing could be diagnosed: the same object, with what was in the way.</summary>
+    /// <summary>The same object if nothing could be diagnosed, with the reason.</summary>
     public static string Json(string error) => JsonText.Of(new { Finding = "could not tell", Error = error });
 
     private static object? Size((int Width, int Height)? size) => size is var (width, height) ? new { Width = width, Height = height } : null;
@@ -205,7 +202,8 @@ public static class DiagnosisReport
 
     private static string Share(double pixels, Diagnosis diagnosis) => ComparisonText.Share((int)Math.Round(pixels), diagnosis.PixelCount);
 
-    private static void Wrap(StringBuilder text, string head, string words)
+    /// <summary>Appends words in lines that a terminal shows whole; all but the first are indented by the length of the head.</summary>
+    internal static void Wrap(StringBuilder text, string head, string words)
     {
         var line = new StringBuilder(head);
         foreach (var word in words.Split(' '))

@@ -3,70 +3,69 @@ using System.Numerics;
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Tries what a program may not do yet, each mistake in each of its wordings, and pairs of them, on the <see cref="Evidence"/> of a program's
-/// pictures: each round looks at more pixels of fewer trials, so that most of what is far off costs a hundred rays.
+/// Tries unfinished programs, each mistake in each of its wordings, and pairs of them, on the <see cref="Evidence"/> of a program's pictures. Each
+/// round compares more pixels of fewer trials, so most trials that are far off cost a hundred rays.
 /// </summary>
 /// <remarks>
-/// Of one picture the wrong pixels count. Of several each counts 1 at most (<see cref="Evidence.Loss"/>): a picture that nothing explains does
-/// not hide what explains the others, and a mistake drops out that would show in a picture that is right.
+/// For one picture the wrong pixels are counted. Of several pictures each counts 1 at most (<see cref="Evidence.Loss"/>): a picture that nothing
+/// explains does not hide what explains the others, and a mistake that would show in a right picture is dropped.
 /// </remarks>
-/// <param name="pictures">The pictures, of a scene each.</param>
-/// <param name="known">The mistakes that are tried.</param>
-/// <param name="done">What the program surely draws.</param>
+/// <param name="pictures">The pictures, each of another scene.</param>
+/// <param name="done">What the program certainly draws.</param>
 /// <param name="threads">How many threads draw; one per core if null.</param>
 /// <param name="likely">Which mistakes are likelier than the others; null for none.</param>
 internal sealed class DiagnosisSearch(
     IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, IReadOnlyCollection<string> done, int? threads, Predicate<Mistake>? likely)
 {
-    /// <summary>What a mistake may leave unexplained, as a share of all that is wrong, for the search to end.</summary>
+    /// <summary>The search ends if a mistake leaves at most this share of all that is wrong unexplained.</summary>
     private const double Explained = 0.02;
 
     /// <summary>The same where no second mistake could be worth its <see cref="WrongProgram.Cost"/>.</summary>
     private const double Certain = 0.0067, CertainOtherSample = 0.0029;
 
-    /// <summary>The share that a mistake may leave for its other wordings to be looked at once more.</summary>
+    /// <summary>If a mistake leaves at most this share, its other wordings are tried once more.</summary>
     private const double Rewordable = 0.1;
 
-    /// <summary>The same where shapes are missing, whose pixels a second mistake may explain.</summary>
+    /// <summary>The search ends at this share if shapes are missing, whose pixels a second mistake may explain.</summary>
     private const double Nearly = 0.001;
 
-    /// <summary>The share of all that is wrong that each mistake of several must explain, or it is not named.</summary>
+    /// <summary>Of several mistakes, each must explain this share of all that is wrong, or it is not named.</summary>
     public const double Idle = 0.002;
 
-    /// <summary>The share of the evidence that each round looks at, and how many trials are left for it at least.</summary>
+    /// <summary>The share of the evidence that each round compares, and how many trials it has at least.</summary>
     private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
 
     /// <summary>The same for mistakes in other manners, of which few fit, and how many manners are tried on top of one another.</summary>
     private static readonly (double Share, int Trials)[] mannerRounds = [(0.02, int.MaxValue), (0.2, 12), (1, 3)];
 
-    private const int Manners = 2, Closest = 6;
+    private const int Manners = 2;
 
-    /// <summary>The share of the evidence that is looked at first where there are hundreds of trials or more: some thirty pixels.</summary>
+    /// <summary>The share of the evidence for a first look at hundreds of trials or more: some thirty pixels.</summary>
     private const double Glance = 0.005;
 
-    /// <summary>How many trials are taken for thousands.</summary>
+    /// <summary>With more trials than this, most are dropped after a first look.</summary>
     private const int Many = 2000;
 
     /// <summary>How many single mistakes are tried together with every other: of a finished program, and of an unfinished one.</summary>
     private const int Partners = 10, UnfinishedPartners = 4;
 
-    /// <summary>How many second mistakes get a closer look beside each first one, and of all pairs.</summary>
+    /// <summary>How many second mistakes of each first one are compared closely, and how many of all pairs.</summary>
     private const int Seconds = 8, Closer = 100;
 
-    /// <summary>By what factor a mistake that is not among the likely ones costs more. Between mistakes that explain a picture equally well, or
-    /// nearly so, it decides; two likely mistakes still cost more than one other.</summary>
+    /// <summary>The factor by which an unlikely mistake costs more. It decides between mistakes that explain a picture almost equally well; two
+    /// likely mistakes still cost more than one unlikely one.</summary>
     private const double Unlikely = 1.5;
 
-    /// <summary>How many of the nearest mistakes are tried with rays through the other place of each pixel, too.</summary>
+    /// <summary>How many of the nearest mistakes are also tried with rays through the other place of each pixel.</summary>
     private const int OtherSamples = 6;
 
     /// <summary>How many of the nearest mistakes are tried beside each way to be unfinished.</summary>
     private const int Besides = 3;
 
-    /// <summary>How many ways to be unfinished are tried with mistakes on top.</summary>
+    /// <summary>How many ways to be unfinished are tried together with mistakes.</summary>
     private const int Ways = 8;
 
-    /// <summary>What changes a whole picture: beside a mistake of a shape another one is near by itself.</summary>
+    /// <summary>Mistakes that change a whole picture.</summary>
     private const Concerns Everything = Concerns.Camera | Concerns.Hit | Concerns.Color | Concerns.File;
 
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
@@ -76,7 +75,7 @@ internal sealed class DiagnosisSearch(
     /// <summary>All that is wrong: the wrong pixels of one picture, or how many of several are wrong.</summary>
     public double Wrong { get; } = pictures is [var only] ? only.WrongCount : pictures.Count(picture => !picture.IsRight);
 
-    /// <summary>All that was looked at closely, the best first.</summary>
+    /// <summary>All trials that were compared closely, the best first.</summary>
     public List<WrongProgram> Run()
     {
         Unfinished[] unfinished = [.. Unfinished.Ways(pictures, done)];
@@ -101,7 +100,7 @@ internal sealed class DiagnosisSearch(
         for (var (i, first) = (0, everySingle); i < Manners && !IsCertain(singles); i++)
             singles = Sorted([.. singles, .. first = Best(InManners([.. singles, .. first]), mannerRounds)]);
         singles = WithoutIdle(singles);
-        // Beside a mistake that changes everything a missing shape counts for little, so it is looked for even where the mistake explains most.
+        // A missing shape counts for little beside a mistake that changes everything, so it is sought even if the mistake explains most.
         var beside = Best(
         [
             .. from single in singles.DistinctBy(single => single.Id).Take(Besides)
@@ -123,18 +122,18 @@ internal sealed class DiagnosisSearch(
         {
             var best = BestPairs(pairs);
             if (!IsCertain(best)) best = Sorted([.. best, .. Best(Reworded(best, Besides))]);
-            for (var i = 0; i < Manners && !IsCertain(best); i++) best = Sorted([.. best, .. Best(InManners(best[..Math.Min(best.Count, Closest)]), mannerRounds)]);
+            for (var i = 0; i < Manners && !IsCertain(best); i++) best = Sorted([.. best, .. Best(InManners([.. best.Take(Besides)]), mannerRounds)]);
             all.AddRange(best);
             if (IsCertain(all)) break;
         }
         return Sorted(all);
     }
 
-    /// <summary>Trials, and others with one of their mistakes in another wording, beside what was looked at; the best first.</summary>
+    /// <summary>The ranked trials with some more, also with one of their mistakes in another wording; the best first.</summary>
     public List<WrongProgram> With(List<WrongProgram> trials, List<WrongProgram> ranked) =>
         Sorted([.. ranked, .. Measured(trials, 1), .. Best(Reworded(trials, trials.Count))]);
 
-    /// <summary>Leaves out the mistakes beside others, and the missing parts, without which as much is explained.</summary>
+    /// <summary>Drops mistakes and missing parts without which as much is explained.</summary>
     public WrongProgram WithoutIdle(WrongProgram trial)
     {
         if (trial.Wordings.Count + trial.Base.NotYet.Count < 2) return trial;
@@ -146,8 +145,7 @@ internal sealed class DiagnosisSearch(
         return trial;
     }
 
-    /// <summary>Whether rays through the other place of each pixel explain so much by themselves that they are tried with every mistake, not
-    /// just with the nearest.</summary>
+    /// <summary>Whether rays through the other place of each pixel explain so much alone that they are tried with every mistake.</summary>
     private bool MayBeOtherSample() => Measure(new(Unfinished.Nothing, [center], false), 0.05).Unexplained < 0.9 * Wrong;
 
     /// <summary>A trial, and before it the same with all shapes drawn: a shape that seems missing may be misplaced by a second mistake.</summary>
@@ -178,19 +176,18 @@ internal sealed class DiagnosisSearch(
            select new WrongProgram(way, [wording], otherSample),
     ];
 
-    /// <summary>Whether a program that is unfinished in a way may show a mistake besides.</summary>
+    /// <summary>Whether the picture of a program that is unfinished in a way can show a mistake.</summary>
     private bool MayShow(Mistake mistake, Unfinished way) =>
         !way.AsMistakes.Contains(mistake) && mistake.Touches(kinds.Where(kind => !way.NotYet.Contains(kind)));
 
-    /// <summary>Without those that stand beside rays through the other place of each pixel and explain no more than these alone.</summary>
+    /// <summary>Drops trials with rays through the other place of each pixel that explain no more than these rays alone.</summary>
     private static List<WrongProgram> WithoutIdle(List<WrongProgram> singles)
     {
         if (singles.Find(trial => trial.Id == center.Id) is not { } alone) return singles;
         return [.. singles.Where(trial => !trial.OtherSample || trial.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
     }
 
-    /// <summary>Pairs, the cheapest to try first: the nearest mistakes beside others, two in the formula of one shape, two that change whole
-    /// pictures.</summary>
+    /// <summary>Pairs, cheapest first: the nearest mistakes with others, two in the formula of one shape, two that change whole pictures.</summary>
     private IEnumerable<List<WrongProgram>> PairsByEffort(List<WrongProgram> singles, List<WrongProgram> everySingle, List<WrongProgram> onTop)
     {
         yield return [.. Pairs(singles, everySingle, Partners), .. Pairs(onTop, [], UnfinishedPartners)];
@@ -199,7 +196,7 @@ internal sealed class DiagnosisSearch(
         yield return AllPairs([.. everySingle.Where(IsOfAll).DistinctBy(single => (single.Id, single.Misfit))]);
     }
 
-    /// <summary>The shapes whose formulas a mistake changes; none where it changes whole pictures.</summary>
+    /// <summary>The shapes whose formulas a mistake changes; none if it changes whole pictures.</summary>
     private Concerns ChangedShapes(WrongProgram single) => IsOfAll(single) ? 0 : single.Draw(pictures[0].Scene).ChangedShapes;
 
     private static bool IsOfAll(WrongProgram single) => (single.Wordings[0].Concerns & Everything) != 0;
@@ -208,7 +205,7 @@ internal sealed class DiagnosisSearch(
     private List<WrongProgram> Pairs(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners) =>
     [
         .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)], everySingle, partners).SelectMany(Resampled).Distinct()
-           let left = pictures.Select(picture => picture.Beside(first.Draw(picture.Scene))).ToArray()
+           let left = pictures.Select(picture => new Evidence(picture, first.Draw(picture.Scene))).ToArray()
            let seconds = Those(trial => left.Any(picture => picture.IsHelpedBy(trial.Draw(picture.Scene))),
                from other in known
                where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
@@ -218,8 +215,7 @@ internal sealed class DiagnosisSearch(
            select pair,
     ];
 
-    /// <summary>The nearest wording of each mistake, and some other wordings that draw something else: beside a second mistake one of these may
-    /// be right.</summary>
+    /// <summary>The nearest wording of each mistake, and some that draw something else: with a second mistake, one of these may be right.</summary>
     private static IEnumerable<WrongProgram> Firsts(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners)
     {
         WrongProgram[] nearest = [.. singles.DistinctBy(trial => (trial.Id, trial.OtherSample)).Take(partners + 1)];
@@ -227,7 +223,7 @@ internal sealed class DiagnosisSearch(
             .Where(trial => Array.TrueForAll(nearest, other => other.Wordings[0] != trial.Wordings[0])).Take(partners / 2));
     }
 
-    /// <summary>All pairs of some single mistakes, since neither of both may be near by itself.</summary>
+    /// <summary>All pairs of some single mistakes, because neither of the two may be near alone.</summary>
     private List<WrongProgram> AllPairs(WrongProgram[] singles)
     {
         var pairs = Those(trial => pictures.Any(picture => !picture.IsRight && picture.MayBeExplainedBy(trial.Draw(picture.Scene))),
@@ -238,7 +234,7 @@ internal sealed class DiagnosisSearch(
         return [.. Measured(pairs, Glance).Take(Closer)];
     }
 
-    /// <summary>Those of many trials that some pixels do not rule out.</summary>
+    /// <summary>The trials that a few pixels do not rule out.</summary>
     private List<WrongProgram> Those(Func<WrongProgram, bool> may, IEnumerable<WrongProgram> trials) =>
         [.. trials.AsParallel().AsOrdered().WithDegreeOfParallelism(threads ?? Environment.ProcessorCount).Where(may)];
 
@@ -261,10 +257,10 @@ internal sealed class DiagnosisSearch(
            select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)] },
     ];
 
-    /// <summary>The same with more pixels at first, since a second mistake may explain only a few.</summary>
+    /// <summary>The same with more pixels in the first round, because a second mistake may explain only a few.</summary>
     private List<WrongProgram> BestPairs(List<WrongProgram> pairs) => Best(pairs, [(0.04, int.MaxValue), .. rounds[1..]]);
 
-    /// <summary>Looks at all, looks closer at the best, and sorts these.</summary>
+    /// <summary>Compares all trials, then the best ones more closely, and sorts these.</summary>
     private List<WrongProgram> Best(List<WrongProgram> trials) => Best(trials, rounds);
 
     private List<WrongProgram> Best(List<WrongProgram> trials, (double Share, int Trials)[] rounds)

@@ -1,27 +1,27 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// What speaks for and against a mistake: some pixels of the picture to be diagnosed. Half of them are where it differs from the right
-/// picture and half where it does not, spread evenly, so that a small fault counts although most of the picture is right.
+/// The pixels of a picture by which mistakes are judged. In half of them the picture differs from the right one, in half it does not, and they are
+/// spread evenly. So a small fault counts although most of the picture is right.
 /// </summary>
 internal sealed class Evidence
 {
-    /// <summary>What a channel may be off by without being wrong: a level for truncating, and one for the last bits of a float.</summary>
+    /// <summary>A channel that is off by so many levels is not wrong: one for truncating, one for the last bits of a float.</summary>
     public const int Tolerance = 2;
 
-    /// <summary>About as many triangles as are tried in a first look and in the last, where a ray must try every triangle of a mesh.</summary>
+    /// <summary>About how many triangles are tried in the first look and in the last, if each ray must try every triangle of a mesh.</summary>
     private const int LeastTests = 50_000, MostTests = 1_000_000;
 
-    /// <summary>So many pixels rule most pairs of mistakes out.</summary>
+    /// <summary>How many pixels rule out most pairs of mistakes.</summary>
     private const int Few = 5;
 
-    /// <summary>What part of a pixel is left unexplained that a mistake explains only because its pixels may lie anywhere.</summary>
+    /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
     private const double Chance = 0.3;
 
-    /// <summary>The share of pixels that may be off by more than <see cref="OutlineCount"/> forgives.</summary>
+    /// <summary>The share of pixels that may be wrong on outlines beside those of <see cref="OutlineCount"/>.</summary>
     private const double StrayPixels = 1e-4;
 
-    /// <summary>The share of pixels on outlines, at most; where more are wrong, these do not matter.</summary>
+    /// <summary>If a greater share of the pixels is wrong, those on outlines do not matter.</summary>
     private const double FewPixels = 0.03;
 
     /// <summary>
@@ -33,11 +33,8 @@ internal sealed class Evidence
     private readonly int most;
     private readonly int[] wrongPixels, otherPixels; // places in the picture, each beginning of the list spread over all of it
 
-    /// <param name="scene">The scene.</param>
-    /// <param name="right">Its own picture; may have another size, then everything is wrong.</param>
-    /// <param name="picture">The picture to be diagnosed.</param>
-    /// <param name="pixels">How many pixels are looked at, at most; fewer in a scene of many models.</param>
-    /// <param name="forgiveOutlines">Whether the pixels of <see cref="OutlineCount"/> are left out.</param>
+    /// <param name="right">Its own picture; if it has another size, everything is wrong.</param>
+    /// <param name="pixels">The most pixels that are compared; fewer in a scene of many models.</param>
     public Evidence(Scene scene, Picture right, Picture picture, int pixels, bool forgiveOutlines = true)
     {
         (Scene, Picture, Right) = (scene, picture, right);
@@ -60,10 +57,8 @@ internal sealed class Evidence
         otherPixels = Spread(other, most);
     }
 
-    /// <summary>The same pixels, seen by someone who knows of a mistake: wrong are those that it does not explain.</summary>
-    /// <param name="whole">All that is known.</param>
-    /// <param name="first">Draws with the mistake.</param>
-    private Evidence(Evidence whole, Lab first)
+    /// <summary>The same pixels as evidence for a second mistake: those that a first one does not explain count as wrong.</summary>
+    public Evidence(Evidence whole, Lab first)
     {
         (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
         ILookup<bool, int> isExplained = whole.wrongPixels.Take(Affordable(most, first)).Concat(whole.otherPixels.Take(Affordable(most, first)))
@@ -72,24 +67,19 @@ internal sealed class Evidence
         WrongCount = (int)whole.Misfit(first).Unexplained;
     }
 
-    /// <summary>The scene that the picture is meant to show.</summary>
     public Scene Scene { get; }
 
-    /// <summary>Its own picture.</summary>
     public Picture Right { get; }
 
-    /// <summary>The picture to be diagnosed.</summary>
     public Picture Picture { get; }
 
-    /// <summary>How many pixels the picture has.</summary>
     public int PixelCount => Picture.Width * Picture.Height;
 
-    /// <summary>In how many pixels the picture is wrong.</summary>
     public int WrongCount { get; }
 
     /// <summary>
-    /// In how many pixels more the picture is what the scene shows a thousandth of a pixel away. There the last bits decide, of doubles or of
-    /// floats: that is not wrong, and it must not be evidence, since a mistake that changes a camera's number by its last bit would explain it.
+    /// In how many more pixels the picture shows what the scene shows a thousandth of a pixel away. There the last bits of doubles or floats decide.
+    /// That is not wrong, and must not be evidence: a mistake that changes a camera's number by its last bit would explain it.
     /// </summary>
     public int OutlineCount { get; }
 
@@ -102,10 +92,10 @@ internal sealed class Evidence
     /// <summary>Whether it is the scene's picture, but for rounding and single pixels on outlines.</summary>
     public bool IsRight => WrongCount == 0 || IsOnlyOutlines;
 
-    /// <summary>The fewest pixels that count: those that a visible mistake changes at least, or about one that is looked at.</summary>
+    /// <summary>The fewest pixels that count: as many as a visible mistake changes, or as one compared pixel stands for.</summary>
     public double LeastPixels => Math.Max(SceneFitness.LeastPixels, (double)WrongCount / most);
 
-    /// <summary>Draws the pixels of the evidence, to be compared with what several labs draw.</summary>
+    /// <summary>Draws the pixels of the evidence, for comparison with several labs.</summary>
     public Drawn Draw(Lab lab)
     {
         List<(int, (byte, byte, byte))> colors = [];
@@ -128,16 +118,10 @@ internal sealed class Evidence
         return true;
     }
 
-    /// <summary>Pixels that a lab has drawn.</summary>
-    /// <param name="Width">Of the lab's picture.</param>
-    /// <param name="Height">Of the lab's picture.</param>
     /// <param name="Colors">The pixels' places in the student's picture, and their colours.</param>
     public sealed record Drawn(int Width, int Height, IReadOnlyList<(int Pixel, (byte, byte, byte) Color)> Colors);
 
-    /// <summary>What speaks for a second mistake beside a first one.</summary>
-    public Evidence Beside(Lab first) => new(this, first);
-
-    /// <summary>Whether a program may explain the picture: of a few pixels it draws all but one as the picture has them.</summary>
+    /// <summary>Whether a program may explain the picture: it draws a few pixels, except for one, as the picture shows them.</summary>
     public bool MayBeExplainedBy(Lab lab)
     {
         if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong) return false;
@@ -154,20 +138,20 @@ internal sealed class Evidence
     public bool IsHelpedBy(Lab lab) => (lab.Width, lab.Height) == (Picture.Width, Picture.Height) && !lab.TakesTooLong
         && wrongPixels.Take(Few).Any(pixel => IsDrawnBy(lab, pixel));
 
-    /// <summary>What a misfit is beside those of other pictures: 0 for nothing, 1 for all that is wrong, or more.</summary>
+    /// <summary>A misfit on a scale for several pictures: 0 if nothing is left, 1 if all that is wrong is left, or more.</summary>
     public double Loss(Misfit misfit) => Math.Min(1,
         Math.Log(1 + misfit.Weight / PixelCount / LeastShare) / Math.Log(1 + Math.Max((double)WrongCount / PixelCount, LeastShare) / LeastShare));
 
-    /// <summary>Whether a program explains the picture, but for pixels that last bits may change: at most half of those that are wrong.</summary>
+    /// <summary>Whether a program explains the picture, except for pixels that last bits may change: at most half of the wrong ones.</summary>
     public bool IsExplainedBy(WrongProgram program) => Misfit(program.Draw(Scene)).Weight <= Math.Min(0.5 * WrongCount,
         Math.Max(LeastPixels, Math.Clamp(0.12 * WrongCount, LeastShare * PixelCount, 3 * LeastShare * PixelCount)));
 
-    /// <summary>The number of pixels that a mistake leaves unexplained, told from those that are looked at.</summary>
-    /// <param name="lab">Draws with the mistake.</param>
-    /// <param name="share">What share of as many pixels as are chosen at most is looked at; few are enough to see that a mistake is far off.</param>
+    /// <summary>An estimate of how many pixels a mistake leaves unexplained.</summary>
+    /// <param name="share">The share of the chosen pixels that is compared; few show that a mistake is far off.</param>
     public Misfit Misfit(Lab lab, double share = 1)
     {
-        if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong) return RayCaster.Teaching.Misfit.Complete(PixelCount);
+        if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong)
+            return new(PixelCount, PixelCount); // nothing is explained
         return Misfit(lab, wrongPixels, WrongCount, share) + Misfit(lab, otherPixels, PixelCount - WrongCount, share);
     }
 
@@ -194,11 +178,11 @@ internal sealed class Evidence
         return new Misfit(unexplained, error) * ((double)stoodFor / count);
     }
 
-    /// <summary>How many of some pixels are drawn: fewer where each ray must try every triangle of a mesh.</summary>
+    /// <summary>How many of some pixels are drawn: fewer if each ray must try every triangle of a mesh.</summary>
     private static int Affordable(int pixels, Lab lab, double share = 1) =>
         lab.RaysWithin(LeastTests + share * MostTests, pixels);
 
-    /// <summary>The definition, its rays moved by a thousandth of a pixel towards each corner.</summary>
+    /// <summary>The definition with rays moved by a thousandth of a pixel towards each corner.</summary>
     private static Lab[] Nudged(Scene scene)
     {
         const double nudge = 1e-3;
@@ -211,7 +195,6 @@ internal sealed class Evidence
         ];
     }
 
-    /// <summary>Where a pixel is.</summary>
     private (int X, int Y) At(int pixel) => (pixel % Picture.Width, pixel / Picture.Width);
 
     private bool IsDrawnBy(Lab lab, int pixel) => At(pixel) is var (x, y) && IsNear(lab[x, y], Picture[x, y]);
@@ -220,7 +203,7 @@ internal sealed class Evidence
 
     private bool ShowsNeighbour(int pixel) => At(pixel) is var (x, y) && Right.ShowsAround(x, y, Picture[x, y]);
 
-    /// <summary>Takes so many of a list that any beginning of what is taken is spread over the whole: steps of the golden section.</summary>
+    /// <summary>Takes some of a list, so that any beginning of them is spread over the whole list.</summary>
     private static int[] Spread(List<int> all, int most)
     {
         var place = new GoldenSteps(Math.Max(1, all.Count));

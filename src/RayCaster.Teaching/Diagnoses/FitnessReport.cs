@@ -1,18 +1,13 @@
-using System.Globalization;
-using System.Text;
-
 namespace RayCaster.Teaching;
 
-/// <summary>A <see cref="SceneFitness"/> in words for a teacher, with what to change.</summary>
+/// <summary>A <see cref="SceneFitness"/> in words for teachers, with what to change.</summary>
 public static class FitnessReport
 {
-    /// <summary>Why a scene hides mistakes, and what would bring them to light.</summary>
-    /// <param name="Holds">Whether this is so in a scene.</param>
-    /// <param name="Why">What there is, and what to change.</param>
-    /// <param name="Ids">The mistakes that are hidden by it.</param>
+    /// <summary>Why a scene hides mistakes.</summary>
+    /// <param name="Why">The reason, and what to change.</param>
     private sealed record Reason(Func<Scene, bool> Holds, string Why, params string[] Ids);
 
-    /// <summary>The first that holds and names a mistake is its reason.</summary>
+    /// <summary>A mistake's reason is the first one that holds and names it.</summary>
     private static readonly Reason[] reasons =
     [
         new(scene => scene.Models.Count == 0, "the world is empty: add models"),
@@ -90,9 +85,8 @@ public static class FitnessReport
         return text.ToString();
     }
 
-    /// <summary>The same for programs.</summary>
-    /// <param name="fitness">What the scenes are fit for.</param>
-    /// <param name="absent">What was required and does not show.</param>
+    /// <summary>The same as JSON, for other programs.</summary>
+    /// <param name="absent">The required mistakes that do not show.</param>
     public static string Json(SceneFitness fitness, IReadOnlyList<string> absent) => JsonText.Of(new
     {
         Scenes = fitness.Scenes.Count,

@@ -3,8 +3,8 @@ using System.Numerics;
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// An order of so many places in which any beginning is spread evenly over all of them: steps of the golden section, round and round. Each
-/// place comes once.
+/// An order of places in which any beginning is spread evenly over all of them: steps of the golden section, round and round. Each place comes
+/// once.
 /// </summary>
 internal readonly struct GoldenSteps
 {
@@ -19,6 +19,5 @@ internal readonly struct GoldenSteps
         while (!BigInteger.GreatestCommonDivisor(step, count).IsOne) step++;
     }
 
-    /// <summary>The k-th place.</summary>
     public int this[int k] => (int)(k * step % count);
 }

@@ -1,9 +1,9 @@
 namespace RayCaster.Teaching;
 
-/// <summary>How much of a <see cref="Hint"/> is told; each level has those before it too.</summary>
+/// <summary>How much of a <see cref="Hint"/> is shown; each level includes those before it.</summary>
 public enum HintLevel
 {
-    /// <summary>Only what is to be seen.</summary>
+    /// <summary>Only what one sees.</summary>
     Symptom,
 
     /// <summary>What to ask oneself.</summary>

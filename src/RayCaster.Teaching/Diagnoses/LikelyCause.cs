@@ -1,20 +1,15 @@
-using System.Globalization;
-
 namespace RayCaster.Teaching;
 
-/// <summary>What sort of difference a wrong picture shows, where no mistake of the catalogue is certain.</summary>
+/// <summary>The kind of difference that a wrong picture shows, if no mistake of the catalogue is certain.</summary>
 internal static class LikelyCause
 {
-    /// <summary>What may be left unexplained, as a share of the wrong pixels.</summary>
+    /// <summary>The share of the wrong pixels that may be left unexplained.</summary>
     private const double Explained = 0.1;
 
-    /// <summary>As many black lines at a border are no mistake of one line.</summary>
+    /// <summary>Fewer black lines at a border may be a mistake by one line.</summary>
     private const int LeastLines = 4;
 
-    /// <summary>What surely is so: one number of the scene is another, or one model is missing or has another colour.</summary>
-    /// <param name="prepared">The scene.</param>
-    /// <param name="byModels">The picture beside the right one.</param>
-    /// <param name="evidence">Of the picture.</param>
+    /// <summary>A certain cause: one number of the scene is another, or one model is missing or has another colour.</summary>
     /// <param name="most">The share of the wrong pixels that a number may leave unexplained.</param>
     public static string? Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence, double most)
     {
@@ -24,7 +19,7 @@ internal static class LikelyCause
         return unexplained <= Math.Min(Explained, most) * evidence.WrongCount ? says : null;
     }
 
-    /// <summary>What may be said besides.</summary>
+    /// <summary>Other hints.</summary>
     public static IEnumerable<string> Hints(SceneDifference byModels, Evidence evidence)
     {
         var (scene, picture, right) = (evidence.Scene, evidence.Picture, evidence.Right);
@@ -53,7 +48,7 @@ internal static class LikelyCause
         }
     }
 
-    /// <summary>Whether nearly all wrong pixels show a kind of shape, or should.</summary>
+    /// <summary>Whether nearly all wrong pixels show a kind of shape, or should show it.</summary>
     private static bool IsOnly(string kind, Scene scene, SceneDifference byModels)
     {
         bool IsOfKind(int model) => model >= 0 && scene.Models[model].Kind == kind;
@@ -62,7 +57,7 @@ internal static class LikelyCause
         return of >= (1 - Explained) * byModels.Models.Sum(model => model.Wrong);
     }
 
-    /// <summary>What is wrong with a picture as a whole: its colours, its outlines, or where they are; null where nothing can be said.</summary>
+    /// <summary>What is wrong with the whole picture: its colours, its outlines, or their places; null if that is not known.</summary>
     public static string? OfTheWhole(Evidence evidence)
     {
         var (scene, picture) = (evidence.Scene, evidence.Picture);
@@ -89,7 +84,7 @@ internal static class LikelyCause
                 "and at which hit is the nearest.";
     }
 
-    /// <summary>Whether most of what is wrong has another colour beside it in the right picture.</summary>
+    /// <summary>Whether most wrong pixels have a neighbour of another colour in the right picture.</summary>
     private static bool IsWrongOnlyOnOutlines(Picture picture, Picture right)
     {
         var (wrong, outlines) = (0, 0);
@@ -126,7 +121,7 @@ internal static class LikelyCause
             wrong++;
             var (kind, color) = models[i] < 0 ? ("background", scene.Background) : (scene.Models[models[i]].Kind, scene.Models[models[i]].Color);
             if (Unfinished.IsShadeOf(shown, color) || IsTooBrightShadeOf(shown, color)) count[kind] = count.GetValueOrDefault(kind) + 1;
-            // Of two grey models each is a shade of the other, and black is a shade of all: there a new edge within a model tells.
+            // Two grey models are shades of each other, and black is a shade of all. Then a new edge within a model shows the difference.
             if ((x > 0 && IsNewEdge(x - 1, y)) || (y > 0 && IsNewEdge(x, y - 1))) edges++;
 
             bool IsNewEdge(int nx, int ny) => models[ny * right.Width + nx] == models[i] &&
@@ -148,7 +143,7 @@ internal static class LikelyCause
         return true;
     }
 
-    /// <summary>Says so where the picture's upper or lower lines are black and should not be; null where not.</summary>
+    /// <summary>A sentence if the picture's upper or lower lines are black but should not be; otherwise null.</summary>
     private static string? Unwritten(Picture picture, Picture right)
     {
         var (top, bottom) = (0, picture.Height);

@@ -1,8 +1,6 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Teaching;
 
-/// <summary>Where the rays of a lab hit a mesh. A tree rejects triangles, behind the camera too; which hits count is for the lab to say.</summary>
+/// <summary>Where the rays of a lab hit a mesh. A tree rejects triangles, also behind the camera; the lab decides which hits count.</summary>
 internal static class MeshHits
 {
     private static readonly ConditionalWeakTable<Mesh, TriangleTree> trees = []; // of each mesh one for all labs

@@ -1,28 +1,20 @@
-using System.Globalization;
-
 namespace RayCaster.Teaching;
 
-/// <summary>One number of the scene or of the camera's plane that may be another in a picture, and what that would look like.</summary>
-/// <param name="Draw">The scene with another number: x is by how much it differs, or the logarithm of how many times it is what it should
-/// be.</param>
+/// <summary>One number of the scene or of the camera's plane that may be different in a picture.</summary>
+/// <param name="Draw">The scene with another number: x is its difference, or the logarithm of its ratio, to the right one.</param>
 /// <param name="Tries">The x that are tried first.</param>
-/// <param name="Says">What is to be said of an x.</param>
 internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double> Tries, Func<double, string> Says)
 {
-    /// <summary>The share of the wrong pixels that a model of another size or place shows, or should show, at least.</summary>
+    /// <summary>A model of another size or place shows, or should show, at least this share of the wrong pixels.</summary>
     private const double Own = 0.3;
 
-    /// <summary>How many numbers get a closer look, and how many steps towards the best x.</summary>
+    /// <summary>How many numbers are examined closely, and how many steps lead to the best x.</summary>
     private const int Closer = 6, Steps = 14;
 
     private static readonly double[] times = [.. Both([0.07, 0.15, 0.25, 0.35, 0.5, 0.7, 1, 1.5, 2, 3])];
 
     /// <summary>The number that explains a picture best.</summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="byModels">The picture beside the right one.</param>
-    /// <param name="evidence">Of the picture.</param>
-    /// <param name="threads">How many threads draw.</param>
-    /// <returns>How many pixels it leaves unexplained, and what it says.</returns>
+    /// <returns>How many pixels it leaves unexplained, and a sentence about it.</returns>
     public static (double Unexplained, string Says) Find(Scene scene, SceneDifference byModels, Evidence evidence, int? threads)
     {
         var places = from model in byModels.Models
@@ -40,7 +32,7 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
         return (found[first].Misfit.Unexplained, all[first].Says(found[first].X));
     }
 
-    /// <summary>Steps to either side of an x while that is better, and takes half the step where it is not.</summary>
+    /// <summary>Steps to either side of an x while that is better; otherwise halves the step.</summary>
     private (Misfit, double) Closest(double x, Evidence evidence)
     {
         var best = evidence.Misfit(Draw(x), 0.2);

@@ -1,15 +1,12 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Pictures with so little in them that very many mistakes may have made them.</summary>
+/// <summary>Pictures that show so little that very many mistakes draw them.</summary>
 internal static class PlainPicture
 {
-    /// <summary>The share of the pixels that may be neither background nor black, and of those that should be at least.</summary>
+    /// <summary>At most this share of the pixels is neither background nor black, and at least this share should be.</summary>
     private const double Hardly = 0.005, Enough = 0.05;
 
-    /// <summary>What such a picture shows, and where to look; null for a picture that shows more, or of a scene that does not.</summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="picture">A wrong picture of it.</param>
-    /// <param name="right">Its right picture.</param>
+    /// <summary>What such a picture shows, and where to look; null if the picture shows more, or the right one shows as little.</summary>
     public static string? Says(Scene scene, Picture picture, Picture right)
     {
         var background = scene.Background.ToBytes();

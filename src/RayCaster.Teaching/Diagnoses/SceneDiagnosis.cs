@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// A scene made ready to judge many pictures: what all of them need is drawn once, so that a right picture takes a moment. It does not change, so
-/// several threads may judge pictures at once.
+/// A scene prepared for judging many pictures: what all of them need is drawn once, so a right picture takes some milliseconds. Several threads may
+/// judge pictures at the same time.
 /// </summary>
 /// <remarks>For a single picture <see cref="Diagnosis.Of"/> does.</remarks>
 public sealed class SceneDiagnosis
@@ -10,9 +10,9 @@ public sealed class SceneDiagnosis
     private readonly Lazy<IReadOnlyList<Mistake>> hidden;
 
     /// <summary>Draws the scene.</summary>
-    /// <param name="scene">The scene that the pictures are meant to show, at their size.</param>
+    /// <param name="scene">The scene that the pictures should show, at their size.</param>
     /// <param name="threads">How many threads draw, and judge each picture; one per core if left out.</param>
-    /// <param name="possible">Which mistakes are tried, such as those of the code that is written already; all if left out.</param>
+    /// <param name="possible">Which mistakes are tried, for example those of the code written so far; all if left out.</param>
     public SceneDiagnosis(Scene scene, int? threads = null, Predicate<Mistake>? possible = null)
     {
         (Scene, Threads, Possible) = (scene, threads, possible);
@@ -32,11 +32,9 @@ public sealed class SceneDiagnosis
     /// <summary>Its picture.</summary>
     public Picture Right { get; }
 
-    /// <summary>The mistakes of the catalogue that the scene's picture cannot show; found out when first asked for, which takes longer than a
-    /// diagnosis.</summary>
+    /// <summary>The mistakes of the catalogue that the scene's picture cannot show. The first use takes longer than a diagnosis.</summary>
     public IReadOnlyList<Mistake> Hidden => hidden.Value;
 
-    /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
     internal bool TooManyModels => Scene.Models.Count > Lab.MostModels;
 
     internal int? Threads { get; }
@@ -46,15 +44,15 @@ public sealed class SceneDiagnosis
     /// <summary>The mistakes that can show in this scene at all.</summary>
     internal IReadOnlyList<Mistake> Known { get; }
 
-    /// <summary>What might be in a picture but takes too long to try.</summary>
+    /// <summary>The mistakes that take too long to try.</summary>
     internal IReadOnlyList<Mistake> NotTried { get; }
 
     /// <summary>Judges a picture.</summary>
-    /// <param name="picture">The picture; its size is the scene's, or that turned by a quarter.</param>
+    /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
     /// <param name="done">
-    /// What the program surely draws: kinds of shape as a scene file calls them, "attenuation", "clipping". Of all else anything may be missing.
+    /// What the program certainly does: kinds of shape by their names in scene files, "attenuation", "clipping". Everything else may be missing.
     /// </param>
-    /// <param name="likely">Which mistakes are likelier than the others, such as those of the code that was written last; none if left out.</param>
+    /// <param name="likely">Which mistakes are likelier than others, for example those of the code written last; none if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
     public Diagnosis Judge(Picture picture, IReadOnlyCollection<string>? done = null, Predicate<Mistake>? likely = null)
     {

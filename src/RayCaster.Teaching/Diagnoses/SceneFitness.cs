@@ -3,27 +3,27 @@ using System.Collections.Concurrent;
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// What a scene is fit for as a test: which mistakes of the catalogue its picture cannot show, which it cannot tell apart, and which of its
-/// pixels depend on the last bits. Several scenes are judged as a set: what one hides another may show.
+/// How good a scene is as a test: which mistakes of the catalogue its picture cannot show, which it cannot distinguish, and how many of its pixels
+/// depend on the last bits. Several scenes are judged as a set: one may show what another hides.
 /// </summary>
 public sealed class SceneFitness
 {
-    /// <summary>As many pixels as must look otherwise for a mistake to be seen.</summary>
+    /// <summary>A mistake is visible if it changes so many pixels.</summary>
     public const int LeastPixels = 20;
 
-    /// <summary>As many models as a scene may have for mistakes to be tried on it.</summary>
+    /// <summary>On scenes with more models, no mistakes are tried.</summary>
     public const int MostModels = Lab.MostModels;
 
-    /// <summary>A larger picture is judged by a smaller one of the same shape.</summary>
+    /// <summary>A smaller picture of the same shape is judged in place of a larger one.</summary>
     private const int MostPixels = 1_000_000;
 
-    /// <summary>How many pixels of each picture tell most mistakes apart; the others need a second look.</summary>
+    /// <summary>How many pixels of each picture distinguish most mistakes; the others need a second look.</summary>
     private const int Samples = 4096;
 
-    /// <summary>How many pixels the second look takes: at a mistake, and at each of its other wordings.</summary>
+    /// <summary>How many pixels the second look compares for a mistake, and for each of its other wordings.</summary>
     private const int SecondLook = 60_000, ThirdLook = 15_000;
 
-    /// <summary>As many triangles as are tried in all where a ray must try every triangle of a mesh.</summary>
+    /// <summary>How many triangles are tried in all if each ray must try every triangle of a mesh.</summary>
     private const int MostTests = 10_000_000;
 
     private SceneFitness(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
@@ -63,26 +63,25 @@ public sealed class SceneFitness
     /// <summary>The mistakes that the scenes were judged for.</summary>
     public IReadOnlyList<Mistake> Asked { get; }
 
-    /// <summary>What was judged, with the sizes of picture that were.</summary>
+    /// <summary>The scenes, in the sizes in which they were judged.</summary>
     public IReadOnlyList<Scene> Scenes { get; }
 
-    /// <summary>Whether a picture was too large and a smaller one was judged instead.</summary>
+    /// <summary>Whether a smaller picture was judged in place of a large one.</summary>
     public bool Reduced { get; }
 
     /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
     public IReadOnlyList<Mistake> Hidden { get; }
 
-    /// <summary>The mistakes that show in another wording only than the catalogue's first: a program may well have them, and its picture be
-    /// right.</summary>
+    /// <summary>The mistakes that show, but not in the catalogue's first wording: a program with that wording may draw the right picture.</summary>
     public IReadOnlyList<Mistake> HiddenAtFirst { get; }
 
-    /// <summary>Those of the hidden ones that do change pixels, by a level: a comparison shows them, the eye does not.</summary>
+    /// <summary>The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</summary>
     public IReadOnlyList<Mistake> WithinRounding { get; }
 
-    /// <summary>Those that take too long to try: a scene has too many triangles for them.</summary>
+    /// <summary>The mistakes that take too long to try, because a scene has too many triangles.</summary>
     public IReadOnlyList<Mistake> NotTried { get; }
 
-    /// <summary>Mistakes that are seen, but give the same pictures, in groups.</summary>
+    /// <summary>Groups of visible mistakes that draw the same pictures.</summary>
     public IReadOnlyList<IReadOnlyList<Mistake>> Twins { get; }
 
     /// <summary>Whether every picture is of one colour.</summary>
@@ -95,7 +94,7 @@ public sealed class SceneFitness
     public long PixelCount { get; }
 
     /// <summary>Judges a set of scenes.</summary>
-    /// <param name="scenes">At least one, each fit for <see cref="CanJudge"/>.</param>
+    /// <param name="scenes">At least one; each passes <see cref="CanJudge"/>.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <param name="asked">The mistakes that they should show; all of the catalogue if left out.</param>
     public static SceneFitness Of(IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? asked = null) =>
@@ -113,7 +112,7 @@ public sealed class SceneFitness
         return scene with { Camera = camera.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink))) };
     }
 
-    /// <summary>The groups of mistakes that no picture tells apart.</summary>
+    /// <summary>The groups of mistakes that no picture distinguishes.</summary>
     private static List<IReadOnlyList<Mistake>> Groups(View[] views, List<Mistake> seen)
     {
         var groups = new List<IReadOnlyList<Mistake>>();
@@ -126,7 +125,7 @@ public sealed class SceneFitness
         return groups;
     }
 
-    /// <summary>A scene's picture with each mistake, as far as it is needed.</summary>
+    /// <summary>As much of a scene's picture with each mistake as is needed.</summary>
     private sealed class View(Scene scene)
     {
         private readonly int count = scene.Camera.Width * scene.Camera.Height;
@@ -148,7 +147,7 @@ public sealed class SceneFitness
         /// <summary>Whether a mistake changes any byte of the samples.</summary>
         public bool ShowsByALevel(Mistake mistake) => samples[mistake].Index().Any(sample => sample.Item != right.At(places[sample.Index]));
 
-        /// <summary>Draws samples of the picture, and more of it where they do not show the mistake.</summary>
+        /// <summary>Draws samples of the picture, and more of it if they do not show the mistake.</summary>
         public void Look(Mistake mistake)
         {
             var lab = new Lab(scene, mistake);
@@ -173,7 +172,7 @@ public sealed class SceneFitness
         private bool Changes(Mistake wording, int most)
         {
             var lab = new Lab(scene, wording);
-            // Triangles that reach out of themselves change large parts of a picture: the samples would have shown it.
+            // Triangles that cover more than their area change large parts of a picture, which the samples would have shown.
             if (HasOtherSize(lab) || lab.TrianglesTried > 0) return HasOtherSize(lab);
             most = Math.Min(most, count);
             return Differ(most, (int)Math.Ceiling((double)LeastPixels * most / count), k => (lab[places[k]], right.At(places[k])));

@@ -1,29 +1,22 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A step of the definition that mistakes change: one puts another formula in its place, others lay themselves around it.</summary>
-/// <remarks>What is around a formula stays around it, in whichever order the mistakes are made, so that a second mistake adds to the
-/// first.</remarks>
-/// <typeparam name="F">What the step takes and gives.</typeparam>
-/// <param name="definition">The right step.</param>
+/// <summary>A step of the definition that mistakes change: they replace its formula, or change what goes in or comes out.</summary>
+/// <remarks>A change around a formula stays if another mistake replaces the formula later, so the order of two mistakes does not matter.</remarks>
 internal sealed class Step<F>(F definition) where F : Delegate
 {
     private readonly List<Func<F, F>> around = [];
 
-    /// <summary>The step as it is now.</summary>
     public F Do { get; private set; } = definition;
 
-    /// <summary>Whether a mistake has changed it.</summary>
     public bool IsChanged { get; private set; }
 
-    /// <summary>Puts another formula in the place of this one.</summary>
     public void Is(F other)
     {
         (Do, IsChanged) = (other, true);
         foreach (var wrap in around) Do = wrap(Do);
     }
 
-    /// <summary>Lays something around this step.</summary>
-    /// <param name="wrap">Gets the step as it was; returns the step as it shall be.</param>
+    /// <param name="wrap">Gets the old step, and returns the new one.</param>
     public void Becomes(Func<F, F> wrap)
     {
         around.Add(wrap);

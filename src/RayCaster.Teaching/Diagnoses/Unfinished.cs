@@ -2,39 +2,37 @@ using static RayCaster.Teaching.Diagnosis;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What a program that is not finished does not do yet, and how it draws then.</summary>
-/// <param name="NotYet">The kinds of shape that it does not draw, as a scene file calls them, "attenuation" and "clipping".</param>
+/// <summary>What an unfinished program does not do yet, and how it draws.</summary>
+/// <param name="NotYet">The kinds of shape that it does not draw, by their names in scene files, "attenuation" and "clipping".</param>
 internal sealed record Unfinished(IReadOnlyList<string> NotYet)
 {
-    /// <summary>A pixel as dark as this says nothing of a model's colour.</summary>
+    /// <summary>A darker pixel does not show a model's colour.</summary>
     private const int Dark = 24;
 
     private static readonly Mistake[] withoutAttenuation = [MistakeCatalog.Named("att-none")!];
     private static readonly Mistake[] withoutClipping = [MistakeCatalog.Named("no-znear")!, MistakeCatalog.Named("no-zfar")!];
 
-    /// <summary>A program that does all.</summary>
+    /// <summary>A finished program.</summary>
     public static Unfinished Nothing { get; } = new([]);
 
-    /// <summary>The kinds of shape that it does not draw.</summary>
     public IEnumerable<string> Kinds => NotYet.Where(part => part is not (Attenuation or Clipping));
 
-    /// <summary>The mistakes that draw so: "no attenuation", say, is one of the catalogue, too.</summary>
+    /// <summary>The mistakes that draw the same: for example, "no attenuation" is also in the catalogue.</summary>
     public IEnumerable<Mistake> AsMistakes =>
     [
         .. NotYet.Contains(Attenuation) ? withoutAttenuation : [],
         .. NotYet.Contains(Clipping) ? withoutClipping : [],
     ];
 
-    /// <summary>Takes from a lab what is not there yet.</summary>
+    /// <summary>Removes from a lab what is not written yet.</summary>
     public Lab In(Lab lab)
     {
         foreach (var kind in Kinds) lab.LeaveOut(kind);
         return lab;
     }
 
-    /// <summary>Every way to be unfinished: each subset of the scene's kinds of shape but none and all, with and without attenuation and
+    /// <summary>Every way to be unfinished: without each subset of the scene's kinds of shape, except the whole, with and without attenuation and
     /// clipping.</summary>
-    /// <param name="done">What is surely there.</param>
     public static IEnumerable<Unfinished> Ways(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
         var kinds = KindsOf(pictures);
@@ -46,11 +44,10 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     }
 
     /// <summary>
-    /// The ways in which just those kinds are missing whose colours the picture does not show. A colour says what is drawn, wherever it is
-    /// drawn; kinds that have no colour of their own may be there or not. Clipping may be missing by itself.
+    /// The ways in which exactly the kinds are missing whose colours the picture does not show. A colour shows what is drawn, at any place; kinds
+    /// without a colour of their own may be drawn or not. Clipping may be the only missing part.
     /// </summary>
-    /// <param name="pictures">The pictures of one program; what is not seen in the scenes' own pictures cannot be missed.</param>
-    /// <param name="done">What is surely there.</param>
+    /// <param name="pictures">The pictures of one program; a kind that the scenes' own pictures do not show does not count as missing.</param>
     public static IEnumerable<Unfinished> ByColors(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
         var kinds = KindsOf(pictures);
@@ -69,7 +66,6 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
                select new Unfinished([.. missing, .. more, .. rest]);
     }
 
-    /// <summary>The kinds of shape in the pictures' scenes.</summary>
     public static string[] KindsOf(IReadOnlyList<Evidence> pictures) =>
         [.. pictures.SelectMany(picture => picture.Scene.Models).Select(model => model.Kind).Distinct()];
 
@@ -78,7 +74,7 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     private static IEnumerable<string[]> Subsets(string[] all) =>
         Enumerable.Range(0, 1 << all.Length).Select(bits => all.Where((_, i) => (bits >> i & 1) != 0).ToArray());
 
-    /// <summary>Counts in how many pixels of some thousands each kind shows a colour that no other kind has.</summary>
+    /// <summary>Counts, in some thousand pixels, how many show a colour that only one kind has.</summary>
     private static void Look(Scene scene, Picture picture, string[] kinds, int[] seen)
     {
         var places = new GoldenSteps(picture.Count);

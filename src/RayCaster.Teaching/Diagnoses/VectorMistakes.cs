@@ -59,8 +59,7 @@ internal static class VectorMistakes
             "Nearly all is gone or has a wrong size, or the light reaches too far.",
             "How long is (3, 4, 0)? What does your Length say?",
             "|a| = √(x² + y² + z²).")
-            .In(Lengths)
-            .In(("triangles compare areas", ByAreas))
+            .In([.. Lengths, ("triangles compare areas", ByAreas)])
             .Or("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach + AllowAnyLength)
             .Or("the same, while zNear and zFar are measured along (T − P) / |T − P|", SquareLength + DoubleReach + AllowAnyLength + RightDepth)
             .Or("the same, with t = |X − P|", SquareLength + DoubleReach + ByLength + AllowAnyLength)
@@ -70,8 +69,7 @@ internal static class VectorMistakes
             .Or("a vector is normalised by x² + y² + z²", Unit(a => a / (a * a)))
             .Or("the same, while zNear and zFar are measured along (T − P) / |T − P|", Unit(a => a / (a * a)) + RightDepth)
             .Or(from part in Parts select ($"{part.Name} forgotten in the length", Length(a => part.Of(Vector3.Zero, a).Length)))
-            .Or(from part in Parts
-                select ($"|a| with {part.Name} for {part.Name}²", Length(a => Unsquared(part.Of(a, Vector3.Zero), part.Of(Vector3.Zero, a)))))
+            .Or(from k in (int[])[0, 1, 2] select ($"|a| with {"xyz"[k]} for {"xyz"[k]}²", Length(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(k)))))
             .Or("|a| = |x| + |y| + |z|", Length(a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
             .Or("|a| = (x² + y² + z²) / 2", Length(a => a * a / 2))
             .Or("|a| with its root taken twice", Length(a => Math.Sqrt(a.Length)))
@@ -161,15 +159,13 @@ internal static class VectorMistakes
         ("x", (b, a) => a with { X = b.X }), ("y", (b, a) => a with { Y = b.Y }), ("z", (b, a) => a with { Z = b.Z }),
     ];
 
-    private static double Unsquared(Vector3 part, Vector3 rest) => Math.Sqrt(part.X + part.Y + part.Z + rest * rest);
-
     /// <summary>Another way to normalise.</summary>
     private static Action<Lab> Unit(Func<Vector3, Vector3> unit) => AllowAnyLength + (lab => lab.Unit.Is(unit));
 
     /// <summary>Another length.</summary>
     private static Action<Lab> Length(Func<Vector3, double> length) => AllowAnyLength + DoubleReach + (lab => lab.Length.Is(length));
 
-    private static Action<Lab> RightDepth => lab => lab.Depth.Is((t, d) => t * (d * (lab.T - lab.P).Normalized));
+    internal static Action<Lab> RightDepth => lab => lab.Depth.Is((t, d) => t * (d * (lab.T - lab.P).Normalized));
 
     /// <summary>Who else may read a wrong length, or a d of a wrong one.</summary>
     private static (string, Action<Lab>)[] Lengths =>
@@ -212,9 +208,7 @@ internal static class VectorMistakes
     private static Action<Lab> AssumeUnitLength => lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d));
 
     /// <summary>A component with other letters, with other signs, or with a term forgotten.</summary>
-    /// <param name="own">Which component.</param>
-    /// <param name="first">The one that is the mistake's first wording.</param>
-    private static IEnumerable<(string, Action<Lab>)> CrossWordings(int own, string first)
+    private static IEnumerable<(string, Action<Lab>)> CrossWordings(int own, string usual)
     {
         const string axes = "xyz";
         var (i, k) = ((own + 1) % 3, (own + 2) % 3);
@@ -236,7 +230,7 @@ internal static class VectorMistakes
         ];
         return from slip in slips
                from wording in Crosses($"{axes[own]} is {slip.Is}", (a, b, n) => slip.Of(a, b) is var c ? Parts[own].Of(new(c, c, c), n) : n)
-                   .Skip(slip.Is == first ? 1 : 0)
+                   .Skip(slip.Is == usual ? 1 : 0)
                select wording;
     }
 

@@ -1,13 +1,12 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What a program with known mistakes draws: for exams, and for trying a rubric.</summary>
+/// <summary>The picture of a program with known mistakes: for exams, and for testing a rubric.</summary>
 public static class WrongPicture
 {
     /// <summary>Draws a scene with mistakes.</summary>
-    /// <param name="scene">The scene.</param>
-    /// <param name="mistakes">The mistakes, made all at once; each is one of the catalogue or one of its wordings.</param>
+    /// <param name="mistakes">All its mistakes; each is one of the catalogue, or one of its wordings.</param>
     /// <param name="threads">How many threads draw; one per core if left out.</param>
-    /// <returns>The picture; two of the mistakes swap its sides.</returns>
+    /// <returns>The picture; two of the mistakes swap its width and height.</returns>
     public static Picture Draw(Scene scene, IReadOnlyList<Mistake> mistakes, int? threads = null)
     {
         var lab = new Lab(scene, [.. mistakes]);

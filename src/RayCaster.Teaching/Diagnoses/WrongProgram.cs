@@ -1,45 +1,40 @@
 namespace RayCaster.Teaching;
 
-/// <summary>A way to draw the scene wrong, and how near it comes to a picture.</summary>
+/// <summary>A program with mistakes, and how near its picture is to a given one.</summary>
 /// <param name="Base">What the program does not do yet.</param>
-/// <param name="Wordings">Its mistakes, each in one of its wordings.</param>
 /// <param name="OtherSample">Whether rays pass through the other place of each pixel.</param>
-/// <param name="Misfit">How far it is from explaining the picture.</param>
 internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Wordings, bool OtherSample, Misfit Misfit = default)
 {
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
-    /// <summary>Equal for trials that differ in wordings and samples alone.</summary>
+    /// <summary>Equal for trials that differ only in wordings and samples.</summary>
     public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id)).Order(StringComparer.Ordinal));
 
     /// <summary>Its mistakes; rays through the other place of each pixel are one.</summary>
     public IEnumerable<Mistake> Mistakes => Wordings.Concat(OtherSample ? [center] : []);
 
-    /// <summary>Their ids.</summary>
     public IEnumerable<string> MistakeIds => Mistakes.Select(mistake => mistake.Id);
 
     /// <summary>How many parts are missing, and how many mistakes there are.</summary>
     public (int Missing, int Mistakes) Parts => (Base.NotYet.Count, MistakeIds.Count());
 
-    /// <summary>The same without one of its mistakes, or with one thing written that was not, for each of them; nothing is measured yet.</summary>
+    /// <summary>The same without one of its mistakes, or without one of its missing parts; not measured yet.</summary>
     public IEnumerable<WrongProgram> Less =>
     [
         .. Base.NotYet.Select(part => this with { Base = new([.. Base.NotYet.Where(other => other != part)]) }),
         .. Wordings.Select((_, i) => this with { Wordings = [.. Wordings.Where((_, k) => k != i)] }),
     ];
 
-    /// <summary>How many of its mistakes are made in another than their usual wording, the first.</summary>
+    /// <summary>How many of its mistakes are not in their usual wording, the first.</summary>
     public int Unusual => Wordings.Count(wording => wording != MistakeCatalog.Named(wording.Id));
 
-    /// <summary>Draws the scene so.</summary>
     public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Mistakes]));
 
-    /// <summary>The mistakes to be named.</summary>
     public IReadOnlyList<Mistake> Named => [.. Wordings, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
 
     /// <summary>
-    /// What it leaves unexplained, the more the more it assumes: two mistakes explain any picture better than one, and that something is not
-    /// written yet is the simplest of all.
+    /// What it leaves unexplained, with a factor for what it assumes: two mistakes explain any picture better than one, and a part that is not
+    /// written yet is the simplest assumption.
     /// </summary>
     /// <param name="wrong">All that is wrong, as <see cref="Misfit"/> counts it.</param>
     public double Cost(double wrong) =>

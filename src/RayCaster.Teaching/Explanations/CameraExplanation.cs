@@ -1,6 +1,5 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The camera's part of an explanation.</summary>
 internal static class CameraExplanation
 {
     /// <summary>W, U, V, h and w, which are the same for all pixels.</summary>

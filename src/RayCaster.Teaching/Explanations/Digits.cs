@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Teaching;
 
 /// <summary>Numbers for people: six significant digits, a true minus sign.</summary>

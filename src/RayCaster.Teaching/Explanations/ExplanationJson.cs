@@ -19,7 +19,7 @@ public static class ExplanationJson
             Steps = Steps(pixel.RaySteps),
         },
         Models = pixel.Models.Select(Model),
-        pixel.Others,
+        Others = pixel.Others is { } others ? Others(others) : null,
         Hit = pixel.Winner is { } index ? Hit(pixel, index) : JsonText.Null,
         Color = Color(pixel),
         pixel.Notes,
@@ -57,7 +57,7 @@ public static class ExplanationJson
         model.Reason,
         Slide = Slides.OfShape(model.Type),
         model.Beside,
-        model.Mesh,
+        Mesh = model.Mesh is { } mesh ? Triangles(mesh) : null,
         Steps = Steps(model.Steps),
         Slabs = model.Slabs.Count > 0 ? model.Slabs : null,
         model.Weights,
@@ -72,6 +72,21 @@ public static class ExplanationJson
             crossing.Numbers,
         }),
     };
+
+    private static object Triangles(MeshExplanation mesh) => new
+    {
+        mesh.Triangles,
+        Triangle = mesh.Triangle ?? JsonText.Null,
+        mesh.Missed,
+        mesh.Behind,
+        mesh.UnderBias,
+        mesh.BeforeNear,
+        mesh.BeyondFar,
+        mesh.Counting,
+    };
+
+    private static object Others(OtherModels models) =>
+        new { models.Count, models.Hidden, models.Behind, models.UnderBias, models.BeforeNear, models.BeyondFar, models.Missed };
 
     private static object Hit(PixelExplanation pixel, int index) => new
     {

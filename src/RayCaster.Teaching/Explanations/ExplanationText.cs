@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace RayCaster.Teaching;
 
 /// <summary>An explanation for people: lines of at most 100 characters, mostly; numbers have six significant digits.</summary>

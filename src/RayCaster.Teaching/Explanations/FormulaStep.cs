@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A step of a formula with the numbers of one pixel.</summary>

@@ -41,7 +41,6 @@ public sealed class HitLedger
     internal (byte R, byte G, byte B)? OnlyColor { get; private set; }
 
     /// <summary>Judges all rays. In a large picture or a scene of many models, judges a grid of at most <see cref="MostSampled"/> rays.</summary>
-    /// <param name="cancellation">Ends the work with an <see cref="OperationCanceledException"/>.</param>
     public static HitLedger Take(Scene scene, CancellationToken cancellation = default)
     {
         var (camera, models) = (scene.Camera, scene.Models);

@@ -47,15 +47,9 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
     {
         if (trial.Index == shown) return (Outcome.Shows, "the nearest that counts: the pixel shows it");
         var name = ModelName.Plain(scene, shown!.Value);
-        return (Outcome.Hidden, t == cast.HitParameter
-            ? $"a tie: {name} has the same t and stands earlier in the scene"
-            : $"hidden by {name}, whose {Nearer(cast.HitParameter, t)}");
-    }
-
-    private static string Nearer(double nearest, double t)
-    {
-        var (a, b) = Digits.Apart(nearest, t);
-        return $"t = {a} < {b}";
+        if (t == cast.HitParameter) return (Outcome.Hidden, $"a tie: {name} has the same t and stands earlier in the scene");
+        var (a, b) = Digits.Apart(cast.HitParameter, t);
+        return (Outcome.Hidden, $"hidden by {name}, whose t = {a} < {b}");
     }
 
     private List<CrossingExplanation> Crossings(Trial trial, Model shape, Crossings<Derivation> derived,

@@ -1,9 +1,6 @@
-using System.Text.Json.Serialization;
-
 namespace RayCaster.Teaching;
 
 /// <summary>One model in the explanation of a pixel.</summary>
-/// <param name="Index">Its place in the scene, from 0.</param>
 /// <param name="Name">Its name, or its path in the scene file.</param>
 /// <param name="Steps">The steps of its formula; empty for a model in plain doubles and ifs, of which only t is known.</param>
 /// <param name="Crossings">The crossings, nearest first; if there is none, one entry says why.</param>
@@ -40,14 +37,12 @@ public sealed record SlabExplanation(char Axis, double Lo, double Hi, double T0,
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias.</param>
 /// <param name="Counting">How many crossings count; the nearest is the mesh's.</param>
 public sealed record MeshExplanation(
-    int Triangles, [property: JsonIgnore(Condition = JsonIgnoreCondition.Never)] int? Triangle,
-    int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
+    int Triangles, int? Triangle, int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
 
 /// <summary>The outcomes of the models that are not explained one by one.</summary>
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias only.</param>
 public sealed record OtherModels(int Hidden, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Missed)
 {
     /// <summary>How many there are in all.</summary>
-    [JsonPropertyOrder(-1)]
     public int Count => Hidden + Behind + UnderBias + BeforeNear + BeyondFar + Missed;
 }

@@ -12,7 +12,6 @@ internal sealed class ModelWitness(Model model, Vector3 origin)
     /// <summary>How many formulas or tests of bounds one ray needs.</summary>
     public int Cost => Math.Max(1, blocks.Length);
 
-    /// <summary>What becomes of a ray.</summary>
     /// <param name="t">The t that counts, else that of a crossing that does not; NaN if there is none.</param>
     /// <returns><see cref="Outcome.Shows"/> for a hit, whatever else is in the scene.</returns>
     public Outcome Judge(Ray ray, out double t) =>

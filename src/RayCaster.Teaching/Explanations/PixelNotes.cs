@@ -1,30 +1,21 @@
 namespace RayCaster.Teaching;
 
-/// <summary>What is special about a pixel.</summary>
 internal static class PixelNotes
 {
     /// <summary>If two t agree this well, last bits of a formula decide which is less.</summary>
     private const double AlmostEqual = 1e-12;
 
     public static IReadOnlyList<string> Of(PixelExplanation pixel) =>
-        [.. Definition(pixel), .. Background(pixel), .. Outline(pixel), .. Ties(pixel), .. Faces(pixel), .. Light(pixel)];
+        [.. Shown(pixel), .. Ties(pixel), .. Faces(pixel), .. Light(pixel)];
 
-    /// <summary>The explanation repeats the steps of ScalarRenderer, Ray.Meet and Color, so a change there may make them differ.</summary>
-    private static IEnumerable<string> Definition(PixelExplanation pixel)
+    private static IEnumerable<string> Shown(PixelExplanation pixel)
     {
+        // The explanation repeats the steps of ScalarRenderer, Ray.Meet and Color, so a change there may make them differ.
         var drawn = new Picture(1, 1);
         ScalarRenderer.Render(pixel.Scene, drawn, pixel.Column, pixel.Line);
         if (drawn[0, 0] != pixel.Bytes)
             yield return $"ScalarRenderer draws {drawn[0, 0]} here: this build's course library was changed, and this does not explain how";
-    }
-
-    private static IEnumerable<string> Background(PixelExplanation pixel)
-    {
         if (pixel.Winner is null) yield return "no model is hit: the pixel shows the background, which is not attenuated";
-    }
-
-    private static IEnumerable<string> Outline(PixelExplanation pixel)
-    {
         foreach (var neighbour in pixel.Neighbours)
             if (neighbour.Model != pixel.Winner)
                 yield return $"an outline: the pixel {Place(neighbour)} shows {pixel.NameOf(neighbour.Model)}";

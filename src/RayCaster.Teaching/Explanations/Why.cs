@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace RayCaster.Teaching;
 
 /// <summary>Why a formula gives NaN: the test that failed, or the operation without a result, with its numbers.</summary>

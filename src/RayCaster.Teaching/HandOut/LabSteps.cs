@@ -31,7 +31,6 @@ public static class LabSteps
     };
 
     /// <summary>Whether a mistake is one of the code of a step: of its slide or of the shape that is written in it.</summary>
-    /// <param name="step">The step, from 1.</param>
     public static bool IsOf(Mistake mistake, int step) => StepOf(mistake.Slide) == step
         || Diagnosis.Parts.Any(part => (mistake.Concerns & Mistake.KindOf(part)) != 0 && StepOfShape(part) == step);
 
@@ -53,7 +52,6 @@ public static class LabSteps
     }
 
     /// <summary>The picture after a step.</summary>
-    /// <param name="step">The step, from 1.</param>
     public static Picture Draw(Scene scene, int step)
     {
         if (step < FirstPicture) return Gradient(scene.Camera.Width, scene.Camera.Height);

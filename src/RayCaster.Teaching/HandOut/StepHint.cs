@@ -15,7 +15,6 @@ public static class StepHint
     public static string Of(Scene scene, Picture picture, int step, HintLevel level) =>
         string.Join("\n", Lines(scene, Judge(scene, picture, step), step, level).Select(line => "  " + line));
 
-    /// <summary>The diagnosis of a picture of a step.</summary>
     internal static Diagnosis Judge(Scene scene, Picture picture, int step) => step == 0
         ? Diagnosis.Of(scene, picture)
         : new SceneDiagnosis(scene, possible: mistake => LabSteps.StepOf(mistake.Slide) <= step)

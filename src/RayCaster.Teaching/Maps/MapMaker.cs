@@ -26,9 +26,9 @@ public static class MapMaker
             {
                 for (var x = 0; x < width; x++)
                 {
-                    var (a, b, c) = Numbers(scene, kind, hits, surfaces, x, y);
-                    map[x, y][0] = ToFloat(a);
-                    if (surfaces is not null) (map[x, y][1], map[x, y][2]) = (ToFloat(b), ToFloat(c));
+                    var numbers = Numbers(scene, kind, hits, surfaces, x, y);
+                    map[x, y][0] = ToFloat(numbers.X);
+                    if (surfaces is not null) (map[x, y][1], map[x, y][2]) = (ToFloat(numbers.Y), ToFloat(numbers.Z));
                 }
             }
             return map;
@@ -39,24 +39,17 @@ public static class MapMaker
         }
     }
 
-    private static (double, double, double) Numbers(Scene scene, MapKind kind, HitMap hits, SurfaceHits? surfaces, int x, int y)
+    private static Vector3 Numbers(Scene scene, MapKind kind, HitMap hits, SurfaceHits? surfaces, int x, int y)
     {
         var (place, row) = (y * hits.Width + x, hits.Height - 1 - y);
-        switch (kind)
+        return kind switch
         {
-            case MapKind.T:
-                return (hits.T[place], 0, 0);
-            case MapKind.Depth:
-                return (hits.T[place] * -(scene.Camera.Direction<Scalar>(x, row) * scene.Camera.W), 0, 0);
-            case MapKind.Model:
-                return (hits.Model[place], 0, 0);
-            case MapKind.Normal:
-                var n = surfaces!.Normal(x, row);
-                return (n.X, n.Y, n.Z);
-            default:
-                var (u, v) = surfaces!.Parameters(x, row);
-                return (u, v, 0);
-        }
+            MapKind.T => new(hits.T[place], 0, 0),
+            MapKind.Depth => new(hits.T[place] * -(scene.Camera.Direction<Scalar>(x, row) * scene.Camera.W), 0, 0),
+            MapKind.Model => new(hits.Model[place], 0, 0),
+            MapKind.Normal => surfaces!.Normal(x, row),
+            _ => surfaces!.Parameters(x, row),
+        };
     }
 
     /// <summary>Rounds to float. A finite number stays finite, because infinity means that nothing is hit.</summary>

@@ -12,20 +12,17 @@ public static class MapPicture
 
     private static (byte, byte, byte) Pixel(ReadOnlySpan<float> numbers, MapKind kind, double least, double greatest)
     {
-        switch (kind)
+        var (a, b, c) = numbers.Length == 1 ? (numbers[0], 0, 0) : (numbers[0], numbers[1], numbers[2]);
+        return kind switch
         {
-            case MapKind.T or MapKind.Depth:
-                var share = greatest > least ? (greatest - numbers[0]) / (greatest - least) : 1; // 1 for the nearest, which is the brightest
-                return float.IsFinite(numbers[0]) ? ColorRamp.Viridis.At(share * ColorRamp.Viridis.Last) : default;
-            case MapKind.Model:
-                return numbers[0] < 0 ? default : OfModel((int)numbers[0]);
-            case MapKind.Normal:
-                var (nx, ny, nz) = (numbers[0], numbers[1], numbers[2]);
-                return nx == 0 && ny == 0 && nz == 0 ? default : new Color((nx + 1) / 2, (ny + 1) / 2, (nz + 1) / 2).ToBytes();
-            default:
-                var (u, v) = (numbers[0], numbers[1]);
-                return u == 0 && v == 0 ? default : new Color(Part(u), Part(v), 0.5).ToBytes();
-        }
+            MapKind.T or MapKind.Depth when !float.IsFinite(a) => default,
+            MapKind.T or MapKind.Depth => // the nearest is the brightest
+                ColorRamp.Viridis.At((greatest > least ? (greatest - a) / (greatest - least) : 1) * ColorRamp.Viridis.Last),
+            MapKind.Model => a < 0 ? default : OfModel((int)a),
+            _ when (a, b, c) == (0, 0, 0) => default,
+            MapKind.Normal => new Color((a + 1) / 2, (b + 1) / 2, (c + 1) / 2).ToBytes(),
+            _ => new Color(Part(a), Part(b), 0.5).ToBytes(),
+        };
     }
 
     /// <summary>A colour for each model. The hue grows by the golden angle, so models that are neighbours in the scene file look

@@ -25,12 +25,14 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
         return n * d > 0 ? -n : n;
     }
 
-    /// <summary>u and v at a pixel's hit; zero where nothing is hit, or the shape has none.</summary>
+    /// <summary>(u, v, 0) at a pixel's hit; zero where nothing is hit, or the shape has no parameters.</summary>
     /// <inheritdoc cref="Normal"/>
-    public (double U, double V) Parameters(int column, int row)
+    public Vector3 Parameters(int column, int row)
     {
         var place = PlaceOf(column, row);
-        return hits.Model[place] >= 0 && SurfaceAt(place) is { } surface ? surface.Parameters(PointAt(place, Direction(column, row))) : (0, 0);
+        if (hits.Model[place] < 0 || SurfaceAt(place) is not { } surface) return Vector3.Zero;
+        var (u, v) = surface.Parameters(PointAt(place, Direction(column, row)));
+        return new(u, v, 0);
     }
 
     private int PlaceOf(int column, int row) => (camera.Height - 1 - row) * camera.Width + column;

@@ -15,8 +15,6 @@ public sealed class ClassMarks
     private const string TableFile = "marks.csv";
     private const string PageFile = "class.html";
 
-    private static readonly JsonSerializerOptions whole = new(JsonSerializerOptions.Web) { RespectRequiredConstructorParameters = true };
-
     private readonly Rubric rubric;
     private readonly string output;
     private readonly SubmissionRunner runner;
@@ -101,7 +99,7 @@ public sealed class ClassMarks
         cancellation.ThrowIfCancellationRequested();
         var marks = marker.Mark(submission.Student, digest, pictures, changed);
         Write(Path.Combine(folder, "feedback.html"), FeedbackPage.Of(rubric, marks, pictures));
-        Write(keptPath, JsonSerializer.Serialize(marks, whole));
+        Write(keptPath, JsonSerializer.Serialize(marks, KeptMarks.Default.StudentMarks));
         return marks;
     }
 
@@ -109,7 +107,7 @@ public sealed class ClassMarks
     {
         try
         {
-            return File.Exists(path) ? JsonSerializer.Deserialize<StudentMarks>(File.ReadAllBytes(path), whole) : null;
+            return File.Exists(path) ? JsonSerializer.Deserialize(File.ReadAllBytes(path), KeptMarks.Default.StudentMarks) : null;
         }
         catch (Exception e) when (e is JsonException or IOException or UnauthorizedAccessException or NotSupportedException)
         {

@@ -12,16 +12,21 @@ internal static class ClassPage
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
         var page = new Page($"{rubric.Title}: {marks.Count} submissions");
+        var open = Mean(marks, student => student.Open);
         page.Element("p",
-            $"{MarksTable.Number(Math.Round(marks.Average(student => student.Points), 2))} of {MarksTable.Number(rubric.Points)} points " +
-            "on average; "
-            + $"{marks.Count(student => student.LookYourself.Count > 0)} to look at yourself.");
+            $"{Mean(marks, student => student.Points)} of {MarksTable.Number(rubric.Points)} points on average" +
+            (open == "0" ? ". " : $", {open} more are open. ") +
+            $"To look at yourself: {marks.Count(student => student.LookYourself.Count > 0)}.");
         AddMistakes(page, marks);
         AddLookYourself(page, marks);
         AddGroups(page, marks);
+        AddEmpty(page, marks);
         AddTable(page, rubric, marks);
         return page.ToString();
     }
+
+    private static string Mean(IReadOnlyList<StudentMarks> marks, Func<StudentMarks, double> points) =>
+        MarksTable.Number(Math.Round(marks.Average(points), 2));
 
     private static void AddMistakes(Page page, IReadOnlyList<StudentMarks> marks)
     {
@@ -56,7 +61,7 @@ internal static class ClassPage
         {
             var pictures = student.Scenes.Where(scene => scene.Verdict == SceneVerdict.Unexplained && scene.Small.Length > 0)
                 .Select(scene => Page.Image(scene.Small, scene.Name));
-            page.Html($"<tr><td>{Link(student)}</td><td>{string.Join("<br>", student.LookYourself.Select(Page.Escaped))}<br>" +
+            page.Html($"<tr><td>{Link(student)}</td><td class=\"long\">{string.Join("<br>", student.LookYourself.Select(Page.Escaped))}<br>" +
                 $"{string.Join(' ', pictures)}</td></tr>");
         }
         page.Html("</table>");
@@ -67,7 +72,7 @@ internal static class ClassPage
         var groups = new List<(SceneMarks First, List<StudentMarks> Students)>();
         foreach (var student in marks)
         {
-            foreach (var scene in student.Scenes.Where(scene => scene.Likeness.Length > 0))
+            foreach (var scene in student.Scenes.Where(scene => scene.Likeness.Length > 0 && !IsOfOneColor(scene)))
             {
                 var group = groups.Find(other => other.First.Name == scene.Name && AreAlike(other.First.Likeness, scene.Likeness));
                 if (group.Students is null) groups.Add((scene, [student]));
@@ -79,13 +84,24 @@ internal static class ClassPage
         page.Element("h2", "Pictures that are wrong in the same way");
         foreach (var (first, students) in large.Take(MostGroups))
         {
-            var names = string.Join(", ", students.Take(MostNames).Select(Link)) +
-                (students.Count > MostNames ? $" and {students.Count - MostNames} more" : "");
             page.Html($"<div class=\"tile\">{Page.Image(first.Small, first.Name)}<br>{Page.Escaped(first.Name)}, " +
-                $"{students.Count} students<br><span class=\"small\">{names}</span></div>");
+                $"{students.Count} students<br><span class=\"small\">{Links(students)}</span></div>");
         }
         if (large.Length > MostGroups) page.Element("p", $"And {large.Length - MostGroups} smaller groups.");
     }
+
+    /// <summary>Pictures of nothing but background, or all black: they are alike, but not for one reason.</summary>
+    private static void AddEmpty(Page page, IReadOnlyList<StudentMarks> marks)
+    {
+        var scenes = marks.SelectMany(student => student.Scenes.Where(IsOfOneColor).Select(scene => (scene.Name, Student: student)))
+            .GroupBy(empty => empty.Name, empty => empty.Student).OrderByDescending(scene => scene.Count()).ToArray();
+        if (scenes.Length == 0) return;
+        page.Element("h2", $"Empty pictures: {scenes.Sum(scene => scene.Count())}");
+        foreach (var scene in scenes) page.Html($"<p>{Page.Escaped(scene.Key)}, {scene.Count()} of {marks.Count}: {Links([.. scene])}</p>");
+    }
+
+    private static bool IsOfOneColor(SceneMarks scene) =>
+        scene.Likeness is { Length: > 0 } rgb && rgb.AsSpan(3).SequenceEqual(rgb.AsSpan(0, rgb.Length - 3));
 
     private static bool AreAlike(byte[] a, byte[] b)
     {
@@ -111,6 +127,9 @@ internal static class ClassPage
         }
         page.Html("</table></div>");
     }
+
+    private static string Links(List<StudentMarks> students) => string.Join(", ", students.Take(MostNames).Select(Link)) +
+        (students.Count > MostNames ? $" and {students.Count - MostNames} more" : "");
 
     private static string Link(StudentMarks student) =>
         $"<a href=\"{Page.Escaped(Uri.EscapeDataString(student.Student))}/feedback.html\">{Page.Escaped(student.Student)}</a>";

@@ -12,7 +12,7 @@ internal static class FeedbackPage
         foreach (var item in marks.Items) AddItem(page, rubric, item, marks.Losing);
         page.Html("</table>");
         AddOthers(page, rubric, marks);
-        var common = marks.CommonProblem;
+        var common = pictures.All(picture => picture.Picture is null) ? marks.CommonProblem : null;
         if (common is not null) page.Element("h2", "No pictures").Element("p", Sentence(common));
         for (var i = 0; i < pictures.Count; i++) AddScene(page, marks.Scenes[i], pictures[i], common);
         return page.ToString();
@@ -50,16 +50,18 @@ internal static class FeedbackPage
 
     private static void AddScene(Page page, SceneMarks scene, SubmittedPicture submitted, string? common)
     {
-        page.Element("h2", $"{scene.Name}: {scene.Verdict.InWords()}");
+        page.Element("h2",
+            $"{scene.Name}: {(submitted.CanBeJudged || submitted.Picture is null ? scene.Verdict.InWords() : "another size")}");
         if (submitted.Problem is { } problem && problem != common) page.Element("p", Sentence(problem));
-        var right = submitted.Scene.Right;
-        if (submitted.Picture is not { } picture)
+        var (mine, right) = (submitted.Picture is { } picture ? Page.Image(picture.ToPng(), "your picture") : "",
+            Page.Image(submitted.Scene.Right.ToPng(), "the right picture"));
+        if (!submitted.CanBeJudged)
         {
-            page.Html($"<p class=\"small\">The right picture:</p><p>{Page.Image(right.ToPng(), "the right picture")}</p>");
+            page.Html($"<p>{mine}</p><p class=\"small\">The right picture:</p><p>{right}</p>");
         }
-        else if (scene.Verdict == SceneVerdict.Right || !submitted.CanBeJudged)
+        else if (scene.Verdict == SceneVerdict.Right)
         {
-            page.Html($"<p>{Page.Image(picture.ToPng(), "your picture")}</p>");
+            page.Html($"<p>{mine}</p>");
         }
         else
         {
@@ -68,7 +70,7 @@ internal static class FeedbackPage
                 "Your picture is left of the line, the right picture right of it. Move the line:", "small");
             page.Html($"""
                 <div class="slid"><div class="pair">
-                {Page.Image(picture.ToPng(), "your picture")}{Page.Image(right.ToPng(), "the right picture")}</div>
+                {mine}{right}</div>
                 <input type="range" min="0" max="100" value="50" aria-label="how much is yours"
                     oninput="this.previousElementSibling.style.setProperty('--at', this.value + '%')"></div>
                 """);

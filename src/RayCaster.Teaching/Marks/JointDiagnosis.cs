@@ -20,7 +20,6 @@ internal sealed class JointDiagnosis
 
     private static readonly WrongProgram right = new(Unfinished.Nothing, [], false);
 
-    /// <summary>Diagnoses a program.</summary>
     /// <param name="pictures">Those of its pictures that can be judged.</param>
     /// <param name="known">The mistakes that it may have.</param>
     public JointDiagnosis(IReadOnlyList<SubmittedPicture> pictures, IReadOnlyList<Mistake> known)

@@ -1,6 +1,5 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The words on the students' pages.</summary>
 internal static class MarkWords
 {
     /// <summary>What one sees of the mistakes that cost an item, without what is wrong.</summary>

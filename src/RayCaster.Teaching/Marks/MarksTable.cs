@@ -1,6 +1,3 @@
-using System.Globalization;
-using System.Text;
-
 namespace RayCaster.Teaching;
 
 /// <summary>The marks as a table for a spreadsheet: CSV (RFC 4180) with decimal points, and a byte order mark, without which Excel takes UTF-8 for

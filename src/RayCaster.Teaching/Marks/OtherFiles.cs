@@ -6,7 +6,6 @@ namespace RayCaster.Teaching;
 /// The files that a student's program must not change: the scenes and the other submissions. Only a container can keep the program from
 /// them, but a change is noticed. Submissions that run at the same time may change files in their own folders.
 /// </summary>
-/// <param name="files">Single files.</param>
 /// <param name="folder">The folder of all submissions.</param>
 internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
 {
@@ -36,7 +35,6 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
         return new(time, state);
     }
 
-    /// <summary>All files at a time.</summary>
     internal sealed record Look(long Time, Dictionary<string, (long, DateTime)> Files);
 
     /// <summary>The time while a submission runs.</summary>
@@ -70,7 +68,6 @@ internal sealed class OtherFiles(IReadOnlyList<string> files, string folder)
                 $"{(changed.Length > MostNamed ? $" and {changed.Length - MostNamed} more" : "")}";
         }
 
-        /// <summary>Ends the watch.</summary>
         public void Dispose()
         {
             lock (all.watches) ended = Math.Min(ended, Stopwatch.GetTimestamp());

@@ -1,4 +1,3 @@
-using System.Text;
 using System.Text.Encodings.Web;
 using System.Text.Unicode;
 
@@ -13,6 +12,8 @@ internal sealed class Page(string title)
         table { border-collapse: collapse; width: 100%; }
         td, th { border-bottom: 1px solid #ddd; padding: .3rem .6rem; text-align: left; vertical-align: top; }
         td.n, th.n { text-align: right; } td.n { white-space: nowrap; } .wide { overflow-x: auto; } .wide th, .wide td { padding: .3rem .4rem; }
+        .wide td:last-child { min-width: 10rem; }
+        td.long, p { overflow-wrap: anywhere; }
         tr.lost td { background: #fff1ee; } tr.open td { background: #fff8dd; }
         .small { color: #555; font-size: .9rem; } img { image-rendering: pixelated; }
         .slid { display: inline-block; } .pair { position: relative; line-height: 0; max-width: 100%; border: 1px solid #999; }

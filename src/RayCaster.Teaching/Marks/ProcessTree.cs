@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace RayCaster.Teaching;
 
 /// <summary>Process trees as Linux reports them; other systems report none.</summary>

@@ -11,14 +11,11 @@ internal enum ProgramEnd
 }
 
 /// <summary>The result of a run of a student's program.</summary>
-/// <param name="ExitCode">Its exit code, if it exited by itself.</param>
 /// <param name="Printed">The end of its output, standard output and standard error together.</param>
 internal sealed record ProgramRun(ProgramEnd End, int ExitCode, string Printed)
 {
-    /// <summary>Whether it reports success.</summary>
     public bool IsDone => End == ProgramEnd.Exited && ExitCode == 0;
 
-    /// <summary>How it ended, in words.</summary>
     public string InWords(ProgramLimits limits, TimeSpan time) => End switch
     {
         ProgramEnd.NotStarted => $"cannot be started: {Printed}",

@@ -1,6 +1,5 @@
 using System.ComponentModel;
 using System.Diagnostics;
-using System.Text;
 
 namespace RayCaster.Teaching;
 
@@ -15,7 +14,6 @@ internal sealed class ProgramRunner(Containment containment)
     private static readonly TimeSpan patience = TimeSpan.FromSeconds(10);
 
     /// <summary>Runs a command to its end, or until soon after the time limit.</summary>
-    /// <param name="folder">Its current folder.</param>
     public ProgramRun Run(
         IReadOnlyList<string> command, string folder, string temporary, ProgramLimits limits, TimeSpan time, CancellationToken cancellation)
     {

@@ -3,7 +3,6 @@ namespace RayCaster.Teaching;
 /// <summary>How a class is marked (docs/teaching.md): the scenes, how to get a submission's pictures, and what costs points.</summary>
 public sealed class Rubric
 {
-    /// <param name="scenes">The scenes.</param>
     /// <param name="digest">A hash of the rubric's text and the scenes' texts.</param>
     internal Rubric(IReadOnlyList<MarkedScene> scenes, string digest)
     {
@@ -55,7 +54,6 @@ public sealed class Rubric
 
 /// <summary>A part of the lab that has points.</summary>
 /// <param name="Each">The points that one of its mistakes costs; all together cost at most the item's points.</param>
-/// <param name="Mistakes">The ids of the mistakes that cost it.</param>
 /// <param name="Undone">The parts of a program that cost all its points if they are missing (<see cref="Diagnosis.Parts"/>).</param>
 public sealed record RubricItem(string Name, double Points, double Each, IReadOnlyList<string> Mistakes, IReadOnlyList<string> Undone);
 

@@ -1,14 +1,10 @@
 using System.Security.Cryptography;
-using System.Text;
 
 namespace RayCaster.Teaching;
 
 /// <summary>Makes a <see cref="Rubric"/> of a file, JSON as in a scene file, or says all that is wrong with it.</summary>
 public static class RubricReader
 {
-    /// <summary>The longest file, in bytes.</summary>
-    public const int MostBytes = 1 << 20;
-
     /// <summary>The most pixels that a scene may have: mistakes show in small pictures, and there are many of them.</summary>
     public const int MostPixels = 2_000_000;
 
@@ -22,7 +18,7 @@ public static class RubricReader
         using var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         var sceneReports = new StringBuilder();
         var rubric = ShortFile.Read(
-            path, MostBytes, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report);
+            path, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report);
         report += sceneReports;
         return rubric;
     }
@@ -127,6 +123,9 @@ public static class RubricReader
                     $" must be one of {string.Join(", ", places)} or a word, but is \"{words[i]}\"{Spelling.DidYouMean(words[i], places)}", i);
     }
 
+    /// <summary>A path without "..", for messages: from the current folder, if it is not absolute.</summary>
+    private static string Plain(string path) => Path.IsPathRooted(path) ? Path.GetFullPath(path) : Path.GetRelativePath(".", path);
+
     private static List<MarkedScene> ReadScenes(
         SceneObject o, IReadOnlyList<string> files, string folder, IncrementalHash? digest, StringBuilder reports)
     {
@@ -134,7 +133,7 @@ public static class RubricReader
         if (o.Has("scenes") && files.Count == 0 && o.IsSound) o.Refuse("scenes", $" must name at least one scene file");
         for (var i = 0; i < files.Count; i++)
         {
-            var path = Path.Combine(folder, files[i].Replace('\\', '/'));
+            var path = Plain(Path.Combine(folder, files[i].Replace('\\', '/')));
             var name = Path.GetFileNameWithoutExtension(path);
             var reading = SceneReader.Read(path);
             digest?.AppendData(reading.Text.Span);

@@ -1,9 +1,10 @@
+using System.Text.Json;
+using System.Text.Json.Serialization;
+
 namespace RayCaster.Teaching;
 
 /// <summary>A student's points, with reasons. Can be written and read as JSON.</summary>
 /// <param name="Digest">A hash of the rubric, the scenes and the submission.</param>
-/// <param name="Items">The items of the rubric, in its order.</param>
-/// <param name="Scenes">The scenes of the rubric, in its order.</param>
 /// <param name="Losing">The mistakes that draw the same pictures as a program in which <paramref name="NotDrawn"/> is missing.</param>
 /// <param name="LookYourself">What the teacher must look at; empty if nothing is.</param>
 public sealed record StudentMarks(string Student, string Digest, IReadOnlyList<ItemMarks> Items, IReadOnlyList<SceneMarks> Scenes,
@@ -50,3 +51,8 @@ public enum SceneVerdict
     /// <summary>There is no picture, or it has another size than the scene.</summary>
     NoPicture,
 }
+
+/// <summary>Reads and writes the file of a student's finished marks. A file that lacks a part is an error.</summary>
+[JsonSourceGenerationOptions(JsonSerializerDefaults.Web, RespectRequiredConstructorParameters = true)]
+[JsonSerializable(typeof(StudentMarks))]
+internal sealed partial class KeptMarks : JsonSerializerContext;

@@ -13,7 +13,6 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     /// <summary>A PNG may promise so many times the scene's pixels before it is read at all.</summary>
     private const long SizeFactor = 16;
 
-    /// <summary>How many pixels are looked at, at most.</summary>
     private const int Pixels = 3000;
 
     /// <summary>Whether its size is the scene's, or the scene's with width and height swapped, as some mistakes do.</summary>

@@ -17,7 +17,6 @@ internal static class Thumbnail
         return small.Picture;
     }
 
-    /// <summary>The bytes of a PNG file.</summary>
     public static byte[] ToPng(this Picture picture)
     {
         using var bytes = new MemoryStream();

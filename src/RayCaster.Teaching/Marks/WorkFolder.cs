@@ -3,7 +3,6 @@ namespace RayCaster.Teaching;
 /// <summary>A new folder for one run of a student's program; deleted afterwards with all its content.</summary>
 internal sealed class WorkFolder : IDisposable
 {
-    /// <summary>The folder's full path.</summary>
     public string Path { get; } = Directory.CreateTempSubdirectory("raycaster-").FullName;
 
     /// <summary>Deletes the folder. Files that cannot be deleted stay in the system's folder for temporary files.</summary>

@@ -34,6 +34,21 @@ public class DocsTests
     }
 
     [Fact]
+    public void WhatTheReadmeShowsOfAWrongPictureIsPrinted()
+    {
+        using var raycaster = new RayCasterProcess();
+        Directory.CreateDirectory(raycaster.PathOf("scenes"));
+        raycaster.Write("scenes/room.json", Read("scenes/room.json")).Run("scenes/room.json");
+        var session = Regex.Match(Read("README.md"), @"```\n(\$ [^\n]+ --mistake .*?)```", RegexOptions.Singleline).Groups[1].Value;
+        foreach (var part in session.Split("$ dotnet run --project src/RayCaster.Cli -- ", StringSplitOptions.RemoveEmptyEntries))
+        {
+            var lines = part.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+            var printed = raycaster.Run(lines[0].Split(' ')).OutputText.ReplaceLineEndings("\n").Split('\n');
+            foreach (var line in lines.Skip(1).Where(line => line != "...")) Assert.Contains(line, printed);
+        }
+    }
+
+    [Fact]
     public void TheExplanationOfTheDocumentIsTheOneThatIsPrinted()
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/first.json")).Scene!;

@@ -54,7 +54,7 @@ public class RendererTests
         scene = scene with { Camera = scene.Camera.WithSize(width, height) };
         var bytes = new List<byte>();
         var lines = 0;
-        new Renderer(scene) { MayBeSmall = mayBeSmall }.Draw(part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
+        new Renderer(scene) { MayBeSmall = mayBeSmall }.Draw(.., part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
         Assert.Equal(ScalarRenderer.Render(scene).Rgb, bytes.ToArray());
         Assert.Equal(height, lines);
     }
@@ -69,7 +69,7 @@ public class RendererTests
         Assert.True(PlainWork.IsPlain(scene, 901) && !PlainWork.IsSmall(scene, 901));
 
         var bytes = new List<byte>();
-        new Renderer(scene, threads).Draw(part => bytes.AddRange(part));
+        new Renderer(scene, threads).Draw(.., part => bytes.AddRange(part));
 
         Assert.Equal(Renderer.Render(scene).Rgb, bytes.ToArray());
     }
@@ -83,7 +83,7 @@ public class RendererTests
         scene = scene with { Camera = scene.Camera.WithSize(90_000, 70) };
         var middle = (90_000 - 24) / 2; // where the mesh is
         var bytes = new List<byte>();
-        new Renderer(scene).Draw(part => bytes.AddRange(part));
+        new Renderer(scene).Draw(.., part => bytes.AddRange(part));
         var differing = 0;
         for (var y = 0; y < 70; y++)
             for (var x = middle; x < middle + 24; x++)
@@ -210,7 +210,7 @@ public class RendererTests
         var scene = RandomScene.Make(new Random(5));
         using var cancellation = new CancellationTokenSource();
         var renderer = new Renderer(scene with { Camera = scene.Camera.WithSize(width, height) });
-        Assert.Throws<OperationCanceledException>(() => renderer.Draw(_ => cancellation.Cancel(), null, cancellation.Token));
+        Assert.Throws<OperationCanceledException>(() => renderer.Draw(.., _ => cancellation.Cancel(), null, cancellation.Token));
     }
 
     /// <summary>Floats cannot tell which of two planes is in front that lie some millionths apart, and neither can a byte wait for doubles to be

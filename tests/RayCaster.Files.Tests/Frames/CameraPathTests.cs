@@ -103,7 +103,7 @@ public class CameraPathTests
     public void ALongFileIsReadUpToTheLimit()
     {
         using var folder = new TemporaryFolder();
-        var path = folder.Write("way.json", new string(' ', CameraPathReader.MostBytes + 1));
+        var path = folder.Write("way.json", new string(' ', ShortFile.MostBytes + 1));
         Assert.Null(CameraPathReader.Read(path, Scene, out var report));
         Assert.Equal($"{path}: error: the file is longer than 1,048,576 bytes, which is the limit\n", report);
     }

@@ -24,6 +24,18 @@ public sealed class WronglyMadePngTests : IDisposable
     public void DataWithoutTheirChecksumAreRefused(int missing) =>
         Refused("its compressed data do not end with their checksum", Data(Zlib[..^missing]));
 
+    /// <summary>The format's third edition asks for it (11.2.3): programs write their whole buffer.</summary>
+    [Fact]
+    public void BytesBehindTheDataAreIgnored() => Assert.Equal(10, Read([.. Data([.. Zlib, 1, 2, 3]), .. Data([4, 5]), .. Data(Zlib)]).Width);
+
+    [Fact]
+    public void AChunkBehindTheDataHasItsChecksumToo()
+    {
+        var behind = Data(new byte[100_000]);
+        behind[^1] ^= 1;
+        Refused("its chunk IDAT at byte 366 is damaged: the checksum is wrong", [.. Data(Zlib), .. behind]);
+    }
+
     [Fact]
     public void DataThatAreCutAreRefused() => Refused("the file is cut short: its data end in line 0 of 10", Data(Zlib[..5]));
 

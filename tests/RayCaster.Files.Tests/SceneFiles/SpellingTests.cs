@@ -18,6 +18,13 @@ public class SpellingTests
     public void ASlipFindsTheWordThatWasMeant(string written, string meant) => Assert.Equal(meant, Spelling.Nearest(written, Known));
 
     [Theory]
+    [InlineData("noswap", "slab-noswap")]
+    [InlineData("boxes.json", "3-boxes.json")]
+    [InlineData("slab", "slay")] // several contain it
+    public void APartOfOneWordFindsItBeforeAWordThatIsSimilar(string written, string meant) =>
+        Assert.Equal(meant, Spelling.Nearest(written, ["whswap", "slay", "slab-noswap", "slab-tmax", "moxes.json", "3-boxes.json"]));
+
+    [Theory]
     [InlineData("")]
     [InlineData("x")]
     [InlineData("gamma")]

@@ -28,7 +28,7 @@ public sealed class WorkTests : IDisposable
     {
         for (var i = 0; i < 50; i++) folder.Write($"{i}.obj", "x"u8);
         var names = new FileNames();
-        for (var i = 0; i < 1000; i++) names.HintFor(folder[$"missing{i}.obj"]);
+        for (var i = 0; i < 1000; i++) names.Hint(folder[$"missing{i}.obj"]);
         Assert.Equal(50, names.NamesRead);
     }
 

@@ -17,6 +17,14 @@ public class DiagnosisTests
     }
 
     [Fact]
+    public void AWarningIsInTheJsonOnlyIfThereIsOne()
+    {
+        var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.None));
+        Assert.Contains("\"warning\": \"The judge has been edited.\"", DiagnosisReport.Json(diagnosis, warning: "The judge has been edited."));
+        Assert.DoesNotContain("warning", DiagnosisReport.Json(diagnosis));
+    }
+
+    [Fact]
     public void ATruncatedPictureMatchesAndIsSaidToBeDarker()
     {
         var diagnosis = Diagnosis.Of(scene, Planted("round"));

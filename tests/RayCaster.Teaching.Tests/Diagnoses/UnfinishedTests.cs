@@ -77,6 +77,28 @@ public class UnfinishedTests
         Assert.DoesNotContain("sphere", diagnosis.NotYet);
     }
 
+    [Theory]
+    [InlineData("aabb,circle,triangle", "ok")]
+    [InlineData("circle,triangle", "rows")]
+    public void WhereAShapeIsMissingTheTextNamesTheOptionForShapesThatAreWritten(string kinds, string mistake)
+    {
+        var diagnosis = Diagnosis.Of(scene, Drawn(kinds, mistake));
+        Assert.Contains($"\"diagnose --done {diagnosis.NotYet[0]}\"", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
+    }
+
+    [Fact]
+    public void WhereOnlyAttenuationIsMissingTheTextNamesNoOption() =>
+        Assert.DoesNotContain("--done", DiagnosisReport.Text(Diagnosis.Of(scene, Drawn("", "att-none")), "mine.png", "scene.json"));
+
+    [Fact]
+    public void TheWeekOfBoxesTellsUnsortedParametersFromBoxesThatAreNotWritten()
+    {
+        var boxes = SceneFolder.Small("weeks/3-boxes", 4);
+        var diagnosis = Diagnosis.Of(boxes, EditedLab.Render(boxes, Mistakes.Mistake.Named("slab-noswap")));
+        Assert.Equal((Finding.Mistake, "slab-noswap"), (diagnosis.Finding, Assert.Single(diagnosis.Suspects[0].Mistakes).Id));
+        Assert.Empty(diagnosis.Suspects[0].Twins);
+    }
+
     [Fact]
     public void APreparedSceneJudgesManyPicturesLikeOne()
     {

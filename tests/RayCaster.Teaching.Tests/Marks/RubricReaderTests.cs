@@ -50,6 +50,18 @@ public sealed class RubricReaderTests : IDisposable
         Assert.Equal(3, rubric.Items[0].Each);
     }
 
+    [Fact]
+    public void TheErrorOfASceneInAnotherFolderHasThePlainPath()
+    {
+        Directory.CreateDirectory(folder["marks"]);
+        folder.Write("rum.json", "{ ]");
+        var rubric = folder.Write("marks/rubric.json", """{ "scenes": ["../rum.json"], "items": [{ "name": "a", "points": 1 }] }""");
+        Assert.Null(RubricReader.Read(rubric, out var report));
+        Assert.Contains($"\n{folder["rum.json"]}(1,3): error: ", report);
+        Assert.Null(RubricReader.Read(Path.GetRelativePath(".", rubric), out report));
+        Assert.Contains($"\n{Path.GetRelativePath(".", folder["rum.json"])}(1,3): error: ", report);
+    }
+
     [Theory]
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["r-nosqr"] }] }""",
         "rubric.json(1,79): error: items[0].mistakes[0] must be the id of a known mistake, but is \"r-nosqr\"; did you mean \"r-nosq\"?")]

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# The native program (docs/native.md): publishes it, runs the console app's tests with it, and draws each scene with it, which must give the same
+# picture and the same distances, to the bit, as the program that "dotnet run" starts.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+export DOTNET_NOLOGO=1
+if ! command -v clang >/dev/null && ! command -v gcc >/dev/null; then
+    echo "left out: there is no linker; on Debian: apt-get install gcc"
+    exit 0
+fi
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+publish() { dotnet publish "$OLDPWD/src/RayCaster.Cli" -v quiet -o "$@" >publish.txt || { cat publish.txt; exit 1; }; }
+publish built
+publish native -p:PublishAot=true
+
+drawn=0
+for scene in "$OLDPWD"/scenes/*.json "$OLDPWD"/scenes/*/*.json; do
+    case $scene in *.schema.json) continue ;; esac
+    for program in built native; do
+        "$program/raycaster" "$scene" -q -o "$program.png"
+        "$program/raycaster" "$scene" -q --map t -o "$program.t.pfm"
+    done
+    for what in png t.pfm; do
+        cmp "built.$what" "native.$what" || { echo "the native program draws $scene otherwise"; exit 1; }
+    done
+    drawn=$((drawn + 1))
+done
+echo "$drawn scenes, the same to the bit"
+[ "$drawn" -gt 0 ]
+
+cd "$OLDPWD"
+RAYCASTER_APP="$work/native/raycaster" dotnet test tests/RayCaster.Cli.Tests
