@@ -36,9 +36,9 @@ internal sealed class DiagnosisSearch(
     private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
 
     /// <summary>The same for mistakes in other manners, of which few fit, and how many manners are tried on top of one another.</summary>
-    private static readonly (double Share, int Trials)[] mannerRounds = [(0.02, int.MaxValue), (0.2, 12), (1, 3)];
+    private static readonly (double Share, int Trials)[] mannerRounds = [(Glance, int.MaxValue), (0.03, 40), (0.1, 12), (1, 3)];
 
-    private const int Manners = 2;
+    private const int Manners = 2, Slips = 16;
 
     /// <summary>The share of the evidence for a first look at hundreds of trials or more: some thirty pixels.</summary>
     private const double Glance = 0.005;
@@ -122,7 +122,7 @@ internal sealed class DiagnosisSearch(
         {
             var best = BestPairs(pairs);
             if (!IsCertain(best)) best = Sorted([.. best, .. Best(Reworded(best, Besides))]);
-            for (var i = 0; i < Manners && !IsCertain(best); i++) best = Sorted([.. best, .. Best(InManners([.. best.Take(Besides)]), mannerRounds)]);
+            for (var i = 0; i < Manners && !IsCertain(best); i++) best = Sorted([.. best, .. Best(InManners(best), mannerRounds)]);
             all.AddRange(best);
             if (IsCertain(all)) break;
         }
@@ -251,7 +251,7 @@ internal sealed class DiagnosisSearch(
     /// <summary>The best trials with one of their mistakes in each of its manners.</summary>
     private static List<WrongProgram> InManners(List<WrongProgram> trials) =>
     [
-        .. from trial in trials.GroupBy(trial => trial.Id).SelectMany(same => same.DistinctBy(trial => trial.Wordings[0]).Take(2))
+        .. from trial in trials.GroupBy(trial => trial.Id).SelectMany(same => same.DistinctBy(trial => trial.Wordings[0]).Take(Slips))
            from place in Enumerable.Range(0, trial.Wordings.Count)
            from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.InManners(trial.Wordings[place])
            select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)] },

@@ -180,15 +180,6 @@ internal sealed partial class Lab
             Cross.Do(b - a, X - a) * (byNormal ? n : Cross.Do(b - a, c - a)) >= 0;
     }
 
-    /// <summary>u and v from X − A and the vectors in the triangle's plane that are perpendicular to one side each.</summary>
-    public Crossed TriangleByAxes(Triangle triangle, Vector3 d)
-    {
-        var (b, c, n) = (triangle.B - triangle.A, triangle.C - triangle.A, NormalOf(triangle));
-        var t = TriangleT.Do(triangle.A, n, d);
-        var X = TriangleX.Do(t, d) - triangle.A;
-        return Inside.Do(Cross.Do(c, n) * X / (n * n), Cross.Do(n, b) * X / (n * n)) ? new(t) : SlideFormulas.None;
-    }
-
     /// <summary>u and v in the picture of the triangle along the axis that n is nearest to.</summary>
     public Crossed TriangleFlattened(Triangle triangle, Vector3 d)
     {

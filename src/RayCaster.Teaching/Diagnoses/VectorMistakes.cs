@@ -69,7 +69,8 @@ internal static class VectorMistakes
             .Or("a vector is normalised by x² + y² + z²", Unit(a => a / (a * a)))
             .Or("the same, while zNear and zFar are measured along (T − P) / |T − P|", Unit(a => a / (a * a)) + RightDepth)
             .Or(from part in Parts select ($"{part.Name} forgotten in the length", Length(a => part.Of(Vector3.Zero, a).Length)))
-            .Or(from k in (int[])[0, 1, 2] select ($"|a| with {"xyz"[k]} for {"xyz"[k]}²", Length(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(k)))))
+            .Or(from k in (int[])[0, 1, 2]
+                select ($"|a| with {"xyz"[k]} for {"xyz"[k]}²", Length(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(k)))))
             .Or("|a| = |x| + |y| + |z|", Length(a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
             .Or("|a| = (x² + y² + z²) / 2", Length(a => a * a / 2))
             .Or("|a| with its root taken twice", Length(a => Math.Sqrt(a.Length)))
@@ -80,7 +81,8 @@ internal static class VectorMistakes
                 let m = (k + (letters < 3 ? letters : letters / 4)) % 3
                 select ($"|a| with {"xyz"[l]} {"xyz"[m]} for {"xyz"[k]}²", Length(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(l) * a.At(m)))))
             .Or("d is divided by x² + y² + z²", AllowAnyLength + (lab => lab.Direction.Is(d => d / (d * d))))
-            .Or("d = ux U + uy V − W / tan(fovY / 2) is divided by x² + y² + z²", AllowAnyLength + Zoom + (lab => lab.Direction.Is(d => d / (d * d))))
+            .Or("d = ux U + uy V − W / tan(fovY / 2) is divided by x² + y² + z²",
+                AllowAnyLength + Zoom + (lab => lab.Direction.Is(d => d / (d * d))))
             .Or("the light reaches (T − P)²", lab => lab.Reach.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
             .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
             .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
@@ -228,10 +230,10 @@ internal static class VectorMistakes
                select ($"{signs.First} · a{axes[i]} b{axes[k]} + {signs.Last} · a{axes[k]} b{axes[i]}",
                    (Func<Vector3, Vector3, double>)((a, b) => signs.First * a.At(i) * b.At(k) + signs.Last * a.At(k) * b.At(i))),
         ];
-        return from slip in slips
-               from wording in Crosses($"{axes[own]} is {slip.Is}", (a, b, n) => slip.Of(a, b) is var c ? Parts[own].Of(new(c, c, c), n) : n)
-                   .Skip(slip.Is == usual ? 1 : 0)
-               select wording;
+        return from way in Enumerable.Range(0, 9) // so that of those that draw the same each slip comes once before it comes again
+               from slip in slips
+               where way > 0 || slip.Is != usual
+               select Crosses($"{axes[own]} is {slip.Is}", (a, b, n) => slip.Of(a, b) is var c ? Parts[own].Of(new(c, c, c), n) : n)[way];
     }
 
     /// <summary>Another cross product, from a, b and a × b: in the slide's formulas, in the camera alone, in each way to the camera's axes that uses
@@ -250,7 +252,8 @@ internal static class VectorMistakes
             })),
             ($"the cross product's {which}; V is up without its part along W, U = V × W", wrong + ProjectUp),
             ($"the cross product's {which}; the camera turned by two angles, from axes made with it", wrong + TurnByAngles),
-            .. from manner in ByCross.Take(4) select ($"the cross product's {which}, not in the camera; {manner.Cause}", wrong + RightAxes + manner.Deviate),
+            .. from manner in ByCross.Take(4)
+               select ($"the cross product's {which}, not in the camera; {manner.Cause}", wrong + RightAxes + manner.Deviate),
         ];
     }
 
@@ -262,14 +265,13 @@ internal static class VectorMistakes
     [
         ("triangles compare areas along n", Triangles((lab, triangle, d) => lab.TriangleByShares(triangle, d, lab.Cross.Do))),
         ("triangles take only n from it", Triangles((lab, triangle, d) => lab.TriangleByShares(triangle, d, (a, b) => a % b))),
-        ("triangles compare volumes", Triangles((lab, triangle, d) => lab.TriangleByVolumes(triangle, d))),
         ("circles count along two axes of their own", InCircleAxes),
+        ("triangles compare volumes", Triangles((lab, triangle, d) => lab.TriangleByVolumes(triangle, d))),
         ("triangles compare volumes and take t from them", Triangles((lab, triangle, d) => lab.TriangleByVolumes(triangle, d, tFromCorners: true))),
         ("triangles compare determinants", Triangles((lab, triangle, d) => lab.TriangleByDeterminants(triangle, d))),
         ("triangles compare areas", ByAreas),
         ("triangles compare sides", Triangles((lab, triangle, d) => lab.TriangleBySides(triangle, d, byNormal: false))),
         ("triangles compare sides with n", Triangles((lab, triangle, d) => lab.TriangleBySides(triangle, d, byNormal: true))),
-        ("triangles count along two axes of their own", Triangles((lab, triangle, d) => lab.TriangleByAxes(triangle, d))),
         ("triangles are asked in two of x, y and z", Triangles((lab, triangle, d) => lab.TriangleFlattened(triangle, d))),
     ];
 
