@@ -35,9 +35,10 @@ internal sealed class DiagnosisSearch(
     /// <summary>The share of the evidence that each round compares, and how many trials it has at least.</summary>
     private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
 
-    /// <summary>The same for mistakes in other manners, of which few fit, and how many manners are tried on top of one another.</summary>
+    /// <summary>The same for mistakes in other manners, of which few fit.</summary>
     private static readonly (double Share, int Trials)[] mannerRounds = [(Glance, int.MaxValue), (0.03, 40), (0.1, 12), (1, 3)];
 
+    /// <summary>How many manners are tried on top of one another, and how many wordings of each mistake are tried in them.</summary>
     private const int Manners = 2, Slips = 16;
 
     /// <summary>The share of the evidence for a first look at hundreds of trials or more: some thirty pixels.</summary>
@@ -248,7 +249,7 @@ internal sealed class DiagnosisSearch(
            select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)], OtherSample = otherSample },
     ];
 
-    /// <summary>The best trials with one of their mistakes in each of its manners.</summary>
+    /// <summary>The best trials of each mistake, or pair, with one mistake in each of its manners.</summary>
     private static List<WrongProgram> InManners(List<WrongProgram> trials) =>
     [
         .. from trial in trials.GroupBy(trial => trial.Id).SelectMany(same => same.DistinctBy(trial => trial.Wordings[0]).Take(Slips))
