@@ -24,8 +24,6 @@ internal static class FileMistakes
             .Or("the picture turned by 90 degrees", Turned((x, y, width, _) => (y, width - 1 - x)))
             .Or("the picture turned by 90 degrees, the other way", Turned((x, y, _, height) => (height - 1 - y, x)))
             .Or("row and column swapped, both counted from the other end", Turned((x, y, width, height) => (height - 1 - y, width - 1 - x)))
-            .Or("row and column swapped, and what is beyond the last shows the last", lab => lab.Shown.Becomes(shown => (x, y) =>
-                shown(Math.Min(y, lab.Camera.Width - 1), Math.Min(x, lab.Camera.Height - 1))))
             .Or("row and column swapped when the ray is cast", lab => lab.Sample.Becomes(sample => (c, r) => sample(r, c)))
             .Or("row and column swapped when the ray is cast, each divided by its own side",
                 lab => lab.Sample.Becomes(sample => (c, r) => sample(r * lab.Wide, c * lab.Tall)))

@@ -59,6 +59,9 @@ public sealed class Mistake
 
     internal Action<Lab> Deviate { get; }
 
+    /// <summary>In how many of its manners it is made.</summary>
+    internal int Manners { get; private init; }
+
     /// <summary>Whether it changes channels by at most a level, like rounding, so it makes no pixel wrong.</summary>
     internal bool IsWithinRounding { get; }
 
@@ -99,7 +102,9 @@ public sealed class Mistake
 
     /// <summary>A wording of this mistake in each of its manners.</summary>
     internal IEnumerable<Mistake> InManners(Mistake wording) =>
-        manners.Select(manner => new Mistake(Id, Concerns, Slide, $"{wording.Cause}; {manner.Cause}", wording.Deviate + manner.Deviate, Hint));
+        from manner in manners
+        let cause = $"{wording.Cause}; {manner.Cause}"
+        select new Mistake(Id, Concerns, Slide, cause, wording.Deviate + manner.Deviate, Hint) { Manners = wording.Manners + 1 };
 
     internal static Concerns KindOf(Model model) => KindOf(model.Kind);
 
