@@ -98,14 +98,14 @@ internal sealed class DiagnosisSearch(
             singles = Sorted([.. singles, .. Best([.. other])]);
         }
         if (!IsCertain(singles) && IsDone(singles, Rewordable)) singles = Sorted([.. singles, .. Best(Reworded(singles, Besides))]);
-        var withoutManners = singles;
+        var bare = singles;
         for (var (i, first) = (0, everySingle); i < Manners && !IsCertain(singles); i++)
             singles = Sorted([.. singles, .. first = Best(InManners([.. singles, .. first]), mannerRounds)]);
         singles = WithoutIdle(singles);
         // A missing shape counts for little beside a mistake that changes everything, so it is sought even if the mistake explains most.
         var beside = Best(
         [
-            .. from single in withoutManners.DistinctBy(single => single.Id).Take(Besides).Union(singles.DistinctBy(single => single.Id).Take(Besides))
+            .. from single in bare.DistinctBy(single => single.Id).Take(Besides).Union(singles.DistinctBy(single => single.Id).Take(Besides))
                from way in unfinished
                where way.Kinds.Any() && single.Wordings.All(wording => MayShow(wording, way))
                select single with { Base = way },
