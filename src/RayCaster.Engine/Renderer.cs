@@ -80,14 +80,14 @@ public sealed class Renderer(Scene scene, int? threads = null)
     }
 
     /// <summary>Casts all rays, on this thread and others.</summary>
-    private void Cast(Frame frame, Func<IHitConsumer> newSink)
+    private void Cast(Frame frame, Func<IHitConsumer> newConsumer)
     {
         var (across, up) = (Tile.StripsOf(camera.Width), Tile.TilesOf(camera.Height));
         var workers = Math.Min(threadCount, across * up);
         var next = -1;
         ThreadTeam.Each(workers, workers, _ =>
         {
-            var (caster, consumer) = (frame.NewCaster(isPlain: false), newSink());
+            var (caster, consumer) = (frame.NewCaster(isPlain: false), newConsumer());
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
                 var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);

@@ -37,7 +37,7 @@ internal sealed class BatchCaster<N>(PrimitiveBatch<N> batch, Camera camera) whe
         }
         part.Enter(tile);
         if (others is not null) MeetOthers(tile, others);
-        part.RefreshAll();
+        part.Refresh();
         batch.Meet(part, order.Sorted);
         consumer.Take(part.Rays);
     }

@@ -15,7 +15,7 @@ internal abstract class BatchShapes<N> where N : struct, IPacket<N>
 
     public abstract void Reserve(int members);
 
-    public abstract void Fetch(int member);
+    public abstract void Prefetch(int member);
 
     public abstract void Free();
 
@@ -76,7 +76,7 @@ internal sealed class BatchShapes<P, N>(ClipRange clip, ShapeList<P> list) : Bat
                 to[i] = from[members[i].Place];
     }
 
-    public override void Fetch(int member) => Lanes.Fetch(ref arranged.Items[member]);
+    public override void Prefetch(int member) => Lanes.Prefetch(ref arranged.Items[member]);
 
     public override void Free() => arranged.Free();
 

@@ -17,13 +17,14 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     private Tile tile;
     private Sides sides;
     private int count;
-    private uint touched; // blocks with packets listed
+    private uint touched; // the blocks whose farthest hit may have changed
 
     /// <summary>Its rays, and the nearest hits so far.</summary>
     public RayStream Rays { get; } = new(camera, Side * Side);
 
     public void Enter(in Tile tile)
     {
+        touched = (1u << Blocks) - 1; // until Refresh, nothing is known of any block
         (this.tile, sides) = (tile, new(tile));
         Rays.Enter<N>(tile.Column, tile.Width, Side);
         Rays.Aim<N>(tile.Row, tile.Height);
@@ -48,15 +49,8 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Refresh()
     {
-        for (; touched != 0; touched &= touched - 1) Measure(BitOperations.TrailingZeroCount(touched));
+        for (; touched != 0; touched &= touched - 1) FindFarthest(BitOperations.TrailingZeroCount(touched));
         count = 0;
-    }
-
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public void RefreshAll()
-    {
-        for (var block = 0; block < Blocks; block++) Measure(block);
-        (count, touched) = (0, 0);
     }
 
     /// <summary>Lists the packets in a member's rectangle that do not hide it.</summary>
@@ -87,7 +81,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
                 {
                     packets[end] = i + x;
                     places[end] = place;
-                    end += (N.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
+                    end += (Lanes.All(rays.NearestAt<N>(i + x) < least) ? 0 : 1) & (int)inBlock;
                 }
             }
         }
@@ -110,7 +104,7 @@ internal sealed class BatchTile<N>(Camera camera) where N : struct, IPacket<N>
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Measure(int block)
+    private void FindFarthest(int block)
     {
         var i = Corner(block);
         var most = Rays.NearestAt<N>(i);

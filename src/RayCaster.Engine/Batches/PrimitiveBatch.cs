@@ -69,7 +69,7 @@ internal sealed class PrimitiveBatch<N> where N : struct, IPacket<N>
             for (var i = next + Batch; i < Math.Min(next + 2 * Batch, order.Length); i++) // the batch that follows
             {
                 var member = order[i].Member;
-                groups[members[member].Kind].Fetch(member);
+                groups[members[member].Kind].Prefetch(member);
             }
             var (first, end) = (0, 0);
             for (var i = next; i < Math.Min(next + Batch, order.Length); i++)

@@ -78,7 +78,7 @@ internal sealed class ScreenBounds
         var L = center - camera.Position;
         var distance = N.Sqrt(L * L);
         var r = radius + Padding * (distance + radius);
-        var (x, y, z) = See(L);
+        var (x, y, z) = ToCamera(L);
         var difference = z * z - r * r;
         var (rootX, rootY) = (r * N.Sqrt(x * x + difference), r * N.Sqrt(y * y + difference));
         var isClear = (distance - r > camera.Bias) & (byDistance
@@ -101,14 +101,14 @@ internal sealed class ScreenBounds
         var margin = Padding * (size.X + size.Y + size.Z + half.X + half.Y + half.Z);
         half += new Vector3<N>(margin, margin, margin);
         var gap = new Vector3<N>(N.Max(size.X - half.X, 0), N.Max(size.Y - half.Y, 0), N.Max(size.Z - half.Z, 0));
-        var (x, y, z) = See(L);
+        var (x, y, z) = ToCamera(L);
         var (halfX, halfY, halfZ) = (Spread(half, camera.U), Spread(half, camera.V), Spread(half, camera.W));
         var (front, back) = (z - halfZ, z + halfZ);
         return Judged(
             IsOutside(x, y, z, N.Sqrt(half * half)),
             front > 0,
             0, // a triangle that is seen edge-on may have a t outside of its box
-            Bounds.LeastTOf(gap, size + half),
+            BoundsExtensions.LeastT(gap, size + half),
             (x - halfX) / N.Select(x < halfX, front, back), (x + halfX) / N.Select(x < -halfX, back, front),
             (y - halfY) / N.Select(y < halfY, front, back), (y + halfY) / N.Select(y < -halfY, back, front));
     }
@@ -143,7 +143,7 @@ internal sealed class ScreenBounds
 
     /// <summary>A direction in the camera's axes, the depth last.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private (N X, N Y, N Z) See<N>(Vector3<N> direction) where N : struct, IReal<N> =>
+    private (N X, N Y, N Z) ToCamera<N>(Vector3<N> direction) where N : struct, IReal<N> =>
         (direction * camera.U, direction * camera.V, -(direction * camera.W));
 
     /// <summary>Where a ball is behind the camera, or beside all that it sees.</summary>

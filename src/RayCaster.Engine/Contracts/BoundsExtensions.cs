@@ -16,43 +16,27 @@ public static class BoundsExtensions
         return new(new(min.X - margin, min.Y - margin, min.Z - margin), new(max.X + margin, max.Y + margin, max.Z + margin));
     }
 
-    extension(Bounds bounds)
+    /// <summary>No ray from the origin of space has a hit in a box at a lesser t; 0 where the box contains that origin.</summary>
+    /// <remarks>
+    /// It is a little less than the distance. A triangle's t is a mean of its corners' depths along the axis k that the ray follows most
+    /// (<see cref="AlongRay{N}"/>), t = z / d_k. For a triangle that is seen almost exactly edge-on the weights of that mean are all rounding,
+    /// and t may be the depth of any corner: the ray meets the box, but only the hit's coordinate along k is sure to lie in it. Of rays that
+    /// meet the box, |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), where i and j are the two other axes.
+    /// </remarks>
+    /// <param name="near">How far the box is from the origin along each axis.</param>
+    /// <param name="far">How far it reaches, to either side.</param>
+    /// <typeparam name="N">The kind of number.</typeparam>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static N LeastT<N>(Vector3<N> near, Vector3<N> far) where N : struct, IReal<N>
     {
-        /// <summary>No ray from the origin of space has a hit in the bounds at a lesser t; 0 where they contain that origin.</summary>
-        internal double LeastT
-        {
-            get
-            {
-                var (min, max) = (bounds.Min, bounds.Max);
-                var near = new Vector3(
-                    Math.Max(0, Math.Max(min.X, -max.X)), Math.Max(0, Math.Max(min.Y, -max.Y)), Math.Max(0, Math.Max(min.Z, -max.Z)));
-                var far = new Vector3(Math.Max(-min.X, max.X), Math.Max(-min.Y, max.Y), Math.Max(-min.Z, max.Z));
-                return LeastTOf<Scalar>(near, far);
-            }
-        }
+        return N.Min(Along(near.X, far.X, near.Y, near.Z), N.Min(Along(near.Y, far.Y, near.Z, near.X), Along(near.Z, far.Z, near.X, near.Y)));
 
-        /// <summary>The same for any kind of number.</summary>
-        /// <remarks>
-        /// It is a little less than the distance. A triangle's t is a mean of its corners' depths along the axis k that the ray follows most
-        /// (<see cref="AlongRay{N}"/>), t = z / d_k. For a triangle that is seen almost exactly edge-on the weights of that mean are all rounding,
-        /// and t may be the depth of any corner: the ray meets the box, but only the hit's coordinate along k is sure to lie in it. Of rays that
-        /// meet the box, |d_k| ≤ far_k / √(far_k² + near_i² + near_j²), where i and j are the two other axes.
-        /// </remarks>
-        /// <param name="near">How far the box is from the origin along each axis.</param>
-        /// <param name="far">How far it reaches, to either side.</param>
-        /// <typeparam name="N">The kind of number.</typeparam>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        internal static N LeastTOf<N>(Vector3<N> near, Vector3<N> far) where N : struct, IReal<N>
+        static N Along(N near, N far, N nearI, N nearJ)
         {
-            return N.Min(Along(near.X, far.X, near.Y, near.Z), N.Min(Along(near.Y, far.Y, near.Z, near.X), Along(near.Z, far.Z, near.X, near.Y)));
-
-            [MethodImpl(MethodImplOptions.AggressiveInlining)]
-            static N Along(N near, N far, N nearI, N nearJ)
-            {
-                var (i, j) = (nearI / far, nearJ / far);
-                var t = N.Select(near > 0, near * N.Sqrt(1 + i * i + j * j), 0);
-                return N.Select((i > 1) | (j > 1), double.PositiveInfinity, t); // no ray to the box follows this axis most
-            }
+            var (i, j) = (nearI / far, nearJ / far);
+            var t = N.Select(near > 0, near * N.Sqrt(1 + i * i + j * j), 0);
+            return N.Select((i > 1) | (j > 1), double.PositiveInfinity, t); // no ray to the box follows this axis most
         }
     }
 }

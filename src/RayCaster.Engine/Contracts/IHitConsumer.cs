@@ -13,5 +13,5 @@ internal interface IHitConsumer
     bool TryTake(in CoveredTile covered);
 
     /// <summary>Offers a tile in which only one model may show; returns whether the model's view has painted it.</summary>
-    bool TryTake(in Tile tile, ITileView view, int index);
+    bool TryTake(in Tile tile, ModelView view, int index);
 }

@@ -116,17 +116,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
         models.Store(model, pixel);
     }
 
-    /// <summary>Whether some pixels all have a hit nearer than any of a model's.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public bool Hides<N>(int first, int end, double nearest) where N : struct, IPacket<N>
-    {
-        var nearestOfModel = Lanes.Broadcast<N>(nearest);
-        for (var i = first; i < end; i += N.Count)
-            if (!N.All(NearestAt<N>(i) < nearestOfModel))
-                return false;
-        return true;
-    }
-
     /// <summary>Stores a model's crossings with the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Note<N>(int pixel, Crossings<N> crossings) where N : struct, IPacket<N>
@@ -137,9 +126,9 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
 
     /// <summary>Keeps those of the stored crossings that count and are nearer than all hits before.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
-    public void KeepNoted<N>(int first, int end, int modelIndex) where N : struct, IPacket<N>
+    public void KeepNoted<N>(int modelIndex) where N : struct, IPacket<N>
     {
-        for (var i = first; i < end; i += N.Count)
+        for (var i = 0; i < Length; i += N.Count)
             Keep(i, First(i, new Crossings<N>(N.Load(near, i), N.Load(far, i))), Lanes.Broadcast<N>(modelIndex));
     }
 

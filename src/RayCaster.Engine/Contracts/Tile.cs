@@ -25,9 +25,6 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>How many pixels; 0 for an empty tile.</summary>
     public long Area => (long)Width * Height;
 
-    /// <summary>Whether it is so small that its place alone rejects most parts of the picture.</summary>
-    public bool IsSmall => Area < MaxSide * MaxSide / 4;
-
     /// <summary>How many tiles cover so many columns or rows.</summary>
     public static int TilesOf(int pixels) => (pixels + MaxSide - 1) / MaxSide;
 

@@ -32,6 +32,6 @@ internal readonly struct BoundsTest<N> where N : struct, IPacket<N>, IReal<N>
         var missed = N.Max(nearX, N.Max(nearY, nearZ)) > N.Min(farX, N.Min(farY, farZ));
         var tooFar = N.Select(mostlyX, nearX, N.Select(ratherY, nearY, nearZ)) > nearest;
         var behind = N.Select(mostlyX, farX, N.Select(ratherY, farY, farZ)) < 0;
-        return !N.All(missed | tooFar | behind);
+        return !Lanes.All(missed | tooFar | behind);
     }
 }

@@ -53,7 +53,7 @@ internal sealed class ClusterSorter<N>(ScreenSpace screen, TriangleBoxes boxes, 
         // The w of a sliver may be stretched; see TriangleSetUp.
         var leastW = w0 * (N)(1 - 1e-5) * ((N)1.0 - size * (N)(4 / screen.Scale));
         shows &= leastW <= (N)(double)screen.MostW;
-        if (!N.All(fit)) fit |= IsOutside(center, half);
+        if (!Lanes.All(fit)) fit |= IsOutside(center, half);
         return (N.Bits(fit), N.Bits(shows));
 
         // in a larger method, the compiler would turn operators into calls

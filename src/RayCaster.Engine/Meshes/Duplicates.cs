@@ -14,7 +14,7 @@ internal sealed class Duplicates(Vector3[] vertices, int[] indices)
     private int round = 1;
 
     /// <summary>Goes to another mesh, and forgets all.</summary>
-    public void Show(Vector3[] vertices, int[] indices)
+    public void SetMesh(Vector3[] vertices, int[] indices)
     {
         (this.vertices, this.indices) = (vertices, indices);
         Clear();

@@ -9,7 +9,7 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     private int[] indices = [];
     private int count;
 
-    public void Show(Vector3[] vertices, int[] indices) => (this.vertices, this.indices) = (vertices, indices);
+    public void SetMesh(Vector3[] vertices, int[] indices) => (this.vertices, this.indices) = (vertices, indices);
 
     /// <summary>Where rays cross triangles, a lane for each pair.</summary>
     /// <param name="first">The position of the first lane's triangle; the other lanes' follow.</param>
@@ -35,7 +35,7 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     {
         if (count == 0) return;
         for (var i = count; i < N.Count; i++) (columns[i], rows[i], triangles[i]) = (columns[0], rows[0], triangles[0]);
-        Ask();
+        Compute();
         for (var i = 0; i < count; i++)
         {
             if (!(hits[i] < least[places[i]])) continue;
@@ -46,7 +46,7 @@ internal sealed class ExactHits<N>(ScreenSpace screen) where N : struct, IPacket
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Ask()
+    private void Compute()
     {
         var direction = screen.Camera.Direction(N.Load(columns, 0), N.Load(rows, 0));
         var crossings = Intersect(new Ray<N>(screen.Camera.Position, direction), new(triangles), 0);

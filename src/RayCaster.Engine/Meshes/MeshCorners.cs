@@ -4,35 +4,35 @@ namespace RayCaster.Engine;
 /// than arithmetic.</summary>
 internal sealed class MeshCorners<N>(ScreenSpace screen, Vector3[] vertices, int[] indices) : Corners where N : struct, IPacket<N>
 {
-    /// <summary>How many numbers memory fetches at once.</summary>
-    private const int LineLength = 16;
+    /// <summary>How many indices a cache line holds.</summary>
+    private const int IndicesPerCacheLine = 16;
 
     public override int Count => indices.Length / 3;
 
-    public override void See(ReadOnlySpan<int> triangles, out EightTriangles seen)
+    public override void Project(ReadOnlySpan<int> triangles, out EightTriangles seen)
     {
-        See(triangles, 0, out seen.A);
-        See(triangles, 1, out seen.B);
-        See(triangles, 2, out seen.C);
+        Project(triangles, 0, out seen.A);
+        Project(triangles, 1, out seen.B);
+        Project(triangles, 2, out seen.C);
     }
 
-    public override void Fetch(int first, int count)
+    public override void Prefetch(int first, int count)
     {
-        for (var i = 3 * first; i < 3 * (first + count) && i < indices.Length; i += LineLength) Lanes.Fetch(ref indices[i]);
+        for (var i = 3 * first; i < 3 * (first + count) && i < indices.Length; i += IndicesPerCacheLine) Lanes.Prefetch(ref indices[i]);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    public override void FetchVertices(int first, int count)
+    public override void PrefetchVertices(int first, int count)
     {
         if (first + count > Count) return;
         var points = new RawSpan<Vector3>(vertices);
         var places = new RawSpan<int>(indices);
         var step = count > 1 ? 4 : 1; // most vertices are next to others
-        for (var i = 3 * first; i < 3 * (first + count); i += step) Lanes.Fetch(ref points[places[i]]);
+        for (var i = 3 * first; i < 3 * (first + count); i += step) Lanes.Prefetch(ref points[places[i]]);
     }
 
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void See(ReadOnlySpan<int> triangles, int corner, out EightPoints seen)
+    private void Project(ReadOnlySpan<int> triangles, int corner, out EightPoints seen)
     {
         var names = new RawSpan<int>(triangles);
         var lower = screen.Project(N.Gather(vertices, indices, names, 0, corner));

@@ -4,13 +4,13 @@ namespace RayCaster.Engine;
 /// A mesh as a camera sees it. All rays of a picture start in one point, so a filter in floats can project the triangles and find for each pixel the
 /// one that is certainly in front; where that is not certain it proposes several. The triangle's formula then decides which is hit, and where.
 /// </summary>
-internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IPacket<N>
+internal sealed class MeshView<N> : ModelView where N : struct, IPacket<N>
 {
     private readonly ScreenSpace screen;
     private readonly Vector3[] vertices;
     private readonly int[] indices;
     private readonly ScreenTriangles<N>[] sets = []; // the triangles, and the pieces of those that had to be clipped
-    private readonly TriangleTree? hard;             // over the triangles that the filter cannot judge
+    private readonly TriangleTree? formulaOnly;      // over the triangles that the filter cannot handle
     private readonly TileFilters<N>? filters;        // of one thread, for all meshes
     private TileFilter<N>? filter;                   // holds this mesh's pixels until another mesh takes it
     private Tile entered;
@@ -22,47 +22,48 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         (vertices, indices, this.screen) = (mesh.Vertices, mesh.Indices, screen);
         if (!screen.IsFine)
         {
-            hard = new(vertices, indices);
+            formulaOnly = new(vertices, indices);
             Extent = Tile.Everywhere;
             return;
         }
 
+        var boxes = TriangleBoxes.Of(mesh, screen.Camera, isKept, threads);
         var whole = new ScreenTriangles<N>(
-            screen, new MeshCorners<N>(screen, vertices, indices), null,
-            TriangleBoxes.Of(mesh, screen.Camera, isKept, threads), () => new Duplicates(vertices, indices), threads);
+            screen, new MeshCorners<N>(screen, vertices, indices), null, boxes, () => new Duplicates(vertices, indices), threads);
 
         var clipper = new ScreenClipper(screen, vertices);
         foreach (var i in whole.Unfit) clipper.Add(i, indices[3 * i], indices[3 * i + 1], indices[3 * i + 2]);
         var clipped = new ScreenTriangles<N>(screen, new PieceCorners(clipper.Points), clipper.Owners, null, null, threads);
         sets = [whole, clipped];
 
-        if (clipper.Hard.Count > 0) hard = new(vertices, [.. clipper.Hard]);
-        Extent = hard is null ? ExtentOf(whole.Extent, clipped.Extent) : Tile.Everywhere;
+        if (clipper.FormulaOnly.Count > 0) formulaOnly = new(vertices, [.. clipper.FormulaOnly]);
+        Extent = formulaOnly is null ? Tile.Of(boxes.Bounds.PaddedFrom(screen.Camera.Position), screen.Camera) : Tile.Everywhere;
     }
 
     private MeshView(MeshView<N> shared, TileFilters<N> filters)
     {
-        (screen, vertices, indices, sets, hard, Extent) = (shared.screen, shared.vertices, shared.indices, shared.sets, shared.hard, shared.Extent);
+        (screen, vertices, indices, sets) = (shared.screen, shared.vertices, shared.indices, shared.sets);
+        (formulaOnly, Extent) = (shared.formulaOnly, shared.Extent);
         this.filters = filters;
     }
 
     public override Tile Extent { get; }
 
-    public override ModelView<N> ForThread(ThreadTools? tools = null) => new MeshView<N>(this, (tools ?? new()).Of<TileFilters<N>>());
+    public override ModelView ForThread(ref object? shared) => new MeshView<N>(this, (TileFilters<N>)(shared ??= new TileFilters<N>()));
 
     public override HitRange Enter(in Tile tile, HitRange known)
     {
         if (sets.Length == 0) return known;
         entered = tile;
         var range = Enter();
-        return hard is null ? range : range with { Least = 0 };
+        return formulaOnly is null ? range : range with { Least = 0 };
     }
 
     public override void Meet(RayStream rays, int index)
     {
         if (shows) OwnFilter().Meet(rays, index);
-        if (hard is null) return;
-        for (var i = 0; i < rays.Length; i += N.Count) rays.Keep(i, hard.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
+        if (formulaOnly is null) return;
+        for (var i = 0; i < rays.Length; i += N.Count) rays.Keep(i, formulaOnly.Nearest<N>(rays, i), Lanes.Broadcast<N>(index));
     }
 
     public override void Free()
@@ -70,9 +71,9 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
         foreach (var set in sets) set.Free();
     }
 
-    public bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
+    public override bool Paint(Scene scene, int index, byte[] rgb, int first, int step)
     {
-        if (hard is not null) return false;
+        if (formulaOnly is not null) return false;
         var painter = filters!.PainterOf(screen, scene, index);
         if (painter.IsSupported) OwnFilter().Paint(painter, rgb, first, step);
         return painter.IsSupported;
@@ -81,7 +82,7 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     private HitRange Enter()
     {
         filter = filters!.Take(screen, entered);
-        filter.Show(this, vertices, indices);
+        filter.SetMesh(this, vertices, indices);
         var range = filter.Enter(entered, sets);
         shows = filter.Owner == this;
         return range;
@@ -92,12 +93,5 @@ internal sealed class MeshView<N> : ModelView<N>, ITileView where N : struct, IP
     {
         if (filter!.Owner != this || filter.Tile != entered) Enter();
         return filter;
-    }
-
-    private static Tile ExtentOf((int Left, int Right, int Bottom, int Top) a, (int Left, int Right, int Bottom, int Top) b)
-    {
-        var (left, right) = (Math.Min(a.Left, b.Left), Math.Max(a.Right, b.Right));
-        var (bottom, top) = (Math.Min(a.Bottom, b.Bottom), Math.Max(a.Top, b.Top));
-        return right < left ? default : new(left, bottom, right - left + 1, top - bottom + 1);
     }
 }

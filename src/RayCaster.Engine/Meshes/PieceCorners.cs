@@ -6,10 +6,10 @@ internal sealed class PieceCorners(Vector128<float>[] points) : Corners
 {
     public override int Count => points.Length / 3;
 
-    public override void See(ReadOnlySpan<int> triangles, out EightTriangles seen) =>
-        (seen.A, seen.B, seen.C) = (See(triangles, 0), See(triangles, 1), See(triangles, 2));
+    public override void Project(ReadOnlySpan<int> triangles, out EightTriangles seen) =>
+        (seen.A, seen.B, seen.C) = (Corner(triangles, 0), Corner(triangles, 1), Corner(triangles, 2));
 
-    private EightPoints See(ReadOnlySpan<int> triangles, int corner)
+    private EightPoints Corner(ReadOnlySpan<int> triangles, int corner)
     {
         Span<float> numbers = stackalloc float[24];
         for (var i = 0; i < 8; i++)

@@ -22,8 +22,8 @@ internal sealed class ScreenClipper
         ];
     }
 
-    /// <summary>Triangles that only the formula can judge: three vertices for each.</summary>
-    public List<int> Hard { get; } = [];
+    /// <summary>Triangles whose hits only the formula can find: three vertices for each.</summary>
+    public List<int> FormulaOnly { get; } = [];
 
     /// <summary>The pieces, three points for each.</summary>
     public Vector128<float>[] Points => [.. points];
@@ -33,11 +33,11 @@ internal sealed class ScreenClipper
 
     public void Add(int triangle, int cornerA, int cornerB, int cornerC)
     {
-        var (a, b, c) = (screen.See(vertices[cornerA]), screen.See(vertices[cornerB]), screen.See(vertices[cornerC]));
+        var (a, b, c) = (screen.ToCamera(vertices[cornerA]), screen.ToCamera(vertices[cornerB]), screen.ToCamera(vertices[cornerC]));
         var size = Math.Max(Largest(a), Math.Max(Largest(b), Largest(c)));
         if (!(size is > 1e-90 and < 1e90))
         {
-            AddHard();
+            AddFormulaOnly();
             return;
         }
 
@@ -48,7 +48,7 @@ internal sealed class ScreenClipper
         var volume = Math.Abs(a % b * c) / (size * size * size);
         if (!inFront && volume < 1e-12)
         {
-            AddHard();
+            AddFormulaOnly();
             return;
         }
         if (behind) return;
@@ -56,12 +56,12 @@ internal sealed class ScreenClipper
             if (a * plane < 0 && b * plane < 0 && c * plane < 0) return; // the guard, hundreds of pixels, is margin enough
         if (volume < 1e-6)
         {
-            AddHard();
+            AddFormulaOnly();
             return;
         }
-        if (!Clip(a, b, c, size, triangle)) AddHard();
+        if (!Clip(a, b, c, size, triangle)) AddFormulaOnly();
 
-        void AddHard() => Hard.AddRange([cornerA, cornerB, cornerC]);
+        void AddFormulaOnly() => FormulaOnly.AddRange([cornerA, cornerB, cornerC]);
     }
 
     /// <summary>Clips a triangle whose t is accurate to 1e-8; false if the pieces would not be accurate.</summary>

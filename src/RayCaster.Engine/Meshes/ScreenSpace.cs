@@ -91,7 +91,7 @@ internal sealed class ScreenSpace
     public float MostW { get; }
 
     /// <summary>A point in the camera's axes: X to the right, Y up, Z into the picture.</summary>
-    public Vector3 See(Vector3 point)
+    public Vector3 ToCamera(Vector3 point)
     {
         var p = point - origin;
         return new(p * u, p * v, -(p * w));

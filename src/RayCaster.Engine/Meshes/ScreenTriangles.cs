@@ -10,14 +10,14 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
     /// <param name="owners">The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</param>
     /// <param name="boxes">The boxes of the clusters; null if triangles are sorted one by one.</param>
-    /// <param name="twins">Makes a table of duplicates; null if it is not needed.</param>
+    /// <param name="duplicates">Makes a table of duplicates; null if it is not needed.</param>
     public ScreenTriangles(
-        ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? twins, int threads)
+        ScreenSpace screen, Corners corners, int[]? owners, TriangleBoxes? boxes, Func<Duplicates>? duplicates, int threads)
     {
         (Corners, Owners) = (corners, owners);
         tilesAcross = Tile.TilesOf(screen.Camera.Width);
         var sorters = new TriangleSorter[Math.Clamp(corners.Count / LeastForAThread, 1, threads)];
-        for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, twins?.Invoke());
+        for (var i = 0; i < sorters.Length; i++) sorters[i] = new(screen, corners, duplicates?.Invoke());
         var clusterSorters = boxes is null ? [] : Array.ConvertAll(sorters, each => new ClusterSorter<N>(screen, boxes, each));
         ThreadTeam.Shares(sorters.Length, boxes?.Count ?? corners.Count, (i, first, end) =>
         {
@@ -30,7 +30,6 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
         {
             Large.AddRange(sorter.Large);
             Unfit.AddRange(sorter.Unfit);
-            Extend(sorter.Lists.Extent);
         }
     }
 
@@ -38,9 +37,6 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
     /// <summary>The mesh's triangle that each piece belongs to; null if these are the mesh's triangles.</summary>
     public int[]? Owners { get; }
-
-    /// <summary>The pixels that may be covered.</summary>
-    public (int Left, int Right, int Bottom, int Top) Extent { get; private set; } = (int.MaxValue, -1, int.MaxValue, -1);
 
     /// <summary>Triangles with a corner that is not fit for floats; they are not sorted.</summary>
     public List<int> Unfit { get; } = [];
@@ -53,8 +49,4 @@ internal sealed class ScreenTriangles<N> where N : struct, IPacket<N>
 
     /// <summary>Returns rented memory; the object cannot be used any more.</summary>
     public void Free() => triangles.Free();
-
-    private void Extend((int Left, int Right, int Bottom, int Top) other) => Extent = (
-        Math.Min(Extent.Left, other.Left), Math.Max(Extent.Right, other.Right),
-        Math.Min(Extent.Bottom, other.Bottom), Math.Max(Extent.Top, other.Top));
 }

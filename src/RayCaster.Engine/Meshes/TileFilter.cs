@@ -6,7 +6,7 @@ namespace RayCaster.Engine;
 /// left out, group by group, then triangles that cover no sample, eight at once.</summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
-    /// <summary>How many runs or triangles are drawn before hidden ones are sought again.</summary>
+    /// <summary>After so many runs or triangles the coarse depth is computed again.</summary>
     private const int RunsAtOnce = 128, TrianglesAtOnce = 512;
 
     /// <summary>How many runs ahead memory is fetched.</summary>
@@ -36,11 +36,11 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
 
     /// <summary>Goes to another mesh.</summary>
     /// <param name="owner">The view that uses it from now on.</param>
-    public void Show(MeshView<N> owner, Vector3[] vertices, int[] indices)
+    public void SetMesh(MeshView<N> owner, Vector3[] vertices, int[] indices)
     {
         Owner = owner;
-        pixels.Show(vertices, indices);
-        hits.Show(vertices, indices);
+        pixels.SetMesh(vertices, indices);
+        hits.SetMesh(vertices, indices);
     }
 
     public HitRange Enter(in Tile tile, ScreenTriangles<N>[] sets)
@@ -90,7 +90,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         return 0.3f * least + 0.7f * most;
     }
 
-    /// <summary>Begins a tile in which something may show; the stored pixels are those of another tile.</summary>
+    /// <summary>Prepares for a tile in which triangles may show; everything stored so far is about another tile.</summary>
     private void Begin()
     {
         isEmpty = false;
@@ -123,7 +123,7 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         AddWaiting();
     }
 
-    /// <remarks>Their indices and vertices lie anywhere; to wait for them would take longer than all that is computed.</remarks>
+    /// <remarks>Indices and vertices are prefetched: they lie anywhere in memory, and waiting for them would take longer than the rest.</remarks>
     private void AddRuns(ScreenTriangles<N> set, ReadOnlySpan<TriangleRun> runs)
     {
         var (corners, last) = (set.Corners, Vector128.Create(set.Corners.Count - 1));
@@ -131,8 +131,8 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         var count = 0;
         for (var i = -Ahead; i < runs.Length; i++)
         {
-            if (i + Ahead < runs.Length) corners.Fetch(runs[i + Ahead].First, runs[i + Ahead].Count);
-            if (i + Ahead / 2 is >= 0 and var near && near < runs.Length) corners.FetchVertices(runs[near].First, runs[near].Count);
+            if (i + Ahead < runs.Length) corners.Prefetch(runs[i + Ahead].First, runs[i + Ahead].Count);
+            if (i + Ahead / 2 is >= 0 and var near && near < runs.Length) corners.PrefetchVertices(runs[near].First, runs[near].Count);
             if (i < 0) continue;
             var end = Math.Min(runs[i].First + runs[i].Count, corners.Count);
             for (var first = runs[i].First; first < end; first += 4)
@@ -149,14 +149,14 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
 
         void AddEight(ReadOnlySpan<int> ids, int count)
         {
-            corners.See(ids[..8], out eight);
+            corners.Project(ids[..8], out eight);
             Add(set, Vector256.Create(ids), count);
         }
     }
 
     /// <summary>Takes the eight triangles that are seen, or less: those in whose boxes are samples wait.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Add(ScreenTriangles<N> set, Vector256<int> names, int count)
+    private void Add(ScreenTriangles<N> set, Vector256<int> ids, int count)
     {
         ref readonly var t = ref eight;
         var margin = Vector256.Create(screen.Margin);
@@ -168,31 +168,31 @@ internal sealed class TileFilter<N> where N : struct, IPacket<N>
         var bottom = Vector256.MaxNative(Vector256.Ceiling(minY - margin), row);
         var top = Vector256.MinNative(Vector256.Floor(maxY + margin), row + Vector256.Create(tile.Height - 1f));
         var isSingle = Vector256.Equals(left, right) & Vector256.Equals(bottom, top);
-        var passes = TriangleSetUp.Pass(t, left, bottom, maxX - minX + (maxY - minY), margin);
-        var shows = Vector256.AndNot(Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top), isSingle & passes)
+        var isOutside = TriangleSetUp.IsOutside(t, left, bottom, maxX - minX + (maxY - minY), margin);
+        var shows = Vector256.AndNot(Vector256.LessThanOrEqual(left, right) & Vector256.LessThanOrEqual(bottom, top), isSingle & isOutside)
             .ExtractMostSignificantBits();
         if (count < 8) shows &= (1u << count) - 1;
         if (shows == 0) return;
         if (set.Owners is { } owners)
             for (var i = 0; i < 8; i++)
-                names = names.WithElement(i, owners[Math.Min(names[i], owners.Length - 1)]);
+                ids = ids.WithElement(i, owners[Math.Min(ids[i], owners.Length - 1)]);
 
         var side = Vector256.Create((float)TriangleRasterizer.SmallSide);
         var small = (Vector256.LessThan(right - left, side) & Vector256.LessThan(top - bottom, side)).ExtractMostSignificantBits();
         if ((shows & small) != 0)
         {
-            waiting.Add(t, names, shows & small);
+            waiting.Add(t, ids, shows & small);
             if (waiting.IsFull) cover.AddSmall(waiting);
         }
         var large = shows & ~small;
         if (large != 0)
         {
-            waitingLarge.Add(t, names, large);
+            waitingLarge.Add(t, ids, large);
             if (waitingLarge.IsFull) cover.AddLarge(waitingLarge);
         }
     }
 
-    /// <summary>Draws what waits, and finds out anew what is hidden.</summary>
+    /// <summary>Rasterizes the waiting triangles and computes the coarse depth again.</summary>
     private void Refresh()
     {
         AddWaiting();

@@ -1,16 +1,16 @@
 namespace RayCaster.Engine;
 
-/// <summary>One thread's filters, which the meshes of a tile share: each has a tenth of a megabyte, and a scene may have thousands of meshes. A tile
-/// with more meshes than there are filters takes longer, for a mesh whose filter another one has taken enters the tile anew.</summary>
+/// <summary>One thread's filters, which the meshes of a tile share: each has about 100 kB, and a scene may have thousands of meshes. A tile
+/// with more meshes than there are filters takes longer: a mesh whose filter was given to another mesh must be rasterized again.</summary>
 internal sealed class TileFilters<N> where N : struct, IPacket<N>
 {
     private const int Most = 32;
 
-    private readonly List<TileFilter<N>> filters = []; // from the next on in the order in which they were taken
+    private readonly List<TileFilter<N>> filters = []; // a ring: the next one was taken longest ago
     private int next;
     private (int Index, MeshPainter Painter)? painter;
 
-    /// <summary>A filter for a mesh in a tile: one that another tile has left, or a new one; where there are many, the one taken first.</summary>
+    /// <summary>A filter for a mesh in a tile: one that is not used in this tile, or a new one; with too many, the one taken longest ago.</summary>
     public TileFilter<N> Take(ScreenSpace screen, in Tile tile)
     {
         if (next == filters.Count) next = 0;

@@ -6,7 +6,7 @@ internal sealed class TileHits<N>(ScreenSpace screen, TilePixels pixels) where N
 {
     private readonly ExactHits<N> exact = new(screen);
 
-    public void Show(Vector3[] vertices, int[] indices) => exact.Show(vertices, indices);
+    public void SetMesh(Vector3[] vertices, int[] indices) => exact.SetMesh(vertices, indices);
 
     /// <summary>Computes the queued hits that may still be in front.</summary>
     public void Decide()

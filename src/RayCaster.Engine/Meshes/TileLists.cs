@@ -4,33 +4,19 @@ namespace RayCaster.Engine;
 internal sealed class TileLists(int width)
 {
     private readonly int tilesAcross = Tile.TilesOf(width);
-    private (uint Left, uint Right, uint Bottom, uint Top) extent = (int.MaxValue, 0, int.MaxValue, 0);
 
     /// <summary>Triangles by tiles.</summary>
     public PooledList<(int Place, TriangleCluster Cluster)> Items { get; } = new();
 
-    /// <summary>The pixels that may be covered.</summary>
-    public (int Left, int Right, int Bottom, int Top) Extent => ((int)extent.Left, (int)extent.Right, (int)extent.Bottom, (int)extent.Top);
-
     /// <summary>In how many tiles the pixels of a rectangle lie.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static long TilesOf(uint left, uint right, uint bottom, uint top) => Tiles(left, right) * Tiles(bottom, top);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Extend(uint left, uint right, uint bottom, uint top)
-    {
-        if (left < extent.Left) extent.Left = left;
-        if (right > extent.Right) extent.Right = right;
-        if (bottom < extent.Bottom) extent.Bottom = bottom;
-        if (top > extent.Top) extent.Top = top;
-    }
 
     /// <summary>Adds what shows in a rectangle of pixels.</summary>
     /// <param name="mostW">The greatest w of a sample that they cover.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Add(TriangleRun run, float mostW, uint left, uint right, uint bottom, uint top)
     {
-        Extend(left, right, bottom, top);
         if (((left ^ right) | (bottom ^ top)) >= Tile.MaxSide) AddToTiles(run, mostW, left, right, bottom, top);
         else Items.Add((PlaceOf(left / Tile.MaxSide, bottom / Tile.MaxSide), new(run, mostW, Cells.Of(left, right, bottom, top))));
     }

@@ -16,7 +16,7 @@ internal sealed class TilePixels
 
     private const int QueueLength = 1 << 14;
 
-    private readonly Duplicates twins = new([], []);
+    private readonly Duplicates duplicates = new([], []);
 
     /// <summary>Each pixel certainly has a hit with at least this w; 0 for none.</summary>
     public float[] Covered { get; } = new float[Size];
@@ -41,14 +41,14 @@ internal sealed class TilePixels
 
     public Tile Tile { get; private set; }
 
-    public void Show(Vector3[] vertices, int[] indices) => twins.Show(vertices, indices);
+    public void SetMesh(Vector3[] vertices, int[] indices) => duplicates.SetMesh(vertices, indices);
 
     /// <summary>Forgets all. Places outside the tile are covered, so that they do not affect the coarse depth.</summary>
     public void Enter(in Tile tile)
     {
         Tile = tile;
         HasDecided = false;
-        twins.Clear();
+        duplicates.Clear();
         Covered.AsSpan().Clear();
         Front.AsSpan().Clear();
         Proposed.AsSpan().Clear();
@@ -59,7 +59,7 @@ internal sealed class TilePixels
     [MethodImpl(MethodImplOptions.NoInlining)]
     public void Enqueue(int pixel, int triangle, float mostW)
     {
-        if (!twins.HasEarlier(triangle)) Queue.Add((pixel, triangle, mostW));
+        if (!duplicates.HasEarlier(triangle)) Queue.Add((pixel, triangle, mostW));
     }
 
     /// <summary>Queues some pixels of a triangle.</summary>
@@ -68,7 +68,7 @@ internal sealed class TilePixels
     /// <param name="mostW">The greatest w of each pixel.</param>
     public void Enqueue(int triangle, int count, int[] pixels, uint[] lanes, float[] mostW)
     {
-        if (twins.HasEarlier(triangle)) return;
+        if (duplicates.HasEarlier(triangle)) return;
         for (var k = 0; k < count; k++)
         {
             for (var left = lanes[k]; left != 0; left &= left - 1)

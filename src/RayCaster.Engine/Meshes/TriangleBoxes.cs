@@ -21,6 +21,7 @@ internal sealed class TriangleBoxes
     private readonly int[] indices;
     private readonly Vector256<double> middle, perUnit;
     private readonly float[][] numbers = new float[6][]; // lows and highs
+    private Vector256<double> least = Vector256.Create(double.PositiveInfinity), most = Vector256.Create(double.NegativeInfinity); // of all
 
     /// <param name="indices">Three for each triangle. Each of them is checked here, once for all.</param>
     public TriangleBoxes(Vector3[] vertices, int[] indices, int threads, int length = TriangleCluster.Length)
@@ -46,6 +47,9 @@ internal sealed class TriangleBoxes
 
     /// <summary>The length that is 1 in the boxes.</summary>
     public double Unit { get; }
+
+    /// <summary>A box around all triangles.</summary>
+    public Bounds Bounds => new(new(least[0], least[1], least[2]), new(most[0], most[1], most[2]));
 
     public int Count { get; }
 
@@ -100,14 +104,17 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private void Find(int cluster, int endCluster)
     {
+        var (least, most) = (Vector256.Create(double.PositiveInfinity), Vector256.Create(double.NegativeInfinity));
         for (; cluster < endCluster; cluster++)
         {
             var (first, end) = TrianglesOf(cluster);
             var (low, high) = Around(first, end);
+            (least, most) = (Vector256.MinNative(low, least), Vector256.MaxNative(high, most));
             (low, high) = ((low - middle) * perUnit, (high - middle) * perUnit);
             Set(0, cluster, low - Padding(low));
             Set(3, cluster, high + Padding(high));
         }
+        lock (numbers) (this.least, this.most) = (Vector256.MinNative(least, this.least), Vector256.MaxNative(most, this.most));
 
         // Rounding to a float changes a number by at most 2⁻²⁴ of itself.
         static Vector256<double> Padding(Vector256<double> number) => Vector256.Create(1e-7) * (Vector256.Abs(number) + Vector256<double>.One);
@@ -131,10 +138,10 @@ internal sealed class TriangleBoxes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public (Vector256<double> Low, Vector256<double> High) Around(int first, int end)
     {
-        if (end - first != Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundFew(first, end);
+        if (end - first != Length || !AreBeforeTheLast(3 * first, 3 * end)) return AroundChecked(first, end);
         var places = new RawSpan<int>(indices);
         var numbers = RawSpan.NumbersOf(vertices);
-        if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Fetch(first);
+        if (first + IndicesAhead + TriangleCluster.Length <= indices.Length / 3) Prefetch(first);
 
         // Separate bounds for each corner, so that no comparison waits for the one before it.
         var none = Vector256.Create(double.PositiveInfinity);
@@ -153,7 +160,7 @@ internal sealed class TriangleBoxes
     /// <summary>The same with checks: for a cluster that is shorter than the others, that has the last vertex, behind which there is no number, or a
     /// wrong index.</summary>
     [MethodImpl(MethodImplOptions.NoInlining)]
-    private (Vector256<double> Low, Vector256<double> High) AroundFew(int first, int end)
+    private (Vector256<double> Low, Vector256<double> High) AroundChecked(int first, int end)
     {
         var low = Vector256.Create(double.PositiveInfinity);
         var high = -low;
@@ -176,22 +183,22 @@ internal sealed class TriangleBoxes
         return Vector256.LessThanAll(most, Vector256.Create((uint)vertices.Length - 1));
     }
 
-    /// <summary>Fetches memory in advance. Most vertices lie next to others, so some of a cluster's are enough.</summary>
+    /// <summary>Prefetches indices and vertices. Most vertices lie next to others, so some of a cluster's are enough.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Fetch(int first)
+    private void Prefetch(int first)
     {
         var places = new RawSpan<int>(indices);
         for (var i = 3 * first; i < 3 * (first + Length); i += TriangleCluster.Length)
         {
-            Lanes.Fetch(ref places[i + 3 * IndicesAhead]);
-            FetchVertex(places[i + 3 * VerticesAhead]);
-            FetchVertex(places[i + 3 * VerticesAhead + 1]);
+            Lanes.Prefetch(ref places[i + 3 * IndicesAhead]);
+            PrefetchVertex(places[i + 3 * VerticesAhead]);
+            PrefetchVertex(places[i + 3 * VerticesAhead + 1]);
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void FetchVertex(int index)
+    private void PrefetchVertex(int index)
     {
-        if ((uint)index < (uint)vertices.Length) Lanes.Fetch(ref new RawSpan<Vector3>(vertices)[index]); // not checked yet
+        if ((uint)index < (uint)vertices.Length) Lanes.Prefetch(ref new RawSpan<Vector3>(vertices)[index]); // not checked yet
     }
 }

@@ -1,7 +1,7 @@
 namespace RayCaster.Engine;
 
-/// <summary>Collects triangles until there are many of them: of eight that come together often only some go on, and while they are only collected,
-/// no instruction waits for a result.</summary>
+/// <summary>Packs visible triangles into full groups of eight: of eight triangles that are projected together often only some are visible. And while
+/// triangles are only collected, no instruction waits for a result.</summary>
 internal sealed class TriangleQueue
 {
     /// <summary>The most triangles in the queue.</summary>
@@ -11,7 +11,7 @@ internal sealed class TriangleQueue
 
     private static readonly int[] Orders = MakeOrders();
 
-    private readonly int[] orders = Orders; // code that is compiled early checks at each use whether a static field is initialised
+    private readonly int[] orders = Orders; // code with AggressiveOptimization would check at each use whether the static field is initialised
     private readonly float[] corners = new float[9 * Room];
     private readonly int[] triangles = new int[Room];
 
@@ -41,7 +41,7 @@ internal sealed class TriangleQueue
 
     /// <summary>Eight of them; if fewer are left, the other lanes are meaningless.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public EightTriangles See(int first) => new() { A = Points(first), B = Points(first + 3 * Room), C = Points(first + 6 * Room) };
+    public EightTriangles Load(int first) => new() { A = Points(first), B = Points(first + 3 * Room), C = Points(first + 6 * Room) };
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private EightPoints Points(int first) => new(

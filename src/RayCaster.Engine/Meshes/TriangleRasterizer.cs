@@ -5,7 +5,7 @@ namespace RayCaster.Engine;
 /// Every second sample of a small box is outside or hidden, and branch prediction cannot tell which. So pixels are written whether or not anything
 /// changes; only uncertain ones, which are rare, take a branch. In a large box samples outside are predictable, so a branch skips them.
 /// </remarks>
-/// <param name="decide">Decides about all queued pixels.</param>
+/// <param id="decide">Decides about all queued pixels.</param>
 internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, CoarseDepth coarse, Action decide)
 {
     /// <summary>A triangle is small if its box has at most so many samples on each side.</summary>
@@ -63,7 +63,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     }
 
     /// <summary>Those triangles that are not hidden. Small ones are not tested: to cover their samples takes no longer.</summary>
-    /// <param name="shows">A bit for each triangle.</param>
+    /// <param id="shows">A bit for each triangle.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private uint Visible(uint shows)
     {
@@ -80,7 +80,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
 
     /// <summary>Covers samples of eight small triangles, one sample of each at a time.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void CoverSmall(RawSpan<int> names, int firstName, uint shows)
+    private void CoverSmall(RawSpan<int> ids, int firstId, uint shows)
     {
         var s = new RawSpan<float>(setup);
         var coveredAt = new RawSpan<float>(pixels.Covered);
@@ -110,7 +110,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                 for (; bits != 0; bits &= bits - 1)
                 {
                     var i = BitOperations.TrailingZeroCount(bits);
-                    var (pixel, name) = (TriangleSetUp.Whole(s, i, TriangleSetUp.Pixel) + y * TilePixels.Stride + x, names[firstName + i]);
+                    var (pixel, id) = (TriangleSetUp.Whole(s, i, TriangleSetUp.Pixel) + y * TilePixels.Stride + x, ids[firstId + i]);
                     ref var coveredHere = ref coveredAt[pixel];
                     ref var frontHere = ref frontAt[pixel];
                     ref var proposedHere = ref proposedAt[pixel];
@@ -121,8 +121,8 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                     coveredHere = Vector128.MaxNative(sure, lower).ToScalar();
                     frontHere = Vector128.ConditionalSelect(wins, upper, before).ToScalar();
                     proposedHere = Vector128.ConditionalSelect(
-                        wins.AsInt32(), Vector128.CreateScalarUnsafe(name), Vector128.CreateScalarUnsafe(proposedHere)).ToScalar();
-                    if (Vector128.AndNot(possible, wins).AsInt32().ToScalar() != 0) pixels.Enqueue(pixel, name, upper.ToScalar());
+                        wins.AsInt32(), Vector128.CreateScalarUnsafe(id), Vector128.CreateScalarUnsafe(proposedHere)).ToScalar();
+                    if (Vector128.AndNot(possible, wins).AsInt32().ToScalar() != 0) pixels.Enqueue(pixel, id, upper.ToScalar());
                 }
             }
         }
@@ -136,7 +136,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
 
     /// <summary>Covers samples of triangles one by one, eight pixels of two rows at a time.</summary>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
-    private void Cover(RawSpan<int> names, int firstName, uint shows)
+    private void Cover(RawSpan<int> ids, int firstId, uint shows)
     {
         var s = new RawSpan<float>(setup);
         var uppers = new RawSpan<float>(unsureUppers);
@@ -148,7 +148,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
         for (; shows != 0; shows &= shows - 1)
         {
             var lane = BitOperations.TrailingZeroCount(shows);
-            var name = Vector512.Create(names[firstName + lane]);
+            var id = Vector512.Create(ids[firstId + lane]);
             var (first, width, height) = (TriangleSetUp.Whole(s, lane, TriangleSetUp.Pixel),
                 TriangleSetUp.Whole(s, lane, TriangleSetUp.Across), TriangleSetUp.Whole(s, lane, TriangleSetUp.Upwards));
             var isLarge = Math.Max(width, height) >= LargeSide;
@@ -157,14 +157,15 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
             {
                 var across = Vector512.Create(0f, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7) + Vector512.Create((float)x);
                 var inBox = Vector512.LessThanOrEqual(across, Vector512.Create((float)width));
-                var u = All(s, lane, TriangleSetUp.U) + across * All(s, lane, TriangleSetUp.U + 1);
-                var v = All(s, lane, TriangleSetUp.V) + across * All(s, lane, TriangleSetUp.V + 1);
-                var w = All(s, lane, TriangleSetUp.W) + across * All(s, lane, TriangleSetUp.W + 1);
-                var depth = All(s, lane, TriangleSetUp.Depth) + across * All(s, lane, TriangleSetUp.Depth + 1);
-                var (upU, upV, upW) = (All(s, lane, TriangleSetUp.U + 2), All(s, lane, TriangleSetUp.V + 2), All(s, lane, TriangleSetUp.W + 2));
-                var (upDepth, slack) = (All(s, lane, TriangleSetUp.Depth + 2), All(s, lane, TriangleSetUp.Slack));
-                var (most, least) = (All(s, lane, TriangleSetUp.MostW), All(s, lane, TriangleSetUp.LeastW));
-                var (outside, inside) = (All(s, lane, TriangleSetUp.Outside), All(s, lane, TriangleSetUp.Inside));
+                var u = OfTriangle(s, lane, TriangleSetUp.U) + across * OfTriangle(s, lane, TriangleSetUp.U + 1);
+                var v = OfTriangle(s, lane, TriangleSetUp.V) + across * OfTriangle(s, lane, TriangleSetUp.V + 1);
+                var w = OfTriangle(s, lane, TriangleSetUp.W) + across * OfTriangle(s, lane, TriangleSetUp.W + 1);
+                var depth = OfTriangle(s, lane, TriangleSetUp.Depth) + across * OfTriangle(s, lane, TriangleSetUp.Depth + 1);
+                var (upU, upV) = (OfTriangle(s, lane, TriangleSetUp.U + 2), OfTriangle(s, lane, TriangleSetUp.V + 2));
+                var upW = OfTriangle(s, lane, TriangleSetUp.W + 2);
+                var (upDepth, slack) = (OfTriangle(s, lane, TriangleSetUp.Depth + 2), OfTriangle(s, lane, TriangleSetUp.Slack));
+                var (most, least) = (OfTriangle(s, lane, TriangleSetUp.MostW), OfTriangle(s, lane, TriangleSetUp.LeastW));
+                var (outside, inside) = (OfTriangle(s, lane, TriangleSetUp.Outside), OfTriangle(s, lane, TriangleSetUp.Inside));
                 var up = Vector512.Create(0f, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
                 var last = Vector512.Create((float)height); // the second of two rows may lie beyond it
                 var pixel = first + x;
@@ -176,7 +177,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                     var nearness = Vector512.MultiplyAddEstimate(up, upDepth, depth);
                     var upper = Vector512.MinNative(nearness + slack, most);
                     var lower = Vector512.MaxNative(nearness - slack, least);
-                    var (sure, before) = (Two(coveredAt, pixel), Two(frontAt, pixel));
+                    var (sure, before) = (TwoRows(coveredAt, pixel), TwoRows(frontAt, pixel));
                     var possible = inBox & Vector512.LessThanOrEqual(up, last)
                         & Vector512.GreaterThanOrEqual(inner, outside) & Vector512.GreaterThanOrEqual(upper, sure);
                     if (isLarge && possible == Vector512<float>.Zero) continue;
@@ -184,7 +185,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                     var wins = covers & Vector512.GreaterThan(lower, before);
                     Store(Vector512.ConditionalSelect(covers, Vector512.MaxNative(sure, lower), sure), coveredAt, pixel);
                     Store(Vector512.ConditionalSelect(wins, upper, before), frontAt, pixel);
-                    Store(Vector512.ConditionalSelect(wins.AsInt32(), name, Two(proposedAt, pixel)), proposedAt, pixel);
+                    Store(Vector512.ConditionalSelect(wins.AsInt32(), id, TwoRows(proposedAt, pixel)), proposedAt, pixel);
 
                     var unsure = (uint)Vector512.AndNot(possible, wins).ExtractMostSignificantBits();
                     if (unsure == 0) continue;
@@ -195,18 +196,18 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
                     count++;
                 }
             }
-            if (count > 0) pixels.Enqueue(names[firstName + lane], count, unsurePixels, unsureLanes, unsureUppers);
+            if (count > 0) pixels.Enqueue(ids[firstId + lane], count, unsurePixels, unsureLanes, unsureUppers);
         }
     }
 
     /// <summary>One triangle's value in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<float> All(RawSpan<float> setup, int lane, int field) => Vector512.Create(setup[8 * field + lane]);
+    private static Vector512<float> OfTriangle(RawSpan<float> setup, int lane, int field) => Vector512.Create(setup[8 * field + lane]);
 
     /// <summary>Eight pixels of a row and of the one above it. (With Vector512.Create, the compiler writes both halves into the register of the rows
     /// before, and each step waits for them.)</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<T> Two<T>(RawSpan<T> rows, int pixel) where T : struct =>
+    private static Vector512<T> TwoRows<T>(RawSpan<T> rows, int pixel) where T : struct =>
         rows.Load256(pixel).ToVector512Unsafe().WithUpper(rows.Load256(pixel + TilePixels.Stride));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -24,7 +24,7 @@ internal static class TriangleSetUp
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public static uint Of(TriangleQueue triangles, int first, ScreenSpace screen, in Tile tile, float[] fields)
     {
-        var t = triangles.See(first);
+        var t = triangles.Load(first);
         Vector256<float> zero = Vector256<float>.Zero, one = Vector256<float>.One;
         var margin = Vector256.Create(screen.Margin);
         var rounding = Vector256.Create(screen.Roundings);
@@ -98,7 +98,7 @@ internal static class TriangleSetUp
     /// <remarks><see cref="Of"/> derives the error of the areas. The orientation of a sliver is not known, so one area must certainly be below 0,
     /// and one above.</remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Vector256<float> Pass(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
+    public static Vector256<float> IsOutside(in EightTriangles t, Vector256<float> column, Vector256<float> row, Vector256<float> size,
         Vector256<float> margin)
     {
         var (ax, bx, cx) = (t.A.X - column, t.B.X - column, t.C.X - column);

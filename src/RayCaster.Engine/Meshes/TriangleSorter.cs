@@ -1,14 +1,11 @@
 namespace RayCaster.Engine;
 
 /// <summary>Finds the tiles of triangles, eight at a time; each thread has its own.</summary>
-/// <param name="twins">The large triangles so far; null if duplicates do not matter.</param>
-internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplicates? twins)
+/// <param name="duplicates">The large triangles so far; null if duplicates do not matter.</param>
+internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplicates? duplicates)
 {
     /// <summary>A triangle in more tiles than this goes to all tiles, so that a million large ones do not fill each tile's list.</summary>
     private const int ManyTiles = 64;
-
-    /// <summary>How many triangles ahead vertices are fetched: they may lie anywhere.</summary>
-    private const int Ahead = 24;
 
     public TileLists Lists { get; } = new(screen.Camera.Width);
 
@@ -32,9 +29,8 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
         Span<float> w = stackalloc float[8];
         for (; first < end; first += 8)
         {
-            corners.FetchVertices(first + Ahead, 8);
             for (var i = 0; i < 8; i++) ids[i] = Math.Min(first + i, end - 1);
-            corners.See(ids, out var t);
+            corners.Project(ids, out var t);
             var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
             var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
             var size = right - left + (top - bottom);
@@ -52,17 +48,13 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
             shows &= Vector256.GreaterThanOrEqual(Lanes.Most(t.A.W, t.B.W, t.C.W) * (one + stretch), leastW) | Vector256.GreaterThan(stretch, one);
             shows &= Vector256.LessThanOrEqual(Lanes.Least(t.A.W, t.B.W, t.C.W) * (one - stretch), mostW);
 
-            // If the box holds only one sample, the edges tell whether it is outside. (Others are tested in their tiles.)
-            var passes = TriangleSetUp.Pass(t, column0, row0, size, margin);
-            var single = Vector256.Equals(column0, column1) & Vector256.Equals(row0, row1);
-            shows &= ~(passes & single) & fit;
-
+            shows &= fit;
             var inRange = end - first >= 8 ? 0xFFu : (1u << (end - first)) - 1;
             var unfit = ~fit.ExtractMostSignificantBits() & inRange;
             for (; unfit != 0; unfit &= unfit - 1)
             {
                 var i = first + BitOperations.TrailingZeroCount(unfit);
-                if (twins is null || !twins.HasEarlier(i)) Unfit.Add(i);
+                if (duplicates is null || !duplicates.HasEarlier(i)) Unfit.Add(i);
             }
             var bits = shows.ExtractMostSignificantBits() & inRange;
             if (bits == 0) continue;
@@ -83,13 +75,8 @@ internal sealed class TriangleSorter(ScreenSpace screen, Corners corners, Duplic
     private void Place(int triangle, float mostW, uint left, uint right, uint bottom, uint top)
     {
         var tiles = TileLists.TilesOf(left, right, bottom, top);
-        if (tiles > 1 && twins is not null && twins.HasEarlier(triangle)) return;
-        if (tiles <= ManyTiles)
-        {
-            Lists.Add(new(triangle, 1), mostW, left, right, bottom, top);
-            return;
-        }
-        Lists.Extend(left, right, bottom, top);
-        Large.Add(new(triangle, 1));
+        if (tiles > 1 && duplicates is not null && duplicates.HasEarlier(triangle)) return;
+        if (tiles <= ManyTiles) Lists.Add(new(triangle, 1), mostW, left, right, bottom, top);
+        else Large.Add(new(triangle, 1));
     }
 }

@@ -45,7 +45,7 @@ public sealed class TriangleTree
     }
 
     /// <summary>The t of the nearest hit in each lane of the packet that begins at a pixel; NaN if no hit is nearer than those so far.</summary>
-    // Optimised from the first call: many pictures are done before the runtime optimises by itself.
+    // Optimised from the first call: many pictures are finished before the runtime would optimise it.
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     internal N Nearest<N>(RayStream rays, int pixel) where N : struct, IPacket<N>
     {

@@ -6,9 +6,9 @@ namespace RayCaster.Engine;
 /// </summary>
 /// <remarks>
 /// Each operation passes on the errors of its operands and adds what rounding its own result adds: half a unit in the last place of a float, 2⁻²⁴ of
-/// its size, or 2⁻¹⁴⁹ for numbers too small for that. Doubles round, too, by 2⁻⁵³, and so do these bounds; that is what <see cref="Unit"/> is a
-/// little larger for. An infinite error means that nothing is known. (An <see cref="Interval"/> knows more of NaN and of infinite numbers; where one
-/// of these may come, floats are not used.)
+/// its size, or 2⁻¹⁴⁹ for numbers too small for that. Doubles, and these bounds, round by 2⁻⁵³; <see cref="Unit"/> is a little larger
+/// to cover that. An infinite error means that nothing is known. (An <see cref="Interval"/> knows more of NaN and of infinite numbers; where one
+/// of these may occur, floats are not used.)
 /// </remarks>
 /// <param name="Lo">The least that doubles compute.</param>
 /// <param name="Hi">The greatest.</param>
@@ -101,7 +101,7 @@ internal readonly record struct ErrorBound(double Lo, double Hi, double Error) :
         return size < Most ? new(lo, hi, error + size * Unit + Least) : Unknown;
     }
 
-    // No NaN comes here: all numbers are less than a float can be, or the error is infinite.
+    // There is no NaN here: all numbers are less than a float can be, or the error is infinite.
     private static double Lesser(double a, double b) => double.MinNative(a, b);
 
     private static double Greater(double a, double b) => double.MaxNative(a, b);

@@ -68,11 +68,8 @@ internal readonly struct FloatPacket(Vector256<float> lower, Vector256<float> up
     public static FloatPacket Select(FloatPacket mask, FloatPacket a, FloatPacket b) =>
         new(Vector256.ConditionalSelect(mask.Lower, a.Lower, b.Lower), Vector256.ConditionalSelect(mask.Upper, a.Upper, b.Upper));
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // in a large method, the interface's default would not be inlined
     public static FloatPacket If(FloatPacket mask, FloatPacket value) => Select(mask, value, double.NaN);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Or(FloatPacket value, FloatPacket instead) => Select(value <= double.PositiveInfinity, value, instead);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Of(Vector256<float> row) => new(row, row);

@@ -8,8 +8,6 @@ internal interface IPacket<N> : IReal<N> where N : struct, IPacket<N>
     /// <summary>Where a equals b; false where either is NaN.</summary>
     static abstract N Equal(N a, N b);
 
-    static abstract bool All(N mask);
-
     /// <summary>A bit for each lane of a mask, the first lane's the lowest.</summary>
     static abstract uint Bits(N mask);
 

@@ -6,9 +6,9 @@ namespace RayCaster.Engine;
 /// picture; each lane is another part. As a mask, Lo is where it certainly holds, Hi where it may hold.</summary>
 /// <remarks>
 /// It holds what doubles compute, not what real numbers would give, so nothing is rounded outwards: each operation is monotonic in each operand, and
-/// so is rounding to nearest; what is computed from numbers between two others lies between what is computed from those. Where a divisor may be 0,
-/// or an end is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything". Of a quotient, though, it is still
-/// known how near to 0 it cannot be: rays along a plane cross it far away, before or behind the eye.
+/// so is rounding to nearest; so the result for operands between two ends lies between the results for the ends. Where a divisor may be 0, or an end
+/// is infinite or NaN (0 · ∞, ∞ − ∞ and 0 / 0 may then lie between the ends), the answer is "anything". Of a quotient whose divisor may be 0,
+/// <c>Gap</c> is then a lower bound of the absolute value: rays nearly parallel to a plane cross it far away, in front of the eye or behind it.
 /// </remarks>
 /// <param name="missing">0: every ray has a number. 1: some may have NaN. 2: all have NaN; the ends mean nothing.</param>
 /// <param name="gap">No number is nearer to 0 than this.</param>

@@ -9,10 +9,14 @@ internal static class Lanes
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N Broadcast<N>(double number) where N : struct, IReal<N> => number;
 
-    /// <summary>Loads something into the caches before it is needed. The pointer is only a hint: nothing is read through it, even if the collector
-    /// moves the thing.</summary>
+    /// <summary>Whether a mask holds in all lanes.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static unsafe void Fetch<T>(ref T thing) where T : struct
+    public static bool All<N>(N mask) where N : struct, IPacket<N> => N.Bits(mask) == (1u << N.Count) - 1;
+
+    /// <summary>Prefetches something that is needed soon into the cache. The pointer is only a hint: the program reads nothing through it, so
+    /// it may be out of date.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static unsafe void Prefetch<T>(ref T thing) where T : struct
     {
         if (Sse.IsSupported) Sse.Prefetch0(Unsafe.AsPointer(ref thing));
     }

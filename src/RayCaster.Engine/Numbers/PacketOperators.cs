@@ -64,17 +64,11 @@ internal partial struct Packet : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Select(Packet mask, Packet a, Packet b) => new() { Lanes = Vector256.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the interface's default would not be inlined
+    [MethodImpl(MethodImplOptions.AggressiveInlining)] // in a large method, the interface's default would not be inlined
     public static Packet If(Packet mask, Packet value) => Select(mask, value, double.NaN);
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // the same
-    public static Vector3<Packet> Divide(Vector3<Packet> a, Packet b) => new(a.X / b, a.Y / b, a.Z / b);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Equal(Packet a, Packet b) => new() { Lanes = Vector256.Equals(a.Lanes, b.Lanes) };
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static bool All(Packet mask) => (uint)mask.Lanes.ExtractMostSignificantBits() == (1u << Vector256<double>.Count) - 1;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static uint Bits(Packet mask) => (uint)mask.Lanes.ExtractMostSignificantBits();
@@ -91,7 +85,4 @@ internal partial struct Packet : IPacket<Packet>
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public readonly void Store(double[] numbers, int first) => Lanes.StoreTo(numbers, first);
-
-    /// <summary>The numbers of all lanes, for printing a step of a formula.</summary>
-    public readonly override string ToString() => FormattableString.Invariant($"{Lanes}");
 }

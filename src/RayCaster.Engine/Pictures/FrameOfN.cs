@@ -15,12 +15,12 @@ internal sealed class Frame<N> : Frame where N : struct, IPacket<N>
             PrimitiveBatch = new(camera, ShapeLists.Of(models, manyFrames, threads), models.Count, threads);
         Places = PrimitiveBatch is null ? new int[models.Count] : [.. PrimitiveBatch.Others];
         for (var i = 0; PrimitiveBatch is null && i < models.Count; i++) Places[i] = i;
-        Views = Array.ConvertAll(Places, i => ViewMaker<N>.See(models[i], camera, manyFrames, threads));
+        Views = Array.ConvertAll(Places, i => ViewMaker<N>.Of(models[i], camera, manyFrames, threads));
         Extents = Array.ConvertAll(Views, view => view.Extent);
     }
 
     /// <summary>Views of the models that are not in the batch.</summary>
-    public ModelView<N>[] Views { get; }
+    public ModelView[] Views { get; }
 
     public int[] Places { get; }
 

@@ -28,7 +28,7 @@ internal sealed class HitMapConsumer<N>(HitMap map, Camera camera) : IHitConsume
         return true;
     }
 
-    public bool TryTake(in Tile tile, ITileView view, int index) => false; // bytes without exact hits are of no use here
+    public bool TryTake(in Tile tile, ModelView view, int index) => false; // bytes without exact hits are of no use here
 
     private void FillModels(in Tile part, int index)
     {

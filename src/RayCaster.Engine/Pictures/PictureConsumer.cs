@@ -24,7 +24,7 @@ internal sealed class PictureConsumer(HitShader shader, int width) : IHitConsume
     public bool TryTake(in CoveredTile covered) =>
         FloatBytes.IsSupported && Painter.Paint(covered, rgb, PlaceOf(covered.Part.Column, covered.Part.Row), -3 * width);
 
-    public bool TryTake(in Tile tile, ITileView view, int index) => view.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
+    public bool TryTake(in Tile tile, ModelView view, int index) => view.Paint(shader.Scene, index, rgb, PlaceOf(tile.Column, tile.Row), -3 * width);
 
     private int PlaceOf(int column, int row) => 3 * ((topRow - row) * width + column);
 }

@@ -5,7 +5,7 @@ namespace RayCaster.Engine;
 /// <param name="frame">All models as the camera sees them, in the scene's order.</param>
 internal sealed class PlainCaster<N>(Frame<N> frame) : IStripCaster where N : struct, IPacket<N>
 {
-    private readonly ModelView<N>[] views = Array.ConvertAll(frame.Views, view => view.ForThread());
+    private readonly ModelView[] views = frame.Views; // the threads can share these: a scene with a mesh is never drawn in this way
     private readonly RayStream rays = new(frame.Scene.Camera);
     private readonly List<int> near = []; // the models that may show in the part
 

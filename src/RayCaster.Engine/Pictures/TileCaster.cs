@@ -9,16 +9,13 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 
     private const int PartsAcross = Tile.MaxSide / PartSide, PartsUp = EightParts.Count / PartsAcross;
 
-    /// <summary>With more models than this it pays to look for hidden ones.</summary>
-    private const int Few = 4;
-
     private readonly Frame<N> frame;
-    private readonly ModelView<N>[] views;
+    private readonly ModelView[] views;
     private readonly Tile[] extents;
     private readonly int[] places; // of the views' models in the scene
     private readonly BatchCaster<N>? batch;
     private readonly RayStream rays;
-    private readonly Predicate<Candidate> isPrimitive;
+    private readonly Predicate<Candidate> isShape;
     private IHitConsumer consumer = null!;
     private readonly List<Candidate> candidates = []; // of the strip
     private readonly EightParts tiles, parts;         // the strip's, and some of a tile
@@ -27,13 +24,13 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     public TileCaster(Frame<N> frame)
     {
         this.frame = frame;
-        var tools = new ThreadTools();
-        views = Array.ConvertAll(frame.Views, view => view.ForThread(tools));
+        object? shared = null;
+        views = Array.ConvertAll(frame.Views, view => view.ForThread(ref shared));
         (extents, places) = (frame.Extents, frame.Places);
         if (frame.PrimitiveBatch is not null) batch = new(frame.PrimitiveBatch, frame.Scene.Camera);
         rays = new(frame.Scene.Camera, RayStream.MaxArea);
         (tiles, parts) = (new(frame.Scene.Camera), new(frame.Scene.Camera));
-        isPrimitive = candidate => views[candidate.Index] is ICoveringView;
+        isShape = candidate => views[candidate.Index].IsShape;
     }
 
     public void Cast(in Tile strip, IHitConsumer consumer)
@@ -42,7 +39,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         candidates.Clear();
         for (var i = 0; i < views.Length; i++)
             if (extents[i].Overlaps(strip))
-                candidates.Add(new(i, new(views[i].Nearest, double.PositiveInfinity)));
+                candidates.Add(new(i, new(0, double.PositiveInfinity))); // nothing is known yet
         tiles.Cut(strip, Tile.MaxSide, EightParts.Count);
         Narrow(tiles, candidates, ofTiles);
         var areAllKnown = batch?.IsFor(strip) != true;
@@ -65,7 +62,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         }
         DropHidden(list, cover);
         if (batch?.IsFor(tile) == true) CastBatch(batch, tile, list);
-        else if (list.Count == 1 && views[list[0].Index] is ITileView alone) CastAlone(tile, list, alone);
+        else if (list.Count == 1 && !isShape(list[0])) CastAlone(tile, list);
         else Cut(tile, list);
     }
 
@@ -79,10 +76,11 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         }
     }
 
-    /// <summary>Casts a tile in which only one model may show, so that dividing it would gain nothing.</summary>
-    private void CastAlone(in Tile tile, List<Candidate> list, ITileView alone)
+    /// <summary>Casts a tile in which only one model may show that is no single shape: cutting it would tell no more.</summary>
+    private void CastAlone(in Tile tile, List<Candidate> list)
     {
-        if (!(frame.IsLong && consumer.TryTake(tile, alone, places[list[0].Index]))) CastRows(tile, list);
+        var only = list[0].Index;
+        if (!(frame.IsLong && consumer.TryTake(tile, views[only], places[only]))) CastRows(tile, list);
     }
 
     private void Cut(in Tile tile, List<Candidate> list)
@@ -118,7 +116,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         foreach (var candidate in whole)
         {
             ref var extent = ref extents[candidate.Index];
-            var ranges = extent.IsSmall ? new(candidate.Range) : views[candidate.Index].Narrow(parts, candidate.Range);
+            var ranges = views[candidate.Index].Narrow(parts, candidate.Range);
             for (var i = 0; i < EightParts.Count; i++)
             {
                 if (!extent.Overlaps(parts[i])) continue;
@@ -132,7 +130,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
 
     /// <summary>Whether one model certainly covers the part.</summary>
     private bool IsCovered(List<Candidate> list) =>
-        list.Count == 1 && frame.IsLong && list[0].Range.Cover < double.PositiveInfinity && isPrimitive(list[0]);
+        list.Count == 1 && frame.IsLong && list[0].Range.Cover < double.PositiveInfinity && isShape(list[0]);
 
     /// <summary>Casts neighbouring parts at once if they are all empty or all covered by the same model: long rows are written faster than short
     /// ones.</summary>
@@ -156,7 +154,7 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
     }
 
     private bool TryCover(in Tile part, Candidate only) =>
-        consumer.TryTake(new CoveredTile(part, (ICoveringView)views[only.Index], places[only.Index], only.Range.IsNear));
+        consumer.TryTake(new CoveredTile(part, views[only.Index], places[only.Index], only.Range.IsNear));
 
     /// <summary>Drops models that do not show or lie behind one that covers the part.</summary>
     private static void DropHidden(List<Candidate> list, double cover)
@@ -168,10 +166,10 @@ internal sealed class TileCaster<N> : IStripCaster where N : struct, IPacket<N>
         list.RemoveRange(kept, list.Count - kept);
     }
 
-    /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part with few models that are all single shapes.</summary>
+    /// <summary>Casts the rays of a part: row by row, or all rows at once in a small part whose models are all single shapes.</summary>
     private void CastRows(in Tile part, List<Candidate> list)
     {
-        var isSmall = list.Count <= Few && part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isPrimitive);
+        var isSmall = part.Area <= RayStream.MaxArea && part.Width % N.Count == 0 && list.TrueForAll(isShape);
         var rows = isSmall ? part.Height : 1;
         rays.Enter<N>(part.Column, part.Width);
         for (var row = part.Row; row < part.EndRow; row += rows)

@@ -6,12 +6,12 @@ internal sealed class ViewMaker<N> : IModelVisitor where N : struct, IPacket<N>
     private readonly Camera camera;
     private readonly bool isKept;
     private readonly int threads;
-    private ModelView<N> view = null!; // set by Accept, which calls one of the three methods
+    private ModelView view = null!; // set by Accept, which calls one of the three methods
 
     private ViewMaker(Camera camera, bool isKept, int threads) => (this.camera, this.isKept, this.threads) = (camera, isKept, threads);
 
     /// <param name="isKept">Whether what depends only on the model stays in memory for the next picture.</param>
-    public static ModelView<N> See(Model model, Camera camera, bool isKept, int threads)
+    public static ModelView Of(Model model, Camera camera, bool isKept, int threads)
     {
         var maker = new ViewMaker<N>(camera, isKept, threads);
         model.Accept(maker);
@@ -22,5 +22,5 @@ internal sealed class ViewMaker<N> : IModelVisitor where N : struct, IPacket<N>
 
     void IModelVisitor.Visit(Mesh mesh) => view = new MeshView<N>(mesh, new(camera), isKept, threads);
 
-    void IModelVisitor.VisitOther(Model model) => view = new SingleRayView<N>(model);
+    void IModelVisitor.VisitOther(Model model) => view = new SingleRayView(model);
 }

@@ -5,30 +5,26 @@ namespace RayCaster.Engine;
 /// <summary>The colours of a scene as integers, in small steps; sixteen lanes look them up at once.</summary>
 internal sealed class FloatColors
 {
-    /// <summary>Up to so many colours are held in vectors; more are packed into an array, three channels in a long.</summary>
-    private const int Few = 32;
-
     private const int ChannelBits = 21;
-    private const int ChannelMask = (1 << ChannelBits) - 1;
 
-    private readonly float[] reds = new float[Few], greens = new float[Few], blues = new float[Few];
-    private readonly long[] packed = [];
+    /// <summary>The most steps of a channel.</summary>
+    public const int MostSteps = (1 << ChannelBits) - 1;
+
+    private readonly long[] packed; // three channels in each
 
     /// <param name="light">Red, green and blue of the background, then of the models.</param>
     /// <param name="most">The greatest of them.</param>
     public FloatColors(double[] light, double most, int threads = 1)
     {
         var count = light.Length / 3;
-        MostSteps = count <= Few ? 1 << 24 : ChannelMask; // floats are exact up to 2²⁴
         Step = Math.Max(most, double.Epsilon * MostSteps) / MostSteps;
-        if (count > Few) packed = new long[count];
+        packed = new long[count];
         ThreadTeam.Shares(ThreadTeam.SharesOf(count, threads), count, (_, first, end) =>
         {
             for (var i = first; i < end; i++)
             {
                 var (r, g, b) = (Steps(light[3 * i]), Steps(light[3 * i + 1]), Steps(light[3 * i + 2]));
-                if (packed.Length > 0) packed[i] = r | (g << ChannelBits) | (b << (2 * ChannelBits));
-                else (reds[i], greens[i], blues[i]) = (r, g, b);
+                packed[i] = r | (g << ChannelBits) | (b << (2 * ChannelBits));
             }
         });
 
@@ -38,22 +34,18 @@ internal sealed class FloatColors
     /// <summary>The light of one step.</summary>
     public double Step { get; }
 
-    /// <summary>The most steps of a channel.</summary>
-    public int MostSteps { get; }
-
-    /// <summary>The packed colours; empty if vectors hold all of them.</summary>
-    public long[] Packed => packed;
+    public RawSpan<long> Packed => new(packed);
 
     /// <summary>The channels of sixteen pixels, in steps.</summary>
-    /// <param name="isPacked">Whether there are <see cref="Packed"/> colours.</param>
+    /// <param name="packed">The <see cref="Packed"/> colours.</param>
+    /// <param name="places">The place of each pixel's colour.</param>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public (Vector512<float> R, Vector512<float> G, Vector512<float> B) At(bool isPacked, RawSpan<long> packed, Vector512<int> places)
+    public static (Vector512<float> R, Vector512<float> G, Vector512<float> B) At(RawSpan<long> packed, Vector512<int> places)
     {
-        if (!isPacked) return (FromFew(reds, places), FromFew(greens, places), FromFew(blues, places));
         var (first, second) = (Gather(packed, places.GetLower()), Gather(packed, places.GetUpper()));
         var low = Avx512F.PermuteVar16x32x2(first, Vector512.CreateSequence(0, 2), second);
         var high = Avx512F.PermuteVar16x32x2(first, Vector512.CreateSequence(1, 2), second);
-        var mask = Vector512.Create(ChannelMask);
+        var mask = Vector512.Create(MostSteps);
         return (
             Avx512F.ConvertToVector512Single(low & mask),
             Avx512F.ConvertToVector512Single(((low >>> ChannelBits) | (high << (32 - ChannelBits))) & mask),
@@ -65,8 +57,4 @@ internal sealed class FloatColors
     private static Vector512<int> Gather(RawSpan<long> packed, Vector256<int> places) => Vector512.Create(
         packed[places[0]], packed[places[1]], packed[places[2]], packed[places[3]],
         packed[places[4]], packed[places[5]], packed[places[6]], packed[places[7]]).AsInt32();
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<float> FromFew(float[] table, Vector512<int> places) =>
-        Avx512F.PermuteVar16x32x2(table.Load512(0), places, table.Load512(16));
 }

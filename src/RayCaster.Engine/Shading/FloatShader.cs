@@ -19,7 +19,7 @@ internal sealed class FloatShader
         background = r | g << 8 | b << 16;
         // Beyond this t there is no light, even after rounding.
         var t = ErrorBound.From(0, 2 * scene.Camera.Reach);
-        var steps = new ErrorBound(0, colors.MostSteps, 0); // floats represent integers exactly
+        var steps = new ErrorBound(0, FloatColors.MostSteps, 0); // floats represent integers exactly
         var level = Color.Level(scene.Attenuation(t) * colors.Step * steps);
         error = level.Error + 255 * colors.Step / 2 + FloatBytes.RoundingOfTheEnds; // a colour's error is half a step
     }
@@ -37,15 +37,14 @@ internal sealed class FloatShader
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
     {
-        var isPacked = colors.Packed.Length > 0;
-        var packed = new RawSpan<long>(colors.Packed);
+        var packed = colors.Packed;
         for (var i = 0; i < rays.Length; i += 2 * WideFloatPacket.Count)
         {
             // the last sixteen are done twice if they have no partner
             var j = Math.Min(i + WideFloatPacket.Count, rays.Length - WideFloatPacket.Count);
             var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
             var light = scene.Attenuation(new WideFloatPacket(NearestAt(rays, i), NearestAt(rays, j))) * colors.Step;
-            var (a, b) = (colors.At(isPacked, packed, lower), colors.At(isPacked, packed, upper));
+            var (a, b) = (FloatColors.At(packed, lower), FloatColors.At(packed, upper));
             var red = Color.Level(light * new WideFloatPacket(a.R, b.R));
             var green = Color.Level(light * new WideFloatPacket(a.G, b.G));
             var blue = Color.Level(light * new WideFloatPacket(a.B, b.B));

@@ -21,7 +21,7 @@ internal sealed class CoveredHits<N>(Camera camera) : IShapeVisitor where N : st
         return covered.View.Accept(this);
     }
 
-    // many pictures are done before the runtime optimises by itself
+    // optimised from the first call: many pictures are finished before the runtime would optimise it
     [MethodImpl(MethodImplOptions.AggressiveOptimization | MethodImplOptions.NoInlining)]
     public bool Visit<P>(P shape) where P : struct, IPrimitive
     {

@@ -1,21 +1,19 @@
 namespace RayCaster.Engine;
 
 /// <summary>What views of all kinds of shape share; only a shape's formula is compiled for each kind.</summary>
-internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
+internal abstract class ShapeView<N> : ModelView where N : struct, IPacket<N>
 {
     private readonly ClipRange clip;
 
     protected ShapeView(Bounds? bounds, Camera camera)
     {
         (clip, Extent) = (camera.ClipRange, Tile.Everywhere);
-        if (bounds is not { } tight) return;
-        var padded = tight.PaddedFrom(camera.Position);
-        (Extent, Nearest) = (Tile.Of(padded, camera), padded.LeastT);
+        if (bounds is { } tight) Extent = Tile.Of(tight.PaddedFrom(camera.Position), camera);
     }
 
     public sealed override Tile Extent { get; }
 
-    public sealed override double Nearest { get; }
+    public sealed override bool IsShape => true;
 
     public sealed override HitRanges Narrow(EightParts parts, HitRange whole)
     {
@@ -31,21 +29,13 @@ internal abstract class ShapeView<N> : ModelView<N> where N : struct, IPacket<N>
 
     public sealed override void Meet(RayStream rays, int index)
     {
-        var (first, end) = (0, rays.Length);
-        if (Extent.IsSmall && rays.Rows == 1) // the extent rejects most of the row; for a large model it would not pay
-        {
-            first = Math.Max(0, Extent.Column - rays.Column);
-            end = Math.Min(end, Extent.EndColumn - rays.Column);
-        }
-        first = first / N.Count * N.Count;
-        if (Nearest > 0 && rays.Hides<N>(first, end, Nearest)) return;
-        Intersect(rays, first, end);
-        rays.KeepNoted<N>(first, end, index);
+        Intersect(rays);
+        rays.KeepNoted<N>(index);
     }
 
     /// <summary>Finds where the rays of some parts may cross the shape.</summary>
     protected abstract void Intersect(EightParts parts, out Crossings<Interval> crossings);
 
-    /// <summary>Stores where the rays of some pixels cross the shape.</summary>
-    protected abstract void Intersect(RayStream rays, int first, int end);
+    /// <summary>Stores where the rays of a stream cross the shape.</summary>
+    protected abstract void Intersect(RayStream rays);
 }

@@ -53,15 +53,15 @@ public class FineMeshTests
     public void OnlyAnEarlierTriangleWithTheSameCornersInTheSameOrderIsATwin()
     {
         Vector3[] vertices = [new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(0, 0, 0), new(1, 0, 0), new(0, 1, 0), new(-0.0, 0, 0)];
-        var twins = new Duplicates(vertices, [0, 1, 2, 1, 2, 0, 3, 4, 5, 6, 1, 2]);
-        Assert.False(twins.HasEarlier(2));
-        Assert.False(twins.HasEarlier(0)); // a later one came before
-        Assert.False(twins.HasEarlier(1));
-        Assert.True(twins.HasEarlier(2));
-        Assert.False(twins.HasEarlier(3)); // −0 is not 0
-        Assert.False(twins.HasEarlier(0));
-        twins.Clear();
-        Assert.False(twins.HasEarlier(2));
+        var duplicates = new Duplicates(vertices, [0, 1, 2, 1, 2, 0, 3, 4, 5, 6, 1, 2]);
+        Assert.False(duplicates.HasEarlier(2));
+        Assert.False(duplicates.HasEarlier(0)); // a later one came before
+        Assert.False(duplicates.HasEarlier(1));
+        Assert.True(duplicates.HasEarlier(2));
+        Assert.False(duplicates.HasEarlier(3)); // −0 is not 0
+        Assert.False(duplicates.HasEarlier(0));
+        duplicates.Clear();
+        Assert.False(duplicates.HasEarlier(2));
     }
 
     private static void Shuffle(int[] indices, Random random)

@@ -27,7 +27,7 @@ public class GroupTests
         var (screen, tile) = (new ScreenSpace(camera), new Tile(320, 192, 64, 64));
         var corners = new MeshCorners<Packet>(screen, vertices, indices);
         var groups = new ScreenTriangles<Packet>(screen, corners, null, new TriangleBoxes(vertices, indices, 1), null, 1);
-        var most = vertices.Max(p => screen.Unit / screen.See(p).Z);
+        var most = vertices.Max(p => screen.Unit / screen.ToCamera(p).Z);
         Assert.InRange(groups.Of(tile)[0].MostW, most, 1.01 * most);
     }
 

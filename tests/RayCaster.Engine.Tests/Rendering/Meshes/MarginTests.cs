@@ -53,7 +53,7 @@ public class MarginTests
         var missing = 0;
         for (var i = 0; i < corners.Count; i++)
         {
-            corners.See([i, i, i, i, i, i, i, i], out var t);
+            corners.Project([i, i, i, i, i, i, i, i], out var t);
             var (left, right) = (Lanes.Least(t.A.X, t.B.X, t.C.X), Lanes.Most(t.A.X, t.B.X, t.C.X));
             var (bottom, top) = (Lanes.Least(t.A.Y, t.B.Y, t.C.Y), Lanes.Most(t.A.Y, t.B.Y, t.C.Y));
             for (var column = MathF.Floor(left[0]); column <= MathF.Ceiling(right[0]); column++)
@@ -62,7 +62,7 @@ public class MarginTests
                 {
                     var hit = new Mesh(mesh.Vertices, mesh.Indices[(3 * i)..(3 * i + 3)]).Intersect(camera.CastRay((int)column, (int)row));
                     if (hit is null) continue;
-                    bool Passes(float margin) => 0 != TriangleSetUp.Pass(
+                    bool Passes(float margin) => 0 != TriangleSetUp.IsOutside(
                         t, Vector256.Create(column), Vector256.Create(row), right - left + (top - bottom), Vector256.Create(margin))[0];
                     Assert.False(Passes(screen.Margin), $"triangle {i} at {column}, {row}");
                     if (Passes(0)) missing++;
@@ -84,10 +84,10 @@ public class MarginTests
         var worst = 0.0;
         for (var i = 0; i < corners.Count; i += 8)
         {
-            corners.See([.. Enumerable.Range(i, 8).Select(triangle => Math.Min(triangle, corners.Count - 1))], out var seen);
+            corners.Project([.. Enumerable.Range(i, 8).Select(triangle => Math.Min(triangle, corners.Count - 1))], out var seen);
             for (var lane = 0; lane < Math.Min(8, corners.Count - i); lane++)
             {
-                var p = screen.See(vertices[3 * (i + lane)]);
+                var p = screen.ToCamera(vertices[3 * (i + lane)]);
                 var (x, y, _) = screen.Project<Scalar>(p.X, p.Y, p.Z);
                 worst = Math.Max(worst, Math.Max(Math.Abs(seen.A.X[lane] - x), Math.Abs(seen.A.Y[lane] - y)));
             }
@@ -251,7 +251,8 @@ public class MarginTests
     private static int WrongPixels(Scene scene, double[,] definition, ScreenSpace screen)
     {
         var camera = scene.Camera;
-        var view = new MeshView<Packet>((Mesh)scene.Models[0], screen).ForThread();
+        object? shared = null;
+        var view = new MeshView<Packet>((Mesh)scene.Models[0], screen).ForThread(ref shared);
         var (span, wrong) = (new RayStream(camera), 0);
         for (var column = 0; column < camera.Width; column += Tile.MaxSide)
         {
