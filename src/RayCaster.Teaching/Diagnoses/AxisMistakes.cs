@@ -48,6 +48,8 @@ internal static class AxisMistakes
             "W = −(T − P) normalised.")
             .Or("W = P normalised: the camera looks at the origin", lab => lab.AxisW.Becomes(W => (p, t) => W(p, Vector3.Zero)))
             .Or("W = −(T + P) normalised", lab => lab.AxisW.Becomes(W => (p, t) => W(-p, t)))
+            .Or("W = −T normalised, while d leads to a plane through T", ThroughTarget + (lab => lab.AxisW.Becomes(W => (_, t) => W(default, t))))
+            .Or("W = P normalised, while d leads to a plane through T", ThroughTarget + (lab => lab.AxisW.Becomes(W => (p, _) => W(p, default))))
             .Or(AcrossUp("T", lab => lab.T))
             .Or(AcrossUp("P", lab => lab.P))
             .Or("d = uc U + ur V + T", Add(lab => lab.W + lab.T))
@@ -88,6 +90,10 @@ internal static class AxisMistakes
         ($"U = (up × {name}) normalised", lab => lab.AxisU.Is((up, w) => lab.Unit.Do(lab.Cross.Do(up, vector(lab))))),
         ($"U = ({name} × up) normalised", lab => lab.AxisU.Is((up, w) => lab.Unit.Do(lab.Cross.Do(vector(lab), up)))),
     ];
+
+    /// <summary>d and the depth take (T − P) / |T − P| where they should take −W.</summary>
+    private static Action<Lab> ThroughTarget => VectorMistakes.RightDepth
+        + (lab => lab.Towards.Is((uc, ur) => uc * lab.U + ur * lab.V + (lab.T - lab.P).Normalized));
 
     /// <summary>Adds a vector to d before d is normalised.</summary>
     private static Action<Lab> Add(Func<Lab, Vector3> vector) => lab => lab.Towards.Becomes(towards => (uc, ur) => towards(uc, ur) + vector(lab));

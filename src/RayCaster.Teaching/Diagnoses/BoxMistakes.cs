@@ -66,24 +66,31 @@ internal static class BoxMistakes
             "A ray along a slab is in it where lo ≤ origin ≤ hi, both ends included; ask that where d = 0.")
             .Or("box: a ray along a slab, d = 0, misses it", AlongASlab((double.NaN, double.NaN)))
             .Or("box: a ray along a slab, d = 0, is always in it", AlongASlab((double.NegativeInfinity, double.PositiveInfinity))),
-        new("slab-inside", Concerns.Boxes, Slides.BoxTest, "box: t_min or none, so that it is not seen from inside",
+        new Mistake("slab-inside", Concerns.Boxes, Slides.BoxTest, "box: t_min or none, so that it is not seen from inside",
             lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Near)),
             "A box that the camera is in, or that is cut open, is not there.",
             "From inside, what is the sign of t_min?",
-            "Where t_min does not count, try t_max."),
+            "Where t_min does not count, try t_max.")
+            .Or("box: no hit where t_min < 0", lab => lab.Box.Becomes(cross => (box, d) =>
+                cross(box, d) is var hit && (double)hit.Near < 0 ? None : hit)),
         new Mistake("box-size", Concerns.Boxes, Slides.Box, "box: the second corner taken for its size, B1 = B0 + B1",
-            Corners(box => new(box.Min, box.Min + box.Max)),
+            Sized,
             "Boxes have a wrong size or place, or are gone.",
             "The scene's \"max\": is it a corner, or how far it is from corner to corner?",
             "B0 = min and B1 = max, as the scene has them.")
-            .Or("box: asked axis by axis, the second corner taken for its size", AxisByAxis() + Corners(box => new(box.Min, box.Min + box.Max))
-                + (lab => lab.Order.Is((axis, t0, t1, d) => d.At(axis) < 0 ? (t1, t0) : (t0, t1))))
+            .Or("box: the second corner taken for its size, t0 and t1 sorted by the sign of d", Sized + BySign)
+            .Or("box: asked axis by axis, the second corner taken for its size", AxisByAxis() + Sized + BySign)
             .Or("box: the first corner taken for its middle, the second for its size",
                 Corners(box => new(box.Min - 0.5 * box.Max, box.Min + 0.5 * box.Max)))
             .Or("box: the first corner taken for its middle, the second for half its size",
                 Corners(box => new(box.Min - box.Max, box.Min + box.Max)))
+            .Or("box: its size taken for half of it", Corners(box => new(1.5 * box.Min - 0.5 * box.Max, 1.5 * box.Max - 0.5 * box.Min)))
             .Or("box: half as large from its first corner on", Corners(box => new(box.Min, 0.5 * (box.Min + box.Max)))),
     ];
+
+    private static Action<Lab> Sized => Corners(box => new(box.Min, box.Min + box.Max));
+
+    private static Action<Lab> BySign => lab => lab.Order.Is((axis, t0, t1, d) => d.At(axis) < 0 ? (t1, t0) : (t0, t1));
 
     /// <summary>The ways into a slab and out of it, for a ray along it.</summary>
     private static Action<Lab> AlongASlab((double, double) ways) =>

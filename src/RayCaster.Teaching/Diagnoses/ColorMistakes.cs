@@ -101,6 +101,8 @@ internal static class ColorMistakes
             "Clamp each channel to 0 … 1 before you multiply by 255.")
             .Or("the same, and truncated", Wraps(channel => channel, channel => 255 * channel))
             .Or("the same, and rounded by Math.Round", Wraps(channel => channel, channel => Math.Round(255 * channel)))
+            .Or("the attenuation is not below 0, but a channel over 1 wraps round",
+                Wraps(channel => Math.Max(channel, 0), channel => 255 * channel + 0.5))
             .Or("only what is less than 0 is not clamped", Wraps(channel => Math.Min(channel, 1), channel => 255 * channel + 0.5))
             .Or("256 · channel, which is 0 again where the channel is 1", lab => lab.Byte.Is(channel => Wrapped(256 * channel))),
         new("x256", Concerns.Color, Slides.Template, "256 · channel",

@@ -21,7 +21,7 @@ internal sealed class DiagnosisSearch(
     private const double Explained = 0.02;
 
     /// <summary>The same where no second mistake could be worth its <see cref="WrongProgram.Cost"/>.</summary>
-    private const double Certain = 0.0067;
+    private const double Certain = 0.0067, CertainOtherSample = 0.0029;
 
     /// <summary>If a mistake leaves at most this share, its other wordings are tried once more.</summary>
     private const double Rewordable = 0.1;
@@ -34,6 +34,12 @@ internal sealed class DiagnosisSearch(
 
     /// <summary>The share of the evidence that each round compares, and how many trials it has at least.</summary>
     private static readonly (double Share, int Trials)[] rounds = [(0.012, int.MaxValue), (0.1, 60), (1, 12)];
+
+    /// <summary>The same for mistakes in other manners, of which few fit.</summary>
+    private static readonly (double Share, int Trials)[] mannerRounds = [(Glance, int.MaxValue), (0.03, 40), (0.1, 12), (1, 3)];
+
+    /// <summary>How many manners are tried on top of one another, and how many wordings of each mistake are tried in them.</summary>
+    private const int Manners = 2, Slips = 16;
 
     /// <summary>The share of the evidence for a first look at hundreds of trials or more: some thirty pixels.</summary>
     private const double Glance = 0.005;
@@ -81,7 +87,7 @@ internal sealed class DiagnosisSearch(
             .ToLookup(trial => meshes.Any(scene => trial.Draw(scene).TrianglesTried > 0));
         var everySingle = Measured([.. isSlow[false]], Glance);
         var singles = Best(everySingle[..(everySingle.Count / 3)]);
-        if (isSlow[true].Any() && !IsDone(singles, Certain)) // tried only where no quick one explains the picture
+        if (isSlow[true].Any() && !IsCertain(singles)) // tried only where no quick one explains the picture
         {
             everySingle = Sorted([.. everySingle, .. Measured([.. isSlow[true]], Glance)]);
             singles = Best(everySingle[..(everySingle.Count / 3)]);
@@ -91,18 +97,21 @@ internal sealed class DiagnosisSearch(
             var other = singles.Where(single => single.Id != center.Id).Take(OtherSamples).Select(single => single with { OtherSample = true });
             singles = Sorted([.. singles, .. Best([.. other])]);
         }
-        if (!IsDone(singles, Certain) && IsDone(singles, Rewordable)) singles = Sorted([.. singles, .. Best(Reworded(singles, Besides))]);
+        if (!IsCertain(singles) && IsDone(singles, Rewordable)) singles = Sorted([.. singles, .. Best(Reworded(singles, Besides))]);
+        var bare = singles;
+        for (var (i, first) = (0, everySingle); i < Manners && !IsCertain(singles); i++)
+            singles = Sorted([.. singles, .. first = Best(InManners([.. singles, .. first]), mannerRounds)]);
         singles = WithoutIdle(singles);
         // A missing shape counts for little beside a mistake that changes everything, so it is sought even if the mistake explains most.
         var beside = Best(
         [
-            .. from single in singles.DistinctBy(single => single.Id).Take(Besides)
+            .. from single in bare.DistinctBy(single => single.Id).Take(Besides).Union(singles.DistinctBy(single => single.Id).Take(Besides))
                from way in unfinished
                where way.Kinds.Any() && single.Wordings.All(wording => MayShow(wording, way))
                select single with { Base = way },
         ]);
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
-        if (IsDone([.. all.Where(trial => !trial.Base.Kinds.Any())], Certain) || IsDone(all, Nearly)) return Sorted(all);
+        if (IsCertain([.. all.Where(trial => !trial.Base.Kinds.Any())]) || IsDone(all, Nearly)) return Sorted(all);
         if (IsDone(all)) return Sorted([.. all, .. BestPairs(Pairs([.. Sorted(all).SelectMany(Written)], everySingle, 2))]);
 
         Unfinished[] ways = [.. Unfinished.ByColors(pictures, done).Take(Ways)];
@@ -114,8 +123,10 @@ internal sealed class DiagnosisSearch(
         foreach (var pairs in PairsByEffort(singles, everySingle, onTop))
         {
             var best = BestPairs(pairs);
-            all.AddRange([.. best, .. IsDone(best, Certain) ? [] : Best(Reworded(best, Besides))]);
-            if (IsDone(all, Certain)) break;
+            if (!IsCertain(best)) best = Sorted([.. best, .. Best(Reworded(best, Besides))]);
+            for (var i = 0; i < Manners && !IsCertain(best); i++) best = Sorted([.. best, .. Best(InManners(best), mannerRounds)]);
+            all.AddRange(best);
+            if (IsCertain(all)) break;
         }
         return Sorted(all);
     }
@@ -143,7 +154,13 @@ internal sealed class DiagnosisSearch(
     private static WrongProgram[] Written(WrongProgram trial) =>
         trial.Base.Kinds.Any() ? [trial with { Base = Unfinished.Nothing }, trial] : [trial];
 
+    /// <summary>A trial, and the same with rays through the scene's place of each pixel: a second mistake may move outlines otherwise.</summary>
+    private static WrongProgram[] Resampled(WrongProgram trial) => trial.OtherSample ? [trial, trial with { OtherSample = false }] : [trial];
+
     private bool IsDone(List<WrongProgram> all, double left = Explained) => all.Exists(trial => trial.Misfit.Unexplained <= left * Wrong);
+
+    private bool IsCertain(List<WrongProgram> all) =>
+        all.Exists(trial => trial.Misfit.Unexplained <= (trial.OtherSample ? CertainOtherSample : Certain) * Wrong);
 
     // stable: of equals that with the usual wordings, and of these the first in the catalogue
     private List<WrongProgram> Sorted(List<WrongProgram> trials) =>
@@ -189,7 +206,7 @@ internal sealed class DiagnosisSearch(
     /// <summary>The nearest single mistakes, each with those others that explain most of what it leaves.</summary>
     private List<WrongProgram> Pairs(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners) =>
     [
-        .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)], everySingle, partners)
+        .. from first in Firsts([.. singles.Where(trial => trial.Wordings.Count == 1)], everySingle, partners).SelectMany(Resampled).Distinct()
            let left = pictures.Select(picture => new Evidence(picture, first.Draw(picture.Scene))).ToArray()
            let seconds = Those(trial => left.Any(picture => picture.IsHelpedBy(trial.Draw(picture.Scene))),
                from other in known
@@ -231,6 +248,15 @@ internal sealed class DiagnosisSearch(
            from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.Wordings
            from otherSample in trial.Wordings.Count > 1 ? (bool[])[false, true] : [trial.OtherSample]
            select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)], OtherSample = otherSample },
+    ];
+
+    /// <summary>The best trials of each mistake, or pair, with one mistake in each of its manners.</summary>
+    private static List<WrongProgram> InManners(List<WrongProgram> trials) =>
+    [
+        .. from trial in trials.GroupBy(trial => trial.Id).SelectMany(same => same.DistinctBy(trial => trial.Wordings[0]).Take(Slips))
+           from place in Enumerable.Range(0, trial.Wordings.Count)
+           from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.InManners(trial.Wordings[place])
+           select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)] },
     ];
 
     /// <summary>The same with more pixels in the first round, because a second mistake may explain only a few.</summary>

@@ -21,21 +21,7 @@ internal static class HitMistakes
                 lab.Ahead.Is(t => t > double.NegativeInfinity);
                 lab.Clipped.Becomes(clipped => (t, depth) => clipped(Math.Abs(t), Math.Abs(depth)));
             })
-            .Or("|t| for planes", lab => lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near))))
-            .Or("|t| for every shape", lab =>
-            {
-                lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near)));
-                lab.Sphere.Becomes(cross => (sphere, d) => Unsigned(cross(sphere, d)));
-                lab.Box.Becomes(cross => (box, d) => Unsigned(cross(box, d)));
-                lab.Circle.Becomes(cross => (circle, d) => new(Math.Abs(cross(circle, d).Near)));
-                lab.Triangle.Becomes(cross => (triangle, d) => new(Math.Abs(cross(triangle, d).Near)));
-                lab.TrianglesReachOut = true;
-            })
-            .Or("the crossing with the least |t| for spheres and boxes", lab =>
-            {
-                lab.Sphere.Becomes(cross => (sphere, d) => Closest(cross(sphere, d)));
-                lab.Box.Becomes(cross => (box, d) => Closest(cross(box, d)));
-            }),
+            .Or("|t| for planes", lab => lab.Plane.Becomes(cross => (plane, d) => new(Math.Abs(cross(plane, d).Near)))),
         new Mistake("last-hit", Concerns.Hit, Slides.RayCasting, "the last model hit shows, not the nearest",
             lab => lab.Better.Is((_, _) => true),
             "Far things cover near ones; the order of the models changes the picture.",
@@ -177,17 +163,6 @@ internal static class HitMistakes
         bool Counts(double t, Vector3 d) => lab.Ahead.Do(t) && t <= double.MaxValue
             && (near || lab.Near.Do(t, lab.Depth.Do(t, d))) && (far || lab.Far.Do(t, lab.Depth.Do(t, d)));
     };
-
-    /// <summary>Both crossings without their signs, the lesser first.</summary>
-    private static Crossings<Scalar> Unsigned(Crossings<Scalar> crossed)
-    {
-        var (near, far) = SlideFormulas.Sorted(Math.Abs(crossed.Near), Math.Abs(crossed.Far));
-        return new(near, far);
-    }
-
-    /// <summary>The crossing nearest to P, before it or behind it.</summary>
-    private static Crossings<Scalar> Closest(Crossings<Scalar> crossed) =>
-        new(Math.Abs(crossed.Far) < Math.Abs(crossed.Near) ? crossed.Far : crossed.Near);
 
     /// <summary>The first crossing of such shapes counts, behind the camera too.</summary>
     private static void BackToo(Lab lab, Concerns shapes) => lab.Hit.Becomes(hit => (model, d) =>

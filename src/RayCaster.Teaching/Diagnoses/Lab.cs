@@ -28,7 +28,7 @@ internal sealed partial class Lab
     /// <summary>Computes what is the same for all rays.</summary>
     private void SetUp()
     {
-        geometric = TakesUnitLength || D2.IsChanged || PassesBy.IsChanged || Thc.IsChanged || Roots.IsChanged;
+        geometric = D2.IsChanged || PassesBy.IsChanged || Thc.IsChanged || Roots.IsChanged;
         analytical = InB.IsChanged || InC.IsChanged || R2.IsChanged || Discriminant.IsChanged || Solution.IsChanged;
         slabs = Faces.IsChanged || Order.IsChanged || Slab.IsChanged || LastIn.IsChanged || FirstOut.IsChanged || Overlap.IsChanged;
         if (TriangleT.IsChanged || TriangleX.IsChanged || Whole.IsChanged || Inside.IsChanged)

@@ -22,9 +22,6 @@ internal sealed partial class Lab
     /// <summary>(tca, thc) → the crossings.</summary>
     public Step<Func<double, double, Crossed>> Roots => field ??= new((tca, thc) => new(tca - thc, tca + thc));
 
-    /// <summary>Whether spheres are drawn by these steps with any d, of length 1 or not.</summary>
-    public bool TakesUnitLength { get; set; }
-
     // ---- Slide "Sphere – Analytical Solution": a t² + b t + c = 0 ----
 
     /// <summary>(P, C) → the vector in b = 2 d·(P − C).</summary>
@@ -81,6 +78,9 @@ internal sealed partial class Lab
 
     /// <summary>The way a triangle is hit; the definition's if null.</summary>
     public Func<Triangle, Vector3, Crossed>? TriangleFormula { get; set; }
+
+    /// <summary>The sphere's formula as its steps are now.</summary>
+    public Crossed SphereBySteps(Sphere s, Vector3 d) => geometric ? Geometric(s, d) : analytical ? Analytical(s, d) : s.Intersect(RayOf(d));
 
     /// <summary>Puts a formula in the place of the triangle's that may hit it outside of itself.</summary>
     public void TriangleIs(Func<Triangle, Vector3, Crossed> formula) => (TriangleFormula, TrianglesReachOut) = (formula, true);
@@ -141,14 +141,15 @@ internal sealed partial class Lab
 
     /// <summary>The same as the hand-out has it: w, u and v are shares of the volumes that d spans with the corners seen from P.</summary>
     public Crossed TriangleByVolumes(Triangle triangle, Vector3 d, Vector3? from = null, Vector3? signs = null,
-        Func<double, double, double, bool>? inside = null)
+        Func<double, double, double, bool>? inside = null, bool tFromCorners = false)
     {
-        var t = TriangleT.Do(triangle.A, NormalOf(triangle), d);
-        if (!Counts(t, d)) return SlideFormulas.None;
+        var t = tFromCorners ? 0 : TriangleT.Do(triangle.A, NormalOf(triangle), d);
+        if (!tFromCorners && !Counts(t, d)) return SlideFormulas.None;
         var (origin, sign) = (from ?? P, signs ?? new(1, 1, 1));
         var (a, b, c) = (triangle.A - origin, triangle.B - origin, triangle.C - origin);
         var (w, u, v) = (sign.X * (d * Cross.Do(b, c)), sign.Y * (d * Cross.Do(c, a)), sign.Z * (d * Cross.Do(a, b)));
         var sum = w + u + v;
+        if (tFromCorners) t = (w * a + u * b + v * c) * d / (sum * (d * d));
         return inside?.Invoke(u, v, sum) ?? (w / sum >= 0 && u / sum >= 0 && v / sum >= 0) ? new(t) : SlideFormulas.None;
     }
 
@@ -166,16 +167,26 @@ internal sealed partial class Lab
         double Area(Vector3 a, Vector3 b) => Length.Do(Cross.Do(a, b));
     }
 
-    /// <summary>X lies on the same side of each of the triangle's sides as the corner that is opposite to it.</summary>
-    public Crossed TriangleBySides(Triangle triangle, Vector3 d)
+    /// <summary>X lies on the same side of each of the triangle's sides as the corner that is opposite to it, or as n says.</summary>
+    public Crossed TriangleBySides(Triangle triangle, Vector3 d, bool byNormal)
     {
-        var (A, B, C) = (triangle.A, triangle.B, triangle.C);
-        var t = TriangleT.Do(A, NormalOf(triangle), d);
+        var (A, B, C, n) = (triangle.A, triangle.B, triangle.C, NormalOf(triangle));
+        var t = TriangleT.Do(A, n, d);
         if (!Counts(t, d)) return SlideFormulas.None;
         var X = TriangleX.Do(t, d);
         return IsBeside(A, B, C) && IsBeside(B, C, A) && IsBeside(C, A, B) ? new(t) : SlideFormulas.None;
 
-        bool IsBeside(Vector3 a, Vector3 b, Vector3 c) => Cross.Do(b - a, X - a) * Cross.Do(b - a, c - a) >= 0;
+        bool IsBeside(Vector3 a, Vector3 b, Vector3 c) =>
+            Cross.Do(b - a, X - a) * (byNormal ? n : Cross.Do(b - a, c - a)) >= 0;
+    }
+
+    /// <summary>u and v in the picture of the triangle along the axis that n is nearest to.</summary>
+    public Crossed TriangleFlattened(Triangle triangle, Vector3 d)
+    {
+        var n = NormalOf(triangle);
+        var (x, y, z) = (Math.Abs(n.X), Math.Abs(n.Y), Math.Abs(n.Z));
+        var along = x >= y && x >= z ? new Vector3(1, 0, 0) : y >= z ? new(0, 1, 0) : new(0, 0, 1);
+        return TriangleByShares(triangle, d, (a, b) => (a % b * along) * along);
     }
 
     /// <summary>(B − A) × (C − A).</summary>

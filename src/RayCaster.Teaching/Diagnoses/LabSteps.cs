@@ -58,8 +58,7 @@ internal sealed partial class Lab
     public Step<Func<Plane, Vector3, Crossed>> Plane => field ??= new((plane, d) => plane.Intersect(RayOf(d)));
 
     /// <summary>(sphere, d) → its crossings.</summary>
-    public Step<Func<Sphere, Vector3, Crossed>> Sphere => field ??= new((sphere, d) =>
-        geometric ? Geometric(sphere, d) : analytical ? Analytical(sphere, d) : sphere.Intersect(RayOf(d)));
+    public Step<Func<Sphere, Vector3, Crossed>> Sphere => field ??= new(SphereBySteps);
 
     /// <summary>(box, d) → its crossings.</summary>
     public Step<Func<Aabb, Vector3, Crossed>> Box => field ??= new((box, d) => slabs ? Slabs(box, d) : box.Intersect(RayOf(d)));

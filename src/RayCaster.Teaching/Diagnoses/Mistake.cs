@@ -28,6 +28,7 @@ public sealed record Hint(string Symptom, string Question, string Answer);
 public sealed class Mistake
 {
     private readonly List<Mistake> wordings = [];
+    private readonly List<(string Cause, Action<Lab> Deviate)> manners = [];
 
     internal Mistake(string id, Concerns concerns, string slide, string cause, Action<Lab> deviate,
         string symptom, string question, string answer, bool isWithinRounding = false)
@@ -57,6 +58,9 @@ public sealed class Mistake
     public IReadOnlyList<Mistake> Wordings => wordings;
 
     internal Action<Lab> Deviate { get; }
+
+    /// <summary>In how many of its manners it is made.</summary>
+    internal int Manners { get; private init; }
 
     /// <summary>Whether it changes channels by at most a level, like rounding, so it makes no pixel wrong.</summary>
     internal bool IsWithinRounding { get; }
@@ -88,6 +92,19 @@ public sealed class Mistake
         foreach (var (cause, deviate) in family) Or(cause, deviate);
         return this;
     }
+
+    /// <summary>Adds manners: other right ways to write other formulas, in which the mistake shows otherwise.</summary>
+    internal Mistake In(params ReadOnlySpan<(string Cause, Action<Lab> Deviate)> more)
+    {
+        manners.AddRange(more);
+        return this;
+    }
+
+    /// <summary>A wording of this mistake in each of its manners.</summary>
+    internal IEnumerable<Mistake> InManners(Mistake wording) =>
+        from manner in manners
+        let cause = $"{wording.Cause}; {manner.Cause}"
+        select new Mistake(Id, Concerns, Slide, cause, wording.Deviate + manner.Deviate, Hint) { Manners = wording.Manners + 1 };
 
     internal static Concerns KindOf(Model model) => KindOf(model.Kind);
 

@@ -33,11 +33,13 @@ internal static class SphereMistakes
             "Which of tca − thc and tca + thc comes first?",
             "t = tca − thc, and tca + thc only if that does not count.")
             .Or("sphere: the far root is tried first, then the near one", lab => lab.Sphere.Becomes(cross => (s, d) => Turned(cross(s, d)))),
-        new("near-root-only", Concerns.Spheres, Slides.Sphere, "sphere: the near root t = tca − thc or none",
+        new Mistake("near-root-only", Concerns.Spheres, Slides.Sphere, "sphere: the near root t = tca − thc or none",
             lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Near)),
             "A sphere that the camera is in, or that is cut open, is not there.",
             "From inside, what is the sign of tca − thc?",
-            "Where tca − thc does not count, try tca + thc."),
+            "Where tca − thc does not count, try tca + thc.")
+            .Or("sphere: no hit where tca − thc < 0", lab => lab.Sphere.Becomes(cross => (s, d) =>
+                cross(s, d) is var hit && (double)hit.Near < 0 ? None : hit)),
         new Mistake("oc-sign", Concerns.Spheres, Slides.Sphere, "sphere: P − C where C − P is meant, which mirrors the sphere at the camera",
             lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = 2 * lab.P - s.Center }, d)),
             "Spheres are missing; those behind the camera show.",

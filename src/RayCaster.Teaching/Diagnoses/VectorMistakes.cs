@@ -37,76 +37,73 @@ internal static class VectorMistakes
             "Everything is far too large and far too bright: a piece of it fills the picture.",
             "Print |W|, |U| and |d|. What should they be?",
             "A vector's method returns a new vector: d = d.Normalized.")
-            .Or("W, U and d are not normalised, and the sphere takes d·d = 1", LeaveAll + AssumeUnitLength)
-            .Or(WithBothSpheres("W, U and d = ux U + uy V − W / tan(fovY / 2) are not normalised", LeaveAll + Zoom))
-            .Or("W, U and d are not normalised, and the sphere takes d·d = 1 and D = L − tca d", LeaveAll + MeasureFromTheRay)
+            .In(Lengths)
+            .Or("W, U and d = ux U + uy V − W / tan(fovY / 2) are not normalised", LeaveAll + Zoom + AllowAnyLength)
+            .Or("W, U and d are not normalised, but where zNear and zFar are measured", LeaveAll + AllowAnyLength + RightDepth)
             .Or("W and U are not normalised", LeaveAxes)
             .Or(from part in Parts
                 from unit in (Func<Vector3, Vector3>[])[a => part.Of(a / a.Length, a), a => part.Of(a, a / a.Length)]
-                from wording in Units($"normalised in {part.Name} alone", unit) select wording)
+                select ($"normalised in {part.Name} alone", Unit(unit)))
             .Or(from part in Parts
                 select ($"d normalised, but not its {part.Name}",
                     (Action<Lab>)(lab => lab.Direction.Is(d => part.Of(d, d / d.Length))) + AllowAnyLength))
-            .Or(Units("each component divided by a length that has changed by then", a =>
+            .Or("each component divided by a length that has changed by then", Unit(a =>
             {
                 a = a with { X = a.X / a.Length };
                 a = a with { Y = a.Y / a.Length };
                 return a with { Z = a.Z / a.Length };
             }))
-            .Or(Units("a |a| for a / |a|", a => a.Length * a)),
+            .Or("a |a| for a / |a|", Unit(a => a.Length * a)),
         new Mistake("len-nosqrt", Concerns.Camera, Slides.Vectors, "the length without its square root: |a| = x² + y² + z²",
             SquareLength + AllowAnyLength,
             "Nearly all is gone or has a wrong size, or the light reaches too far.",
             "How long is (3, 4, 0)? What does your Length say?",
             "|a| = √(x² + y² + z²).")
-            .Or(Readers("the length without its square root", SquareLength).Skip(1))
-            .Or("the length without its square root, in circles too, and the sphere takes d·d = 1 and D = L − tca d",
-                SquareLength + ReadByCircles + MeasureFromTheRay)
-            .Or(Readers("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach))
-            .Or(Readers("the same, with t = |X − P|", SquareLength + DoubleReach + ByLength))
-            .Or(Readers("the same, with d = ux U + uy V − W / tan(fovY / 2) before it is normalised", SquareLength + DoubleReach + Zoom))
-            .Or(Readers("the same, and triangles compare areas", SquareLength + DoubleReach + ByAreas))
-            .Or(Units("a vector is normalised by x² + y² + z²", a => a / (a * a)))
-            .Or(from part in Parts
-                from wording in Lengths($"{part.Name} forgotten in the length", a => part.Of(Vector3.Zero, a).Length) select wording)
-            .Or(from part in Parts
-                from wording in Lengths($"|a| with {part.Name} for {part.Name}²", a => Unsquared(part.Of(a, Vector3.Zero), part.Of(Vector3.Zero, a)))
-                select wording)
-            .Or(Lengths("|a| = |x| + |y| + |z|", a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
-            .Or(Lengths("|a| = (x² + y² + z²) / 2", a => a * a / 2))
-            .Or(Lengths("|a| with its root taken twice", a => Math.Sqrt(a.Length)))
-            .Or(Lengths("|a| = √(x² + y²) + z²", a => Math.Sqrt(a.X * a.X + a.Y * a.Y) + a.Z * a.Z))
+            .In([.. Lengths, ("triangles compare areas", ByAreas)])
+            .Or("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach + AllowAnyLength)
+            .Or("the same, while zNear and zFar are measured along (T − P) / |T − P|", SquareLength + DoubleReach + AllowAnyLength + RightDepth)
+            .Or("the same, with t = |X − P|", SquareLength + DoubleReach + ByLength + AllowAnyLength)
+            .Or("the same, with d = ux U + uy V − W / tan(fovY / 2) before it is normalised", SquareLength + DoubleReach + Zoom + AllowAnyLength)
+            .Or("the length without its square root, but not in the camera's axes", SquareLength + RightAxes + AllowAnyLength)
+            .Or("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach + RightAxes + AllowAnyLength)
+            .Or("a vector is normalised by x² + y² + z²", Unit(a => a / (a * a)))
+            .Or("the same, while zNear and zFar are measured along (T − P) / |T − P|", Unit(a => a / (a * a)) + RightDepth)
+            .Or(from part in Parts select ($"{part.Name} forgotten in the length", Length(a => part.Of(Vector3.Zero, a).Length)))
+            .Or(from k in (int[])[0, 1, 2]
+                select ($"|a| with {"xyz"[k]} for {"xyz"[k]}²", Length(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(k)))))
+            .Or("|a| = |x| + |y| + |z|", Length(a => Math.Abs(a.X) + Math.Abs(a.Y) + Math.Abs(a.Z)))
+            .Or("|a| = (x² + y² + z²) / 2", Length(a => a * a / 2))
+            .Or("|a| with its root taken twice", Length(a => Math.Sqrt(a.Length)))
+            .Or("|a| = √(x² + y²) + z²", Length(a => Math.Sqrt(a.X * a.X + a.Y * a.Y) + a.Z * a.Z))
             .Or(from k in (int[])[0, 1, 2]
                 from letters in (int[])[1, 2, 4, 8] // one of both replaced by the next or by the last letter, or both
                 let l = letters < 3 ? k : (k + letters / 4) % 3
                 let m = (k + (letters < 3 ? letters : letters / 4)) % 3
-                from wording in WithBothSpheres($"|a| with {"xyz"[l]} {"xyz"[m]} for {"xyz"[k]}²",
-                    ReadByCircles + DoubleReach + (lab => lab.Length.Is(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(l) * a.At(m)))))
-                select wording)
-            .Or(WithBothSpheres("d is divided by x² + y² + z²", lab => lab.Direction.Is(d => d / (d * d))))
-            .Or(WithBothSpheres("d = ux U + uy V − W / tan(fovY / 2) is divided by x² + y² + z²",
-                Zoom + (lab => lab.Direction.Is(d => d / (d * d)))))
+                select ($"|a| with {"xyz"[l]} {"xyz"[m]} for {"xyz"[k]}²", Length(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(l) * a.At(m)))))
+            .Or("d is divided by x² + y² + z²", AllowAnyLength + (lab => lab.Direction.Is(d => d / (d * d))))
+            .Or("d = ux U + uy V − W / tan(fovY / 2) is divided by x² + y² + z²",
+                AllowAnyLength + Zoom + (lab => lab.Direction.Is(d => d / (d * d))))
             .Or("the light reaches (T − P)²", lab => lab.Reach.Is(() => (lab.T - lab.P) * (lab.T - lab.P)))
             .Or("the light reaches 2 (T − P)²", lab => lab.Reach.Is(() => 2 * ((lab.T - lab.P) * (lab.T - lab.P))))
             .Or("the light reaches (2 (T − P))²", lab => lab.Reach.Is(() => 4 * ((lab.T - lab.P) * (lab.T - lab.P)))),
         new Mistake("cross-y", Concerns.Camera, Slides.Vectors, "the cross product's y has the wrong sign",
-            lab => MistakeCross(lab, (_, _, n) => n with { Y = -n.Y }),
+            Product((_, _, n) => n with { Y = -n.Y }) + ByCross[0].Deviate,
             "The picture is turned or skewed, and triangles are torn.",
             "What is (0, 0, 1) × (1, 0, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-            .Or(CrossWordings('y', "ax bz − az bx"))
+            .In(ByCross)
+            .Or(CrossWordings(1, "ax bz − az bx"))
             .Or(Crosses("y and z are swapped", (_, _, n) => new(n.X, n.Z, n.Y)))
             .Or(Crosses("components have + for −", (a, b, n) => n + 2 * new Vector3(a.Z * b.Y, a.X * b.Z, a.Y * b.X)))
-            .Or(Crosses("y is 0", (_, _, n) => n with { Y = 0 }))
             .Or(Crosses("y and z have the wrong sign", (_, _, n) => new(n.X, -n.Y, -n.Z))),
         new Mistake("cross-z", Concerns.Camera, Slides.Vectors, "the cross product's z is ax by − ay by",
-            lab => MistakeCross(lab, (a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }),
+            Product((a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }) + ByCross[0].Deviate,
             "The picture is skewed, and triangles are torn.",
             "What is (1, 2, 0) × (3, 5, 0)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-            .Or(CrossWordings('z', "ax by − ay by"))
+            .In(ByCross)
+            .Or(CrossWordings(2, "ax by − ay by"))
             .Or(Crosses("x and z are swapped", (_, _, n) => new(n.Z, n.Y, n.X)))
-            .Or(Crosses("z is 0", (_, _, n) => n with { Z = 0 }))
             .Or(Crosses("x and z have the wrong sign", (_, _, n) => new(-n.X, n.Y, -n.Z))),
         new Mistake("dir-unnorm", Concerns.Camera, Slides.PixelTranslation, "d not normalised",
             LeaveDirection + AllowAnyLength,
@@ -120,15 +117,15 @@ internal static class VectorMistakes
             "The sphere's formula left out a = d·d. When is that allowed?",
             "d = (uc U + ur V − W) normalised.")
             .Or("d = ux U + uy V − W / tan(fovY / 2), not normalised", LeaveDirection + AssumeUnitLength + Zoom)
-            .Or("d not normalised, while the sphere takes d·d = 1 and D = L − tca d", LeaveDirection + MeasureFromTheRay),
+            .In(Lengths),
         new Mistake("cross-x", Concerns.Camera, Slides.Vectors, "the cross product's x has the wrong sign",
-            lab => MistakeCross(lab, (_, _, n) => n with { X = -n.X }),
+            Product((_, _, n) => n with { X = -n.X }) + ByCross[0].Deviate,
             "The picture is mirrored, turned or skewed, and triangles are torn.",
             "What is (0, 1, 0) × (0, 0, 1)?",
             "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-            .Or(CrossWordings('x', "az by − ay bz"))
+            .In(ByCross)
+            .Or(CrossWordings(0, "az by − ay bz"))
             .Or(Crosses("x and y are swapped", (_, _, n) => new(n.Y, n.X, n.Z)))
-            .Or(Crosses("x is 0", (_, _, n) => n with { X = 0 }))
             .Or(Crosses("x and y have the wrong sign", (_, _, n) => new(-n.X, -n.Y, n.Z)))
             .Or(Crosses("components have moved on by one place", (_, _, n) => new(n.Y, n.Z, n.X)))
             .Or(Crosses("components have moved back by one place", (_, _, n) => new(n.Z, n.X, n.Y))),
@@ -164,24 +161,34 @@ internal static class VectorMistakes
         ("x", (b, a) => a with { X = b.X }), ("y", (b, a) => a with { Y = b.Y }), ("z", (b, a) => a with { Z = b.Z }),
     ];
 
-    private static double Unsquared(Vector3 part, Vector3 rest) => Math.Sqrt(part.X + part.Y + part.Z + rest * rest);
+    /// <summary>Another way to normalise.</summary>
+    private static Action<Lab> Unit(Func<Vector3, Vector3> unit) => AllowAnyLength + (lab => lab.Unit.Is(unit));
 
-    /// <summary>Another way to normalise, with the sphere's formula for any d and with the one for d·d = 1.</summary>
-    private static IEnumerable<(string, Action<Lab>)> Units(string what, Func<Vector3, Vector3> unit) =>
-        WithBothSpheres(what, lab => lab.Unit.Is(unit));
+    /// <summary>Another length.</summary>
+    private static Action<Lab> Length(Func<Vector3, double> length) => AllowAnyLength + DoubleReach + (lab => lab.Length.Is(length));
 
-    /// <summary>Another length, likewise.</summary>
-    private static IEnumerable<(string, Action<Lab>)> Lengths(string what, Func<Vector3, double> length) =>
-        Readers(what, DoubleReach + (lab => lab.Length.Is(length)));
+    internal static Action<Lab> RightDepth => lab => lab.Depth.Is((t, d) => t * (d * (lab.T - lab.P).Normalized));
 
-    /// <summary>Another length, where circles ask |X − C|² ≤ R² without it, and where they ask |X − C| ≤ R.</summary>
-    private static IEnumerable<(string, Action<Lab>)> Readers(string what, Action<Lab> deviate) =>
-        WithBothSpheres(what, deviate).Concat(WithBothSpheres(what + ", in circles too", deviate + ReadByCircles));
+    /// <summary>Who else may read a wrong length, or a d of a wrong one.</summary>
+    private static (string, Action<Lab>)[] Lengths =>
+    [
+        ("the sphere takes d·d = 1", AssumeUnitLength),
+        ("the sphere takes d·d = 1 and D = L − tca d", lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d, fromTheRay: true))),
+        ("the sphere takes d·d = 1 and D² = L² (1 − cos²), not below 0", AssumeUnitLength + (lab =>
+            lab.D2.Becomes(D2 => (L2, tca) => Math.Max(0, D2(L2, tca))))),
+        ("circles ask |X − C| ≤ R with it", SurfaceMistakes.CircleWhere((lab, circle, X) => lab.Length.Do(X - circle.Center) <= circle.Radius)),
+        ("circles count along two axes of their own", InCircleAxes),
+        ("the light fades with |X − P|", ByLength),
+    ];
 
-    private static Action<Lab> ReadByCircles => SurfaceMistakes.CircleWhere((lab, circle, X) => lab.Length.Do(X - circle.Center) <= circle.Radius);
-
-    private static (string, Action<Lab>)[] WithBothSpheres(string what, Action<Lab> deviate) =>
-        [(what, deviate + AllowAnyLength), (what + ", and the sphere takes d·d = 1", deviate + AssumeUnitLength)];
+    /// <summary>Circles ask x² + y² ≤ R² along two axes in their plane, made with the cross product.</summary>
+    private static Action<Lab> InCircleAxes => SurfaceMistakes.CircleWhere((lab, circle, X) =>
+    {
+        var n = lab.Unit.Do(circle.Normal);
+        var axis = lab.Unit.Do(lab.Cross.Do(Math.Abs(n.X) < 0.8 ? new(1, 0, 0) : new(0, 1, 0), n));
+        var (x, y) = ((X - circle.Center) * axis, (X - circle.Center) * lab.Cross.Do(n, axis));
+        return x * x + y * y <= circle.Radius * circle.Radius;
+    });
 
     /// <summary>The light fades with |X − P|, where X − P = t d.</summary>
     private static Action<Lab> ByLength => lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d));
@@ -192,72 +199,84 @@ internal static class VectorMistakes
     private static Action<Lab> DoubleReach => lab => lab.Reach.Is(() => 2 * lab.Length.Do(lab.T - lab.P));
 
     /// <summary>The sphere's formula for a direction of any length: t counts in its lengths.</summary>
-    private static void AllowAnyLength(Lab lab) => lab.Sphere.Becomes(cross => (s, d) =>
+    private static Action<Lab> AllowAnyLength => lab => lab.Sphere.Is((s, d) =>
     {
         var length = d.Length;
-        var crossed = cross(s, d / length);
+        var crossed = lab.SphereBySteps(s, d / length);
         return new(crossed.Near / length, crossed.Far / length);
     });
 
     /// <summary>The slide's geometric formula for d·d = 1, with any d: the same as the analytic one with a = 1.</summary>
-    private static void AssumeUnitLength(Lab lab) => lab.TakesUnitLength = true;
+    private static Action<Lab> AssumeUnitLength => lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d));
 
-    /// <summary>The hand-out's geometric formula for d·d = 1, with any d: D leads from the ray's nearest point to C.</summary>
-    private static void MeasureFromTheRay(Lab lab) => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d, fromTheRay: true));
-
-    /// <summary>A component with another sign, with + for −, or with one letter wrong; in the camera alone and in triangles, too.</summary>
-    /// <param name="axis">Which component.</param>
-    /// <param name="first">The one that is the mistake's first wording.</param>
-    private static IEnumerable<(string, Action<Lab>)> CrossWordings(char axis, string first)
+    /// <summary>A component with other letters, with other signs, or with a term forgotten.</summary>
+    private static IEnumerable<(string, Action<Lab>)> CrossWordings(int own, string usual)
     {
         const string axes = "xyz";
-        var (i, k) = ((axes.IndexOf(axis) + 1) % 3, (axes.IndexOf(axis) + 2) % 3);
-        var named = new List<(string What, Func<Vector3, Vector3, double> Is)>
-        {
-            ($"a{axes[k]} b{axes[i]} − a{axes[i]} b{axes[k]}", (a, b) => a.At(k) * b.At(i) - a.At(i) * b.At(k)),
-            ($"a{axes[i]} b{axes[k]} + a{axes[k]} b{axes[i]}", (a, b) => a.At(i) * b.At(k) + a.At(k) * b.At(i)),
-        };
-        for (var place = 0; place < 4; place++)
-        {
-            for (var turn = 1; turn < 3; turn++)
-            {
-                int[] letters = [i, k, k, i]; // a_i b_k − a_k b_i
-                letters[place] = (letters[place] + turn) % 3;
-                named.Add(($"a{axes[letters[0]]} b{axes[letters[1]]} − a{axes[letters[2]]} b{axes[letters[3]]}",
-                    (a, b) => a.At(letters[0]) * b.At(letters[1]) - a.At(letters[2]) * b.At(letters[3])));
-            }
-        }
-        foreach (var (what, component) in named)
-        {
-            Vector3 Other(Vector3 a, Vector3 b, Vector3 n) => axis switch
-            {
-                'x' => n with { X = component(a, b) },
-                'y' => n with { Y = component(a, b) },
-                _ => n with { Z = component(a, b) },
-            };
-            foreach (var wording in Crosses($"{axis} is {what}", Other).Skip(what == first ? 1 : 0)) yield return wording;
-            foreach (var (cause, deviate) in Crosses($"{axis} is {what}", Other).Take(5).Where((_, i) => i is 0 or 3 or 4))
-                yield return ($"{cause}; V is up without its part along W, U = V × W", deviate + ProjectUp);
-        }
+        var (i, k) = ((own + 1) % 3, (own + 2) % 3);
+        int[][] letters =
+        [
+            [k, i, i, k], [own, k, k, own], [i, own, own, i], // where a_i b_k − a_k b_i is right
+            .. from place in (int[])[0, 1, 2, 3]
+               from turn in (int[])[1, 2]
+               select ((int[])[i, k, k, i]).Select((letter, at) => at == place ? (letter + turn) % 3 : letter).ToArray(),
+        ];
+        (string Is, Func<Vector3, Vector3, double> Of)[] slips =
+        [
+            .. from l in letters
+               select ($"a{axes[l[0]]} b{axes[l[1]]} − a{axes[l[2]]} b{axes[l[3]]}",
+                   (Func<Vector3, Vector3, double>)((a, b) => a.At(l[0]) * b.At(l[1]) - a.At(l[2]) * b.At(l[3]))),
+            .. from signs in ((int First, int Last)[])[(1, 1), (-1, -1), (1, 0), (0, -1), (0, 0)]
+               select ($"{signs.First} · a{axes[i]} b{axes[k]} + {signs.Last} · a{axes[k]} b{axes[i]}",
+                   (Func<Vector3, Vector3, double>)((a, b) => signs.First * a.At(i) * b.At(k) + signs.Last * a.At(k) * b.At(i))),
+        ];
+        return from way in Enumerable.Range(0, 9) // so that of those that draw the same each slip comes once before it comes again
+               from slip in slips
+               where way > 0 || slip.Is != usual
+               select Crosses($"{axes[own]} is {slip.Is}", (a, b, n) => slip.Of(a, b) is var c ? Parts[own].Of(new(c, c, c), n) : n)[way];
     }
 
-    /// <summary>Another cross product, from a, b and a × b, in the camera and in each way that triangles may use it.</summary>
+    /// <summary>Another cross product, from a, b and a × b: in the slide's formulas, in the camera alone, in each way to the camera's axes that uses
+    /// it, and in shapes alone.</summary>
     private static (string, Action<Lab>)[] Crosses(string which, Func<Vector3, Vector3, Vector3, Vector3> other)
     {
-        Action<Lab> inCamera = lab => lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
+        var wrong = Product(other);
         return
         [
-            ($"the cross product's {which}", lab => MistakeCross(lab, other)),
-            ($"the cross product's {which}, and triangles take only n from it",
-                inCamera + (lab => lab.TriangleIs((triangle, d) => lab.TriangleByShares(triangle, d, (a, b) => a % b)))),
-            ($"the cross product's {which}, and triangles compare volumes",
-                inCamera + (lab => lab.TriangleIs((triangle, d) => lab.TriangleByVolumes(triangle, d)))),
-            ($"the cross product's {which}, and triangles compare determinants", inCamera + (lab => lab.TriangleIs(lab.TriangleByDeterminants))),
-            ($"the cross product's {which}, and triangles compare areas", inCamera + ByAreas),
-            ($"the cross product's {which}, and triangles compare sides", inCamera + (lab => lab.TriangleIs(lab.TriangleBySides))),
-            ($"the cross product's {which}, but triangles do without it", inCamera),
+            ($"the cross product's {which}", wrong + ByCross[0].Deviate),
+            ($"the cross product's {which}, but triangles do without it", wrong),
+            ($"the cross product's {which}; U = (T − P) × up, V = U × (T − P)", wrong + (lab =>
+            {
+                lab.AxisU.Is((up, w) => lab.Unit.Do(lab.Cross.Do(-w, up)));
+                lab.AxisV.Is((w, u) => lab.Cross.Do(u, -w));
+            })),
+            ($"the cross product's {which}; V is up without its part along W, U = V × W", wrong + ProjectUp),
+            ($"the cross product's {which}; the camera turned by two angles, from axes made with it", wrong + TurnByAngles),
+            .. from manner in ByCross.Take(4)
+               select ($"the cross product's {which}, not in the camera; {manner.Cause}", wrong + RightAxes + manner.Deviate),
         ];
     }
+
+    private static Action<Lab> Product(Func<Vector3, Vector3, Vector3, Vector3> other) =>
+        lab => lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
+
+    /// <summary>Who else may read a wrong cross product.</summary>
+    private static (string Cause, Action<Lab> Deviate)[] ByCross =>
+    [
+        ("triangles compare areas along n", Triangles((lab, triangle, d) => lab.TriangleByShares(triangle, d, lab.Cross.Do))),
+        ("triangles take only n from it", Triangles((lab, triangle, d) => lab.TriangleByShares(triangle, d, (a, b) => a % b))),
+        ("circles count along two axes of their own", InCircleAxes),
+        ("triangles compare volumes", Triangles((lab, triangle, d) => lab.TriangleByVolumes(triangle, d))),
+        ("triangles compare volumes and take t from them", Triangles((lab, triangle, d) => lab.TriangleByVolumes(triangle, d, tFromCorners: true))),
+        ("triangles compare determinants", Triangles((lab, triangle, d) => lab.TriangleByDeterminants(triangle, d))),
+        ("triangles compare areas", ByAreas),
+        ("triangles compare sides", Triangles((lab, triangle, d) => lab.TriangleBySides(triangle, d, byNormal: false))),
+        ("triangles compare sides with n", Triangles((lab, triangle, d) => lab.TriangleBySides(triangle, d, byNormal: true))),
+        ("triangles are asked in two of x, y and z", Triangles((lab, triangle, d) => lab.TriangleFlattened(triangle, d))),
+    ];
+
+    private static Action<Lab> Triangles(Func<Lab, Triangle, Vector3, Crossings<Scalar>> cross) =>
+        lab => lab.TriangleIs((triangle, d) => cross(lab, triangle, d));
 
     /// <summary>V = up − (up·W) W normalised, and U = V × W: another way to the same axes.</summary>
     private static void ProjectUp(Lab lab)
@@ -266,12 +285,26 @@ internal static class VectorMistakes
         lab.AxisU.Is((_, w) => lab.Cross.Do(lab.AxisV.Do(w, default), w));
     }
 
-    private static Action<Lab> ByAreas => lab => lab.TriangleIs((triangle, d) => lab.TriangleByAreas(triangle, d, 1e-9));
-
-    /// <summary>Another cross product, from a, b and a × b; the slide's formula of the triangle uses it too.</summary>
-    private static void MistakeCross(Lab lab, Func<Vector3, Vector3, Vector3, Vector3> other)
+    /// <summary>The camera turned to the right and up in a frame whose third axis is up: another way to the same axes.</summary>
+    private static void TurnByAngles(Lab lab)
     {
-        lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
-        lab.TriangleIs((triangle, d) => lab.TriangleByShares(triangle, d, lab.Cross.Do));
+        var up = lab.Unit.Do(lab.Camera.Up);
+        var x = lab.Unit.Do(lab.Cross.Do(Math.Abs(up.X) < 0.9 ? new(1, 0, 0) : new(0, 1, 0), up));
+        var (y, f) = (lab.Cross.Do(up, x), lab.T - lab.P);
+        var (yaw, pitch) = (Math.Atan2(f * y, f * x), Math.Asin(f * up / f.Length));
+        var level = Math.Cos(yaw) * x + Math.Sin(yaw) * y;
+        lab.AxisW.Is((_, _) => -(Math.Cos(pitch) * level + Math.Sin(pitch) * up));
+        lab.AxisU.Is((_, _) => Math.Sin(yaw) * x - Math.Cos(yaw) * y);
+        lab.AxisV.Is((_, _) => Math.Cos(pitch) * up - Math.Sin(pitch) * level);
     }
+
+    /// <summary>The camera's axes without the wrong cross product or length.</summary>
+    private static void RightAxes(Lab lab)
+    {
+        lab.AxisW.Is((p, t) => (p - t).Normalized);
+        lab.AxisU.Is((up, w) => (up % w).Normalized);
+        lab.AxisV.Is((w, u) => w % u);
+    }
+
+    private static Action<Lab> ByAreas => lab => lab.TriangleIs((triangle, d) => lab.TriangleByAreas(triangle, d, 1e-9));
 }

@@ -39,5 +39,6 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <param name="wrong">All that is wrong, as <see cref="Misfit"/> counts it.</param>
     public double Cost(double wrong) =>
         (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong)
-        * Math.Pow(1 / 0.6, Wordings.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count);
+        * Math.Pow(1 / 0.6, Wordings.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count)
+        * Math.Pow(1.2, Wordings.Sum(wording => wording.Manners)); // a shape that is lost in a manner is rather not written
 }

@@ -19,7 +19,9 @@ public class CatalogTests
     public void OneWordingDrawsWhatTheLabWithThatMistakeDraws(string id)
     {
         var expected = scenes.Values.Select(scene => (Scene: scene, Picture: EditedLab.Render(scene, Planted.Named(id)))).ToArray();
-        Assert.Contains(MistakeCatalog.Named(id)!.Wordings,
+        var mistake = MistakeCatalog.Named(id)!;
+        IEnumerable<RayCaster.Teaching.Mistake> InManners(RayCaster.Teaching.Mistake wording) => mistake.InManners(wording).Prepend(wording);
+        Assert.Contains(mistake.Wordings.SelectMany(InManners).SelectMany(InManners),
             wording => expected.All(one => IsDrawnBy(one.Picture, WrongPicture.Draw(one.Scene, [wording]))));
     }
 
@@ -60,14 +62,14 @@ public class CatalogTests
     private static readonly (Scene Scene, Picture Right)[] rights =
         [.. scenes.Values.Append(SceneFolder.Small("room", 4)).Append(Everywhere).Select(scene => (scene, ScalarRenderer.Render(scene)))];
 
-    /// <summary>A small scene with each kind of shape before zNear, beyond zFar and behind the camera.</summary>
+    /// <summary>A small scene with each kind of shape before zNear, beyond zFar and behind the camera, and with a red over 1.</summary>
     private static Scene Everywhere
     {
         get
         {
             Model[] models =
             [
-                Model.Of(new Plane(new(0, 0, -1.2), new(0, 0, 1))),
+                new Model<Plane>(new(new(0, 0, -1.2), new(0, 0, 1))) { Color = new(1.9, 1, 1) },
                 .. ((Vector3[])[new(0, -8, 0.8), new(0, 6, 4), new(0, -14, 0)]).SelectMany(place => Row(place, Math.Abs(place.Y + 10) / 8)),
             ];
             return new(new(new(new(0, -10, 0), Vector3.Zero) { FovY = 60, Width = 36, Height = 24, ZNear = 4, ZFar = 12 }), models);
