@@ -202,7 +202,8 @@ public sealed class MarkTests : IDisposable
         WriteRubric("");
         foreach (var student in (string[])["anna", "boris"])
             PictureFile.Write(raycaster.PathOf(Folder(student) + "ball.png"), new Picture(60, 40));
-        foreach (var student in (string[])["clara", "dora"]) raycaster.Run("ball.json", "-q", "--mistake", "rows", "-o", Folder(student) + "ball.png");
+        foreach (var student in (string[])["clara", "dora"])
+            raycaster.Run("ball.json", "-q", "--mistake", "rows", "-o", Folder(student) + "ball.png");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
         var page = File.ReadAllText(raycaster.PathOf("marks/class.html"));
         Assert.Contains("""

@@ -109,8 +109,8 @@ public class SceneDigestTests
         static string DigestOf(Talkative model) => Digest(new(new(new(new(5, 0, 0), Vector3.Zero)), [model]));
     }
 
-    /// <summary>The value was computed by a program in Python from the remarks of <see cref="SceneDigest"/>. If a new version changed the digest, old
-    /// and new parts could not be joined.</summary>
+    /// <summary>The value was computed by a program in Python from the remarks of <see cref="SceneDigest"/>. If a new version changed the digest,
+    /// old and new parts could not be joined.</summary>
     [Fact]
     public void ItIsTheSameEverywhere()
     {
