@@ -71,8 +71,7 @@ internal static class BoxMistakes
             "A box that the camera is in, or that is cut open, is not there.",
             "From inside, what is the sign of t_min?",
             "Where t_min does not count, try t_max.")
-            .Or("box: no hit where t_min < 0", lab => lab.Box.Becomes(cross => (box, d) =>
-                cross(box, d) is var hit && (double)hit.Near < 0 ? None : hit)),
+            .Or("box: no hit where t_min < 0", lab => lab.Box.Becomes(cross => (box, d) => UnlessBehind(cross(box, d)))),
         new Mistake("box-size", Concerns.Boxes, Slides.Box, "box: the second corner taken for its size, B1 = B0 + B1",
             Sized,
             "Boxes have a wrong size or place, or are gone.",

@@ -247,7 +247,7 @@ internal sealed class DiagnosisSearch(
            from place in Enumerable.Range(0, trial.Wordings.Count)
            from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.Wordings
            from otherSample in trial.Wordings.Count > 1 ? (bool[])[false, true] : [trial.OtherSample]
-           select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)], OtherSample = otherSample },
+           select trial.With(place, wording) with { OtherSample = otherSample },
     ];
 
     /// <summary>The best trials of each mistake, or pair, with one mistake in each of its manners.</summary>
@@ -256,7 +256,7 @@ internal sealed class DiagnosisSearch(
         .. from trial in trials.GroupBy(trial => trial.Id).SelectMany(same => same.DistinctBy(trial => trial.Wordings[0]).Take(Slips))
            from place in Enumerable.Range(0, trial.Wordings.Count)
            from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.InManners(trial.Wordings[place])
-           select trial with { Wordings = [.. trial.Wordings.Select((own, i) => i == place ? wording : own)] },
+           select trial.With(place, wording),
     ];
 
     /// <summary>The same with more pixels in the first round, because a second mistake may explain only a few.</summary>

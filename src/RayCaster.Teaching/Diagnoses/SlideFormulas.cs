@@ -11,6 +11,9 @@ internal static class SlideFormulas
     /// <summary>No crossing.</summary>
     public static Crossed None => new(double.NaN);
 
+    /// <summary>The crossings, or none if the near one lies behind the camera.</summary>
+    public static Crossed UnlessBehind(Crossed crossed) => (double)crossed.Near < 0 ? None : crossed;
+
     /// <summary>Both crossings, the far one first.</summary>
     public static Crossed Turned(Crossed crossed) => new(crossed.Far, crossed.Near);
 

@@ -38,8 +38,7 @@ internal static class SphereMistakes
             "A sphere that the camera is in, or that is cut open, is not there.",
             "From inside, what is the sign of tca − thc?",
             "Where tca − thc does not count, try tca + thc.")
-            .Or("sphere: no hit where tca − thc < 0", lab => lab.Sphere.Becomes(cross => (s, d) =>
-                cross(s, d) is var hit && (double)hit.Near < 0 ? None : hit)),
+            .Or("sphere: no hit where tca − thc < 0", lab => lab.Sphere.Becomes(cross => (s, d) => UnlessBehind(cross(s, d)))),
         new Mistake("oc-sign", Concerns.Spheres, Slides.Sphere, "sphere: P − C where C − P is meant, which mirrors the sphere at the camera",
             lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = 2 * lab.P - s.Center }, d)),
             "Spheres are missing; those behind the camera show.",

@@ -169,7 +169,7 @@ internal static class VectorMistakes
 
     internal static Action<Lab> RightDepth => lab => lab.Depth.Is((t, d) => t * (d * (lab.T - lab.P).Normalized));
 
-    /// <summary>Who else may read a wrong length, or a d of a wrong one.</summary>
+    /// <summary>Other right ways to write the formulas that use a length or d: in each a wrong length shows otherwise.</summary>
     private static (string, Action<Lab>)[] Lengths =>
     [
         ("the sphere takes d·d = 1", AssumeUnitLength),
@@ -260,7 +260,7 @@ internal static class VectorMistakes
     private static Action<Lab> Product(Func<Vector3, Vector3, Vector3, Vector3> other) =>
         lab => lab.Cross.Becomes(cross => (a, b) => other(a, b, cross(a, b)));
 
-    /// <summary>Who else may read a wrong cross product.</summary>
+    /// <summary>Other right ways to write the formulas that use a cross product: in each a wrong one shows otherwise.</summary>
     private static (string Cause, Action<Lab> Deviate)[] ByCross =>
     [
         ("triangles compare areas along n", Triangles((lab, triangle, d) => lab.TriangleByShares(triangle, d, lab.Cross.Do))),

@@ -25,6 +25,10 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
         .. Wordings.Select((_, i) => this with { Wordings = [.. Wordings.Where((_, k) => k != i)] }),
     ];
 
+    /// <summary>The same with one of its mistakes in another wording; not measured yet.</summary>
+    public WrongProgram With(int place, Mistake wording) =>
+        this with { Wordings = [.. Wordings.Select((own, i) => i == place ? wording : own)] };
+
     /// <summary>How many of its mistakes are not in their usual wording, the first.</summary>
     public int Unusual => Wordings.Count(wording => wording != MistakeCatalog.Named(wording.Id));
 

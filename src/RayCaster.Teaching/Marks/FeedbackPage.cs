@@ -53,11 +53,10 @@ internal static class FeedbackPage
         page.Element("h2",
             $"{scene.Name}: {(submitted.CanBeJudged || submitted.Picture is null ? scene.Verdict.InWords() : "another size")}");
         if (submitted.Problem is { } problem && problem != common) page.Element("p", Sentence(problem));
-        var (mine, right) = (submitted.Picture is { } picture ? Page.Image(picture.ToPng(), "your picture") : "",
-            Page.Image(submitted.Scene.Right.ToPng(), "the right picture"));
+        var mine = submitted.Picture is { } picture ? Page.Image(picture.ToPng(), "your picture") : "";
         if (!submitted.CanBeJudged)
         {
-            page.Html($"<p>{mine}</p><p class=\"small\">The right picture:</p><p>{right}</p>");
+            page.Html($"<p>{mine}</p><p class=\"small\">The right picture:</p><p>{Right()}</p>");
         }
         else if (scene.Verdict == SceneVerdict.Right)
         {
@@ -70,10 +69,12 @@ internal static class FeedbackPage
                 "Your picture is left of the line, the right picture right of it. Move the line:", "small");
             page.Html($"""
                 <div class="slid"><div class="pair">
-                {mine}{right}</div>
+                {mine}{Right()}</div>
                 <input type="range" min="0" max="100" value="50" aria-label="how much is yours"
                     oninput="this.previousElementSibling.style.setProperty('--at', this.value + '%')"></div>
                 """);
         }
+
+        string Right() => Page.Image(submitted.Scene.Right.ToPng(), "the right picture"); // not needed beside a right one
     }
 }
