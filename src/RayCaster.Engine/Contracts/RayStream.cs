@@ -104,6 +104,14 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N ModelsAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(model, pixel);
 
+    /// <summary>The same in floats, of as many pixels as these packets hold.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public F NearestInFloatsAt<F>(int pixel) where F : struct, IFloatPacket<F> => F.Load(t, pixel);
+
+    /// <summary>The indices of the models + 1, as ints in place of floats.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public F PlacesAt<F>(int pixel) where F : struct, IFloatPacket<F> => F.LoadPlaces(model, pixel);
+
     /// <summary>What z gains along these rays for one unit of t.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public N ZPerTAt<N>(int pixel) where N : struct, IPacket<N> => N.Load(zPerT, pixel);

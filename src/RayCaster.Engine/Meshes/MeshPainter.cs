@@ -17,6 +17,7 @@ internal sealed class MeshPainter
     private readonly int background; // its bytes
     private readonly float[] squares = new float[Tile.MaxSide]; // of the columns' slopes
     private readonly uint[] doubts = new uint[Tile.MaxSide * Tile.MaxSide / FloatBytes.Count]; // of each packet
+    private readonly byte[] rowEnds = new byte[Tile.MaxSide * 3 * FloatBytes.Count]; // of packets that the tile cuts
     private Tile tile;
     private byte[] rgb = [];
     private int first, step;
@@ -57,6 +58,9 @@ internal sealed class MeshPainter
         if (FloatBytes.IsWide) Paint<WideFloatPacket>(covered, front, decided);
         else Paint<FloatPacket>(covered, front, decided);
 
+        if (tile.Width % FloatBytes.Count is > 0 and var left)
+            for (var row = 0; row < tile.Height; row++)
+                rowEnds.AsSpan(row * 3 * FloatBytes.Count, 3 * left).CopyTo(rgb.AsSpan(first + row * step + 3 * (tile.Width - left)));
         Doubts.Clear();
         var packets = (tile.Width + FloatBytes.Count - 1) / FloatBytes.Count;
         for (var i = 0; i < packets * tile.Height; i++)
@@ -82,7 +86,7 @@ internal sealed class MeshPainter
     {
         var (red, green, blue) = (Lanes.Broadcast<F>(model.Color.R), Lanes.Broadcast<F>(model.Color.G), Lanes.Broadcast<F>(model.Color.B));
         var unit = Lanes.Broadcast<F>(screen.Unit);
-        var slack = F.PerRow([(float)Error, -(float)Error], 0); // the greatest levels are in the lower row, the least in the upper one
+        var slack = Lanes.Broadcast<F>(Error);
         var packet = 0;
         for (var row = 0; row < tile.Height; row++)
         {
@@ -90,11 +94,15 @@ internal sealed class MeshPainter
             for (var i = 0; i < tile.Width; i += F.Count, packet++)
             {
                 var at = row * TilePixels.Stride + i;
-                var ends = F.Rows(front, covered, at);
-                var light = scene.Attenuation(unit * F.Sqrt(upwards + F.Row(squares, i)) / ends);
-                var (r, g, b) = (Color.Level(light * red), Color.Level(light * green), Color.Level(light * blue));
-                var doubt = F.Pixels(r + slack, g + slack, b + slack)
-                    .WriteRange(ends, background, rgb, first + row * step + 3 * i, tile.Width - i);
+                var inFront = F.Load(front, at);
+                var tTimesW = unit * F.Sqrt(upwards + F.Load(squares, i));
+                var (brightest, darkest) = (scene.Attenuation(tTimesW / inFront), scene.Attenuation(tTimesW / F.Load(covered, at)));
+                var most = F.Pixels(
+                    Color.Level(brightest * red) + slack, Color.Level(brightest * green) + slack, Color.Level(brightest * blue) + slack);
+                var least = F.Pixels(
+                    Color.Level(darkest * red) - slack, Color.Level(darkest * green) - slack, Color.Level(darkest * blue) - slack);
+                var (to, place) = i + F.Count <= tile.Width ? (rgb, first + row * step + 3 * i) : (rowEnds, row * 3 * F.Count);
+                var doubt = F.WriteRange(least, most, inFront, background, to, place);
                 for (var k = 0; decided is not null && k < F.Count; k += Packet.Count)
                     doubt |= Packet.Bits(Packet.Load(decided, at + k) < double.PositiveInfinity) << k;
                 doubts[packet] = doubt;

@@ -5,7 +5,7 @@ namespace RayCaster.Engine;
 /// Every second sample of a small box is outside or hidden, and branch prediction cannot tell which. So pixels are written whether or not anything
 /// changes; only uncertain ones, which are rare, take a branch. In a large box samples outside are predictable, so a branch skips them.
 /// </remarks>
-/// <param id="decide">Decides about all queued pixels.</param>
+/// <param name="decide">Decides about all queued pixels.</param>
 internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, CoarseDepth coarse, Action decide)
 {
     /// <summary>A triangle is small if its box has at most so many samples on each side.</summary>
@@ -63,7 +63,7 @@ internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, 
     }
 
     /// <summary>Those triangles that are not hidden. Small ones are not tested: to cover their samples takes no longer.</summary>
-    /// <param id="shows">A bit for each triangle.</param>
+    /// <param name="shows">A bit for each triangle.</param>
     [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     private uint Visible(uint shows)
     {

@@ -10,7 +10,7 @@ internal static partial class FloatBytes
 
     /// <summary>The same for a level that is computed from t, a slope and the level at 0: rounding the latter and the sum adds 2⁻¹⁷ each, rounding
     /// the slope 2⁻²⁴ of less than 256, which is 2⁻¹⁶.</summary>
-    public const double RoundingOfALine = 3.1e-5;
+    public const double RoundingOfALine = 3.9e-5;
 
     /// <summary>Whether this machine computes with <see cref="WideFloatPacket"/>.</summary>
     public static bool IsWide => Avx512BW.IsSupported;

@@ -3,7 +3,7 @@ namespace RayCaster.Engine;
 /// <summary>The range of a channel's level as a function of t, which is linear where neither the light nor the level is clamped.</summary>
 internal readonly partial struct FloatLevel
 {
-    private readonly float slope, least, most;
+    private readonly float slope, least, width;
 
     /// <param name="channel">The model's channel, 0 to 1.</param>
     /// <param name="reach">The distance at which no light is left.</param>
@@ -12,7 +12,7 @@ internal readonly partial struct FloatLevel
     {
         double atZero = Color.Level<Scalar>(channel), perT = SlopeOf(channel, reach);
         var slack = error * -perT + FloatBytes.RoundingOfALine;
-        (slope, least, most) = ((float)perT, (float)(atZero - slack), (float)(atZero + slack));
+        (slope, least, width) = ((float)perT, (float)(atZero - slack), (float)(2 * slack));
     }
 
     /// <summary>The change of the level for one unit of t.</summary>

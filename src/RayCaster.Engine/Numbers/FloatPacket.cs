@@ -2,118 +2,106 @@ namespace RayCaster.Engine;
 
 // The build makes WideFloatPacket of this file, with vectors of twice the length (RayCaster.Engine.csproj).
 
-/// <summary>Two rows of floats.</summary>
-/// <param name="lower">The numbers of the lower row.</param>
-/// <param name="upper">Those of the upper row.</param>
+/// <summary>Floats side by side.</summary>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
-internal readonly struct FloatPacket(Vector256<float> lower, Vector256<float> upper) : IFloatPacket<FloatPacket>
+internal readonly struct FloatPacket(Vector256<float> lanes) : IFloatPacket<FloatPacket>
 {
-    public readonly Vector256<float> Lower = lower, Upper = upper;
+    public readonly Vector256<float> Lanes = lanes;
 
     public static int Count => Vector256<float>.Count;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static implicit operator FloatPacket(double value) => Of(Vector256.Create((float)value));
+    public static implicit operator FloatPacket(double value) => new(Vector256.Create((float)value));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator +(FloatPacket a, FloatPacket b) => new(a.Lower + b.Lower, a.Upper + b.Upper);
+    public static FloatPacket operator +(FloatPacket a, FloatPacket b) => new(a.Lanes + b.Lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator -(FloatPacket a, FloatPacket b) => new(a.Lower - b.Lower, a.Upper - b.Upper);
+    public static FloatPacket operator -(FloatPacket a, FloatPacket b) => new(a.Lanes - b.Lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator -(FloatPacket a) => new(-a.Lower, -a.Upper);
+    public static FloatPacket operator -(FloatPacket a) => new(-a.Lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator *(FloatPacket a, FloatPacket b) => new(a.Lower * b.Lower, a.Upper * b.Upper);
+    public static FloatPacket operator *(FloatPacket a, FloatPacket b) => new(a.Lanes * b.Lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator /(FloatPacket a, FloatPacket b) => new(a.Lower / b.Lower, a.Upper / b.Upper);
+    public static FloatPacket operator /(FloatPacket a, FloatPacket b) => new(a.Lanes / b.Lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator <(FloatPacket a, FloatPacket b) =>
-        new(Vector256.LessThan(a.Lower, b.Lower), Vector256.LessThan(a.Upper, b.Upper));
+    public static FloatPacket operator <(FloatPacket a, FloatPacket b) => new(Vector256.LessThan(a.Lanes, b.Lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator >(FloatPacket a, FloatPacket b) =>
-        new(Vector256.GreaterThan(a.Lower, b.Lower), Vector256.GreaterThan(a.Upper, b.Upper));
+    public static FloatPacket operator >(FloatPacket a, FloatPacket b) => new(Vector256.GreaterThan(a.Lanes, b.Lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator <=(FloatPacket a, FloatPacket b) =>
-        new(Vector256.LessThanOrEqual(a.Lower, b.Lower), Vector256.LessThanOrEqual(a.Upper, b.Upper));
+    public static FloatPacket operator <=(FloatPacket a, FloatPacket b) => new(Vector256.LessThanOrEqual(a.Lanes, b.Lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator >=(FloatPacket a, FloatPacket b) =>
-        new(Vector256.GreaterThanOrEqual(a.Lower, b.Lower), Vector256.GreaterThanOrEqual(a.Upper, b.Upper));
+    public static FloatPacket operator >=(FloatPacket a, FloatPacket b) => new(Vector256.GreaterThanOrEqual(a.Lanes, b.Lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator &(FloatPacket a, FloatPacket b) => new(a.Lower & b.Lower, a.Upper & b.Upper);
+    public static FloatPacket operator &(FloatPacket a, FloatPacket b) => new(a.Lanes & b.Lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket operator |(FloatPacket a, FloatPacket b) => new(a.Lower | b.Lower, a.Upper | b.Upper);
+    public static FloatPacket operator |(FloatPacket a, FloatPacket b) => new(a.Lanes | b.Lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Sqrt(FloatPacket x) => new(Vector256.Sqrt(x.Lower), Vector256.Sqrt(x.Upper));
+    public static FloatPacket Sqrt(FloatPacket x) => new(Vector256.Sqrt(x.Lanes));
 
     /// <summary>There is no NaN where <see cref="ErrorBound"/> is finite.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Min(FloatPacket a, FloatPacket b) =>
-        new(Vector256.MinNative(a.Lower, b.Lower), Vector256.MinNative(a.Upper, b.Upper));
+    public static FloatPacket Min(FloatPacket a, FloatPacket b) => new(Vector256.MinNative(a.Lanes, b.Lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Max(FloatPacket a, FloatPacket b) =>
-        new(Vector256.MaxNative(a.Lower, b.Lower), Vector256.MaxNative(a.Upper, b.Upper));
+    public static FloatPacket Max(FloatPacket a, FloatPacket b) => new(Vector256.MaxNative(a.Lanes, b.Lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static FloatPacket Select(FloatPacket mask, FloatPacket a, FloatPacket b) =>
-        new(Vector256.ConditionalSelect(mask.Lower, a.Lower, b.Lower), Vector256.ConditionalSelect(mask.Upper, a.Upper, b.Upper));
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // in a large method, the interface's default would not be inlined
-    public static FloatPacket If(FloatPacket mask, FloatPacket value) => Select(mask, value, double.NaN);
+        new(Vector256.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Of(Vector256<float> row) => new(row, row);
+    public static FloatPacket Load(float[] numbers, int first) => new(numbers.Load256(first));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Row(float[] numbers, int first) => Of(numbers.Load256(first));
+    public static FloatPacket Load(double[] numbers, int first) =>
+        new(Vector256.Narrow(Packet.Load(numbers, first).Lanes, Packet.Load(numbers, first + Packet.Count).Lanes));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket PerRow(float[] numbers, int first) =>
-        new(Vector256.Create(numbers[first]), Vector256.Create(numbers[first + 1]));
+    public static FloatPacket LoadPlaces(double[] indices, int first)
+    {
+        var (lower, upper) = (Packet.Load(indices, first).ToInts(), Packet.Load(indices, first + Packet.Count).ToInts());
+        return new((Vector256.Create(lower, upper) + Vector256<int>.One).AsSingle());
+    }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Rows(float[] lower, float[] upper, int first) => new(lower.Load256(first), upper.Load256(first));
+    public static (FloatPacket R, FloatPacket G, FloatPacket B) ColorsAt(RawSpan<long> colors, FloatPacket places)
+    {
+        var (r, g, b) = FloatColors.At(colors, places.Lanes.AsInt32());
+        return (new(r), new(g), new(b));
+    }
 
     /// <summary>One division and three products, each of which rounds.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vector3<FloatPacket> Divide(Vector3<FloatPacket> a, FloatPacket b) => (FloatPacket)1 / b * a;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static FloatPacket Pixels(FloatPacket r, FloatPacket g, FloatPacket b) =>
-        new(FloatBytes.Packed(r.Lower, g.Lower, b.Lower).AsSingle(), FloatBytes.Packed(r.Upper, g.Upper, b.Upper).AsSingle());
+    public static FloatPacket Pixels(FloatPacket r, FloatPacket g, FloatPacket b) => new(FloatBytes.Packed(r.Lanes, g.Lanes, b.Lanes).AsSingle());
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public uint WriteRange(FloatPacket ends, int background, byte[] rgb, int place, int count)
+    public static uint WriteRange(FloatPacket least, FloatPacket most, FloatPacket front, int background, byte[] rgb, int place)
     {
-        var (isMiss, most, least) = (Vector256.Equals(ends.Lower, Vector256<float>.Zero).AsInt32(), Lower.AsInt32(), Upper.AsInt32());
-        var pixels = Vector256.ConditionalSelect(isMiss, Vector256.Create(background), least);
-        if (count >= Count) FloatBytes.Store(pixels, rgb, place);
-        else FloatBytes.StoreFew(pixels, rgb.AsSpan(place, 3 * count));
-        return (uint)(Vector256.Equals(least, most) | isMiss).ExtractMostSignificantBits() ^ 0xFF;
+        var (isMiss, pixels) = (Vector256.Equals(front.Lanes, Vector256<float>.Zero).AsInt32(), least.Lanes.AsInt32());
+        FloatBytes.Store(Vector256.ConditionalSelect(isMiss, Vector256.Create(background), pixels), rgb, place);
+        return (uint)(Vector256.Equals(pixels, most.Lanes.AsInt32()) | isMiss).ExtractMostSignificantBits() ^ 0xFF;
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public uint Write(in FloatLevels levels, byte[] rgb, int lower, int upper)
+    public uint Write(in FloatLevels levels, byte[] rgb, int place)
     {
-        var ofUpper = Write(Upper, levels, rgb, upper);
-        return Write(Lower, levels, rgb, lower) | (ofUpper << Count);
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static uint Write(Vector256<float> t, in FloatLevels levels, byte[] rgb, int place)
-    {
-        var least = FloatBytes.Packed(levels.Red.Least(t), levels.Green.Least(t), levels.Blue.Least(t));
-        var most = FloatBytes.Packed(levels.Red.Most(t), levels.Green.Most(t), levels.Blue.Most(t));
+        var (red, green, blue) = (levels.Red.Least(Lanes), levels.Green.Least(Lanes), levels.Blue.Least(Lanes));
+        var least = FloatBytes.Packed(red, green, blue);
+        var most = FloatBytes.Packed(levels.Red.Most(red), levels.Green.Most(green), levels.Blue.Most(blue));
         FloatBytes.Store(least, rgb, place);
         return (uint)Vector256.Equals(least, most).ExtractMostSignificantBits() ^ 0xFF;
     }

@@ -1,35 +1,36 @@
 namespace RayCaster.Engine;
 
 /// <summary>
-/// Floats of pixels side by side, and of as many above them; as a mask all bits of a lane set for true, none for false. A formula over it is much
-/// faster than over doubles, and <see cref="ErrorBound"/> bounds its error. Two rows share the broadcasts of a formula's constants, a sixth of the
-/// work.
+/// Floats of pixels side by side; as a mask all bits of a lane set for true, none for false. A formula over it is much faster than over doubles, and
+/// <see cref="ErrorBound"/> bounds its error.
 /// </summary>
 internal interface IFloatPacket<F> : IReal<F> where F : struct, IFloatPacket<F>
 {
-    /// <summary>How many pixels of a row it holds.</summary>
+    /// <summary>How many pixels it holds.</summary>
     static abstract int Count { get; }
 
-    /// <summary>A number for each pixel of a row, the same in both rows.</summary>
-    static abstract F Row(float[] numbers, int first);
+    static abstract F Load(float[] numbers, int first);
 
-    /// <summary>A number for each of the two rows.</summary>
-    static abstract F PerRow(float[] numbers, int first);
+    /// <summary>Loads and rounds.</summary>
+    static abstract F Load(double[] numbers, int first);
 
-    /// <summary>A number for each pixel of two rows.</summary>
-    static abstract F Rows(float[] lower, float[] upper, int first);
+    /// <summary>Indices + 1 as ints, in place of floats.</summary>
+    static abstract F LoadPlaces(double[] indices, int first);
+
+    /// <summary>The colours at some places, in steps.</summary>
+    /// <param name="colors"><see cref="FloatColors.Packed"/>.</param>
+    static abstract (F R, F G, F B) ColorsAt(RawSpan<long> colors, F places);
 
     /// <summary>The whole parts of three channels' levels: three bytes for each pixel, in place of its float.</summary>
     static abstract F Pixels(F r, F g, F b);
 
-    /// <summary>Writes the bytes of some pixels of <see cref="Pixels"/>, whose lower row has the greatest levels of each pixel, and whose upper row
-    /// the least; and says which pixels are uncertain.</summary>
-    /// <param name="ends">The lower row is 0 for pixels without a hit.</param>
+    /// <summary>Writes the bytes of some pixels of <see cref="Pixels"/> with the least levels, and says which differ from those with the
+    /// greatest.</summary>
+    /// <param name="front">0 for pixels without a hit, as a float or as an int.</param>
     /// <returns>A bit for each uncertain pixel.</returns>
-    uint WriteRange(F ends, int background, byte[] rgb, int place, int count);
+    static abstract uint WriteRange(F least, F most, F front, int background, byte[] rgb, int place);
 
-    /// <summary>Writes the bytes of hits, and says which are uncertain. The lower row is written last: if there is no upper row, both may have the
-    /// same place.</summary>
-    /// <returns>A bit for each pixel with an uncertain byte, the lower row's lowest.</returns>
-    uint Write(in FloatLevels levels, byte[] rgb, int lower, int upper);
+    /// <summary>Writes the bytes of hits.</summary>
+    /// <returns>A bit for each pixel with an uncertain byte.</returns>
+    uint Write(in FloatLevels levels, byte[] rgb, int place);
 }

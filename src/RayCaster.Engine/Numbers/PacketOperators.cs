@@ -64,9 +64,6 @@ internal partial struct Packet : IPacket<Packet>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Select(Packet mask, Packet a, Packet b) => new() { Lanes = Vector256.ConditionalSelect(mask.Lanes, a.Lanes, b.Lanes) };
 
-    [MethodImpl(MethodImplOptions.AggressiveInlining)] // in a large method, the interface's default would not be inlined
-    public static Packet If(Packet mask, Packet value) => Select(mask, value, double.NaN);
-
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Packet Equal(Packet a, Packet b) => new() { Lanes = Vector256.Equals(a.Lanes, b.Lanes) };
 

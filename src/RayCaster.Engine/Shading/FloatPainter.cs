@@ -17,7 +17,7 @@ internal sealed class FloatPainter : IShapeVisitor
     private readonly Camera camera;
     private readonly FloatRays rays;
     private readonly (int Index, double Error)[] knownErrors = new (int, double)[8]; // in the strip, of some models
-    private readonly uint[] doubts = new uint[Tile.MaxStrip * Tile.MaxSide / FloatBytes.Count / 2]; // a bit for each pixel of each packet
+    private readonly uint[] doubts = new uint[Tile.MaxStrip * Tile.MaxSide / FloatBytes.Count]; // a bit for each pixel of each packet
     private CoveredTile covered;
     private Tile part;
     private byte[] rgb = [];
@@ -38,15 +38,14 @@ internal sealed class FloatPainter : IShapeVisitor
         if (part.Width % FloatBytes.Count != 0 || !covered.View.Accept(this)) return false;
 
         var packets = part.Width / FloatBytes.Count;
-        var some = doubts.AsSpan(0, packets * ((part.Height + 1) / 2));
+        var some = doubts.AsSpan(0, packets * part.Height);
         for (var place = 0; some.IndexOfAnyExcept(0u) is >= 0 and var next; place++, some = some[(next + 1)..])
         {
             place += next;
             for (var left = some[next]; left != 0; left &= left - 1)
             {
-                var (upper, lane) = Math.DivRem(BitOperations.TrailingZeroCount(left), FloatBytes.Count);
-                var (row, column) = (place / packets * 2 + upper, place % packets * FloatBytes.Count + lane);
-                if (row < part.Height) Write(column, row, rgb.AsSpan(first + row * step + 3 * column, 3));
+                var (row, column) = (place / packets, place % packets * FloatBytes.Count + BitOperations.TrailingZeroCount(left));
+                Write(column, row, rgb.AsSpan(first + row * step + 3 * column, 3));
             }
         }
         return true;
@@ -97,18 +96,19 @@ internal sealed class FloatPainter : IShapeVisitor
     private void Paint<P, F>(P shape, FloatLevels levels) where P : struct, IPrimitive where F : struct, IFloatPacket<F>
     {
         Vector3<F> origin = camera.Position;
+        var (rgb, doubts) = (this.rgb, this.doubts);
         var isNear = covered.IsNear; // a local stays in a register
         var (columns, firstColumn, packets) = (rays.Across, part.Column - rays.Strip.Column, part.Width / F.Count);
-        for (int row = 0, next = 0; row < part.Height; row += 2)
+        for (int row = 0, next = 0; row < part.Height; row++)
         {
-            var upwards = rays.Upwards.PerRow<F>(part.Row - rays.Strip.Row + row);
-            var (lower, toUpper) = (first + row * step, row + 1 < part.Height ? step : 0);
-            for (var packet = 0; packet < packets; packet++, next++, lower += 3 * F.Count)
+            var upwards = rays.Upwards.At<F>(part.Row - rays.Strip.Row + row);
+            var place = first + row * step;
+            for (var packet = 0; packet < packets; packet++, next++, place += 3 * F.Count)
             {
-                var direction = camera.Direction(columns.Row<F>(firstColumn + packet * F.Count), upwards);
+                var direction = camera.Direction(columns.Load<F>(firstColumn + packet * F.Count), upwards);
                 var crossings = shape.Intersect(new Ray<F>(origin, direction));
                 var t = isNear ? crossings.Near : camera.ClipRange.First(crossings, camera.ZPerT(direction));
-                doubts[next] = t.Write(levels, rgb, lower, lower + toUpper);
+                doubts[next] = t.Write(levels, rgb, place);
             }
         }
     }

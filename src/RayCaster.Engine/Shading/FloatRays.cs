@@ -9,7 +9,7 @@ internal sealed class FloatRays(Camera camera)
     public Floats Across { get; } = new(Tile.MaxStrip);
 
     /// <summary>What the directions of each row have in common, from the lowest row.</summary>
-    public Floats Upwards { get; } = new(Tile.MaxSide + 1); // one row more than the strip has is read
+    public Floats Upwards { get; } = new(Tile.MaxSide);
 
     /// <summary>Goes to the strip of a part; returns whether it is a new one.</summary>
     public bool Enter(in Tile part)
@@ -40,14 +40,14 @@ internal sealed class FloatRays(Camera camera)
     {
         private readonly float[] x = new float[count], y = new float[count], z = new float[count];
 
-        /// <summary>Those of some columns, the same in both rows.</summary>
+        /// <summary>Those of some columns.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector3<F> Row<F>(int first) where F : struct, IFloatPacket<F> =>
-            new(F.Row(x, first), F.Row(y, first), F.Row(z, first));
+        public Vector3<F> Load<F>(int first) where F : struct, IFloatPacket<F> => new(F.Load(x, first), F.Load(y, first), F.Load(z, first));
 
-        /// <summary>One for each of two rows.</summary>
+        /// <summary>That of a row, in each lane.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public Vector3<F> PerRow<F>(int first) where F : struct, IFloatPacket<F> => new(F.PerRow(x, first), F.PerRow(y, first), F.PerRow(z, first));
+        public Vector3<F> At<F>(int place) where F : struct, IFloatPacket<F> =>
+            new(Lanes.Broadcast<F>(x[place]), Lanes.Broadcast<F>(y[place]), Lanes.Broadcast<F>(z[place]));
 
         public void Set(int first, in Vector3<Packet> lower, in Vector3<Packet> upper)
         {

@@ -1,6 +1,6 @@
 namespace RayCaster.Engine;
 
-/// <summary>Turns the hits of streams into bytes, sixteen pixels at once, in floats; <see cref="HitShader"/> computes uncertain bytes.</summary>
+/// <summary>Turns the hits of streams into bytes, in floats; <see cref="HitShader"/> computes uncertain bytes.</summary>
 internal sealed class FloatShader
 {
     /// <summary>With a greater error, too many bytes would be uncertain.</summary>
@@ -28,55 +28,33 @@ internal sealed class FloatShader
     /// <param name="light">Red, green and blue of its background, then of its models.</param>
     /// <param name="most">The greatest of them.</param>
     public static FloatShader? For(Scene scene, double[] light, double most, int threads) =>
-        FloatBytes.IsWide && new FloatShader(scene, light, most, threads) is { error: < MostError } shader ? shader : null;
+        FloatBytes.IsSupported && new FloatShader(scene, light, most, threads) is { error: < MostError } shader ? shader : null;
 
     /// <summary>Whether it can shade a stream of this form.</summary>
-    public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % WideFloatPacket.Count == 0;
+    public static bool Takes(RayStream rays) => rays.IsDense && rays.Width % FloatBytes.Count == 0;
 
     /// <inheritdoc cref="HitShader.Shade(RayStream, byte[], int, int)"/>
-    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
     public void Shade(RayStream rays, HitShader exact, byte[] rgb, int first, int step)
     {
+        if (FloatBytes.IsWide) Shade<WideFloatPacket>(rays, exact, rgb, first, step);
+        else Shade<FloatPacket>(rays, exact, rgb, first, step);
+    }
+
+    [MethodImpl(MethodImplOptions.NoInlining | MethodImplOptions.AggressiveOptimization)]
+    private void Shade<F>(RayStream rays, HitShader exact, byte[] rgb, int first, int step) where F : struct, IFloatPacket<F>
+    {
         var packed = colors.Packed;
-        for (var i = 0; i < rays.Length; i += 2 * WideFloatPacket.Count)
+        var slack = Lanes.Broadcast<F>(error);
+        for (var i = 0; i < rays.Length; i += F.Count)
         {
-            // the last sixteen are done twice if they have no partner
-            var j = Math.Min(i + WideFloatPacket.Count, rays.Length - WideFloatPacket.Count);
-            var (lower, upper) = (PlacesAt(rays, i), PlacesAt(rays, j));
-            var light = scene.Attenuation(new WideFloatPacket(NearestAt(rays, i), NearestAt(rays, j))) * colors.Step;
-            var (a, b) = (FloatColors.At(packed, lower), FloatColors.At(packed, upper));
-            var red = Color.Level(light * new WideFloatPacket(a.R, b.R));
-            var green = Color.Level(light * new WideFloatPacket(a.G, b.G));
-            var blue = Color.Level(light * new WideFloatPacket(a.B, b.B));
-            Write(rays, i, lower, red.Lower, green.Lower, blue.Lower, exact, rgb, first, step);
-            Write(rays, j, upper, red.Upper, green.Upper, blue.Upper, exact, rgb, first, step);
+            var places = rays.PlacesAt<F>(i);
+            var light = scene.Attenuation(rays.NearestInFloatsAt<F>(i)) * Lanes.Broadcast<F>(colors.Step);
+            var color = F.ColorsAt(packed, places);
+            var (r, g, b) = (Color.Level(light * color.R), Color.Level(light * color.G), Color.Level(light * color.B));
+            var place = first + i / rays.Width * step + 3 * (i % rays.Width);
+            var (least, most) = (F.Pixels(r - slack, g - slack, b - slack), F.Pixels(r + slack, g + slack, b + slack));
+            var isUnsure = F.WriteRange(least, most, places, background, rgb, place) != 0; // never the background, which is not attenuated
+            if (isUnsure) exact.Shade(rays, i, rgb.AsSpan(place, 3 * F.Count));
         }
     }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Write(
-        RayStream rays, int pixel, Vector512<int> places, Vector512<float> r, Vector512<float> g, Vector512<float> b,
-        HitShader exact, byte[] rgb, int first, int step)
-    {
-        var slack = Vector512.Create((float)error);
-        var place = first + pixel / rays.Width * step + 3 * (pixel % rays.Width);
-        var isMiss = Vector512.Equals(places, Vector512<int>.Zero); // the background is not attenuated, so its bytes are certain
-        var least = Vector512.ConditionalSelect(isMiss, Vector512.Create(background), FloatBytes.Packed(r - slack, g - slack, b - slack));
-        FloatBytes.Store(least, rgb, place);
-        var isSure = isMiss | Vector512.Equals(least, FloatBytes.Packed(r + slack, g + slack, b + slack));
-        if (isSure == Vector512<int>.AllBitsSet) return;
-        exact.Shade(rays, pixel, rgb.AsSpan(place, 3 * WideFloatPacket.Count));
-    }
-
-    /// <summary>The places of sixteen pixels' colours.</summary>
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<int> PlacesAt(RayStream rays, int pixel)
-    {
-        var models = Vector512.Create(rays.ModelsAt<WidePacket>(pixel).ToInts(), rays.ModelsAt<WidePacket>(pixel + WidePacket.Count).ToInts());
-        return models + Vector512<int>.One;
-    }
-
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Vector512<float> NearestAt(RayStream rays, int pixel) =>
-        Vector512.Narrow(rays.NearestAt<WidePacket>(pixel).Lanes, rays.NearestAt<WidePacket>(pixel + WidePacket.Count).Lanes);
 }

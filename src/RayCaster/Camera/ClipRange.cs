@@ -23,17 +23,20 @@ public readonly struct ClipRange
     public N Counts<N>(N t, N zPerT) where N : struct, IReal<N>
     {
         var z = t * zPerT;
-        return (t >= least) & (z >= zNear) & (z <= zFar);
+        return IsAhead(t) & IsBeyondNear(z) & IsWithinFar(z);
     }
 
-    /// <summary>The first condition of <see cref="Counts"/> alone: beyond the bias.</summary>
-    public bool IsAhead(double t) => t >= least;
+    /// <summary>Beyond the bias (slide "Bias").</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N IsAhead<N>(N t) where N : struct, IReal<N> => t >= least;
 
-    /// <summary>The second condition of <see cref="Counts"/> alone: not nearer than zNear.</summary>
-    public bool IsBeyondNear(double z) => z >= zNear;
+    /// <summary>Not nearer than the near clip plane (slide "zNear &amp; zFar").</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N IsBeyondNear<N>(N z) where N : struct, IReal<N> => z >= zNear;
 
-    /// <summary>The third condition of <see cref="Counts"/> alone: not beyond zFar.</summary>
-    public bool IsWithinFar(double z) => z <= zFar;
+    /// <summary>Not beyond the far clip plane.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public N IsWithinFar<N>(N z) where N : struct, IReal<N> => z <= zFar;
 
     /// <summary>The first of two crossings that counts, or NaN. Where the near side of a body is clipped away, its far side shows.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

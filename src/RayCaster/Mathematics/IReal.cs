@@ -66,9 +66,11 @@ public interface IReal<N> where N : struct, IReal<N>
     static abstract N Select(N mask, N a, N b);
 
     /// <summary><paramref name="value"/> where the mask holds, elsewhere NaN: "a crossing here, if …".</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     static virtual N If(N mask, N value) => N.Select(mask, value, double.NaN);
 
     /// <summary><paramref name="value"/> where it is a number, <paramref name="instead"/> where it is NaN.</summary>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     static virtual N Or(N value, N instead) => N.Select(value <= double.PositiveInfinity, value, instead);
 
     /// <summary>A vector's coordinates, each divided by the same number.</summary>

@@ -25,7 +25,7 @@ public class ErrorBoundTests
                 var d = new Vector3(-1 - random.NextDouble() * size, y + random.NextDouble() * size, z + random.NextDouble() * size);
                 double exact = IntervalTests.Primitives[shape].Intersect(new Ray<Scalar>(origin, d)).Near;
                 var rough = IntervalTests.Primitives[shape].Intersect(new Ray<FloatPacket>(origin, (Vector3)d)).Near;
-                var error = Math.Abs(rough.Upper[random.Next(FloatPacket.Count)] - exact);
+                var error = Math.Abs(rough.Lanes[random.Next(FloatPacket.Count)] - exact);
                 Assert.True(error <= bound.Error, $"off by {error} for {d}, where {bound.Error} was said to be the most");
                 worst = Math.Max(worst, error / bound.Error);
             }
@@ -47,7 +47,7 @@ public class ErrorBoundTests
         {
             var (column, row) = (random.Next(1920), random.Next(1080));
             double exact = Level<Scalar>(column, row).Value;
-            if ((int)Level<FloatPacket>(column, row).Lower[0] != (int)exact) wrong++;
+            if ((int)Level<FloatPacket>(column, row).Lanes[0] != (int)exact) wrong++;
         }
         Assert.NotEqual(0, wrong);
 

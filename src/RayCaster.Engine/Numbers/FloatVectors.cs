@@ -17,14 +17,6 @@ internal static partial class FloatBytes
         bytes.GetLower().StoreTo(rgb, place);
         bytes.GetUpper().GetLower().StoreTo(rgb, place + Vector256<byte>.Count / 2);
     }
-
-    /// <summary>Writes as many bytes of the first pixels as there is room for.</summary>
-    [MethodImpl(MethodImplOptions.NoInlining)]
-    public static void StoreFew(in Vector256<int> pixels, Span<byte> to)
-    {
-        var bytes = InARow(pixels);
-        for (var i = 0; i < to.Length; i++) to[i] = bytes[i];
-    }
 }
 
 internal readonly partial struct FloatLevel
@@ -35,5 +27,23 @@ internal readonly partial struct FloatLevel
 
     /// <summary>The level is certainly not more than this.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public Vector256<float> Most(Vector256<float> t) => Vector256.FusedMultiplyAdd(t, Vector256.Create(slope), Vector256.Create(most));
+    public Vector256<float> Most(Vector256<float> least) => least + Vector256.Create(width);
+}
+
+internal sealed partial class FloatColors
+{
+    /// <summary>The channels of several pixels, in steps.</summary>
+    /// <param name="packed">The <see cref="Packed"/> colours.</param>
+    /// <param name="places">The place of each pixel's colour.</param>
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static (Vector256<float> R, Vector256<float> G, Vector256<float> B) At(RawSpan<long> packed, Vector256<int> places)
+    {
+        var (first, second) = (Gather(packed, places.GetLower()), Gather(packed, places.GetUpper()));
+        var (low, high) = (Vector256.Narrow(first, second), Vector256.Narrow(first >>> 32, second >>> 32));
+        var mask = Vector256.Create(MostSteps);
+        return (
+            Vector256.ConvertToSingle(low & mask),
+            Vector256.ConvertToSingle(((low >>> ChannelBits) | (high << (32 - ChannelBits))) & mask),
+            Vector256.ConvertToSingle(high >>> (2 * ChannelBits - 32)));
+    }
 }
