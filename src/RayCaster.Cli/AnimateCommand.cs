@@ -2,8 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class AnimateCommand : Command
 {
-    public override Option[] Options { get; } = [Option.Output, Option.Fps, Option.Quiet];
-
     public override string Help => """
         Description:
           Joins frames into an animated PNG (APNG), which browsers play. No pixel changes.
@@ -25,9 +23,7 @@ internal sealed class AnimateCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var output = OutputOf(line, "animate");
-        var fps = line[Option.Fps] is not { } text ? 25
-            : CommandLine.ParseCount(text) is { } number and <= 1000 ? number
-            : throw ProblemException.Usage($"'{text}' is not a number of frames per second: it is a whole number from 1 to 1000");
+        var fps = line.Count(Option.Fps, "frames per second", 1000) ?? 25;
         var frames = FramesOf(line, output);
         PictureOutput.Write(output, cancellation, stream => AnimationFile.Write(stream, frames, fps, cancellation));
         line.Tell($"{output}: {frames.Count} frames, {(double)frames.Count / fps:0.##} s");

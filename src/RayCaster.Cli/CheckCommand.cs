@@ -2,8 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class CheckCommand : Command
 {
-    public override Option[] Options { get; } = [Option.For, Option.Require, Option.Json, Option.Threads, Option.Quiet];
-
     public override string Help => """
         Description:
           Finds errors in scene files without casting a ray. Then says how good the scenes are as
@@ -39,7 +37,7 @@ internal sealed class CheckCommand : Command
     {
         if (line.Operands.Count == 0) throw ProblemException.Usage("check takes <scene>..., but nothing is given");
         var threads = line.ThreadCount();
-        var scenes = new List<Scene>();
+        var (scenes, warnings) = (new List<Scene>(), new List<string>());
         var exitCode = ExitCode.Done;
         foreach (var path in line.Operands)
         {
@@ -48,7 +46,7 @@ internal sealed class CheckCommand : Command
             if (reading.Scene is { } scene)
             {
                 scenes.Add(scene);
-                SceneInput.WarnOfEditedJudge(path, scene);
+                if (SceneInput.WarnOfEditedJudge(path, scene) is { } warning) warnings.Add(warning);
             }
             var unread = reading.Problems.Any(problem => problem.IsError && problem.Line == 0);
             if (line.Has(Option.Json)) StandardFile.WriteError(reading.Report());
@@ -67,7 +65,7 @@ internal sealed class CheckCommand : Command
         var fitness = SceneFitness.Of(scenes, threads, Asked(line[Option.For]));
         var absent = required.Where(id => fitness.Asked.All(mistake => mistake.Id != id)
             || fitness.Hidden.Concat(fitness.NotTried).Any(mistake => mistake.Id == id)).ToArray();
-        if (json) StandardFile.WriteOutput(FitnessReport.Json(fitness, absent));
+        if (json) StandardFile.WriteOutput(FitnessReport.Json(fitness, absent, warnings.Count > 0 ? string.Join(' ', warnings) : null));
         else if (!quiet) StandardFile.WriteOutput(FitnessReport.Text(fitness));
         if (absent.Length == 0) return ExitCode.Done;
         StandardFile.WriteError($"required, but not shown: {string.Join(", ", absent)}{Environment.NewLine}");

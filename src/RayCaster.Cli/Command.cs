@@ -21,11 +21,11 @@ internal abstract class Command
         ["help"] = () => new HelpCommand(),
     };
 
-    /// <summary>Its options; every command also has <see cref="Option.Help"/>.</summary>
-    public abstract Option[] Options { get; }
-
-    /// <summary>The text of its help page: lines of at most 90 characters.</summary>
+    /// <summary>The text of its help page: lines of at most 90 characters. The options are those that begin a line.</summary>
     public abstract string Help { get; }
+
+    /// <summary>Whether an option is one of the command's; every command also has <see cref="Option.Help"/>.</summary>
+    public virtual bool Takes(Option option) => Help.Contains($"\n  {(option.Short == "" ? "    " : option.Short + ", ")}{option.Name} ");
 
     /// <summary>Runs the command; returns the exit code.</summary>
     /// <exception cref="ProblemException">The command failed; the message is for the user.</exception>

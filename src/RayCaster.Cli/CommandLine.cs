@@ -53,7 +53,7 @@ internal sealed class CommandLine
         if (line.Has(Option.Help)) return line;
         if (line.operands.Contains("")) throw ProblemException.Usage("a name is empty: it names no file");
         foreach (var (option, _) in line.values)
-            if (Array.IndexOf(line.Command.Options, option) < 0)
+            if (!line.Command.Takes(option))
                 throw ProblemException.Usage(line.CommandName == ""
                     ? $"option '{option.Name}' belongs to a command: name the command"
                     : $"option '{option.Name}' is not one of {line.CommandName}'s");
@@ -71,9 +71,14 @@ internal sealed class CommandLine
     }
 
     /// <summary>How many threads; null for one per core. More than a few per core only need memory.</summary>
-    public int? ThreadCount() => this[Option.Threads] is not { } text ? null
-        : ParseCount(text) is { } threads and <= 1024 ? Math.Min(threads, MostOfCore * Environment.ProcessorCount)
-        : throw ProblemException.Usage($"'{text}' is not a number of threads: it is a whole number from 1 to 1024");
+    public int? ThreadCount() =>
+        Count(Option.Threads, "threads", 1024) is { } threads ? Math.Min(threads, MostOfCore * Environment.ProcessorCount) : null;
+
+    /// <summary>A whole number from 1 to <paramref name="most"/>; null if the option is not given.</summary>
+    /// <param name="what">What is counted, for the message if the value is no such number.</param>
+    public int? Count(Option option, string what, int most) => this[option] is not { } text ? null
+        : ParseCount(text) is { } count && count <= most ? count
+        : throw ProblemException.Usage($"'{text}' is not a number of {what}: it is a whole number from 1 to {most}");
 
     /// <summary>The picture's size; null for the scene's.</summary>
     public (int Width, int Height)? PictureSize() => this[Option.Size] is { } text ? ParseSize(text) : null;
@@ -98,7 +103,7 @@ internal sealed class CommandLine
         var text => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
     };
 
-    /// <summary>A whole number greater than 0; null if the option is not given.</summary>
+    /// <summary>A whole number greater than 0; null for any other text.</summary>
     public static int? ParseCount(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count > 0 ? count : null;
 

@@ -2,9 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class CompareCommand : Command
 {
-    public override Option[] Options { get; } =
-        [Option.Scene, Option.Output, Option.Measures, Option.Json, Option.Threads];
-
     public override string Help => """
         Description:
           Says whether two pictures are the same, and where they differ. If a change of the
@@ -32,10 +29,9 @@ internal sealed class CompareCommand : Command
         outline. Colours are compared as they are stored: transparency and colour profiles
         are ignored.
 
-        Examples:
-          dotnet run --project src/RayCaster.Cli -- compare mine.png right.png
-          dotnet run --project src/RayCaster.Cli -- compare mine.ppm right.png
-              --scene scenes/room.json -o difference.png
+        Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
+          raycaster compare mine.png right.png
+          raycaster compare mine.ppm right.png --scene scenes/room.json -o difference.png
 
         Exit codes:
           0 same, 1 different, 2 failed.
@@ -50,18 +46,18 @@ internal sealed class CompareCommand : Command
         if (output is not null) InputFiles.Keep(output);
         var format = output is null ? PictureFormat.Png : PictureFormats.ByExtension(output);
         var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
-        Scene? scene = null;
+        var (scene, warning) = (default(Scene), default(string));
         if (line[Option.Scene] is { } path)
         {
             scene = SceneInput.Read(path, line, cancellation, warns: false);
             if (scene is null) return ExitCode.CouldNot;
-            SceneInput.WarnOfEditedJudge(path, scene);
+            warning = SceneInput.WarnOfEditedJudge(path, scene);
         }
 
         var comparison = new PictureComparison(mine, reference, scene, threads);
         if (output is not null) PictureOutput.Write(output, SideBySide.Draw(comparison), format, cancellation);
         StandardFile.WriteOutput(line.Has(Option.Json)
-            ? ComparisonJson.Of(comparison, mineFile, referenceFile)
+            ? ComparisonJson.Of(comparison, mineFile, referenceFile, warning)
             : Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
         return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
     }

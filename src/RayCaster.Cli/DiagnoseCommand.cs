@@ -2,8 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class DiagnoseCommand : Command
 {
-    public override Option[] Options { get; } = [Option.Hint, Option.Done, Option.Json, Option.Threads];
-
     public override string Help => """
         Description:
           Finds out why a picture is wrong: what the program does not draw yet, or which

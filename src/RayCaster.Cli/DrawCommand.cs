@@ -2,12 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class DrawCommand : Command
 {
-    public override Option[] Options { get; } =
-    [
-        Option.Output, Option.Format, Option.Size, Option.Rows, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress,
-        Option.Map, Option.Mistake, Option.Ledger, Option.Plain, Option.Preview, Option.Color, Option.Version,
-    ];
-
     public override string Help => HelpText.Full;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -97,14 +91,13 @@ internal sealed class DrawCommand : Command
     /// <summary>The name of a scene's pictures: its file name without folder and extension.</summary>
     public static string NameOf(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);
 
-    /// <summary>For example room.part-0000-0249.png. The names of all parts have one length, so they sort in order.</summary>
-    private static string PartName(string name, LineRange lines, int height)
-    {
-        var digits = $"D{Math.Max(4, (height - 1).ToString(CultureInfo.InvariantCulture).Length)}";
-        return $"{name}.part-{Padded(lines.First)}-{Padded(lines.Last)}.png";
+    /// <summary>For example room.part-0000-0249.png.</summary>
+    private static string PartName(string name, LineRange lines, int height) =>
+        $"{name}.part-{Padded(lines.First, height)}-{Padded(lines.Last, height)}.png";
 
-        string Padded(int line) => line.ToString(digits, CultureInfo.InvariantCulture);
-    }
+    /// <summary>A number of 0 to count − 1 for a file's name: all have one length, so the files sort in order.</summary>
+    public static string Padded(int number, int count) =>
+        number.ToString($"D{Math.Max(4, (count - 1).ToString(CultureInfo.InvariantCulture).Length)}", CultureInfo.InvariantCulture);
 
     /// <summary>One line: picture, size, models, time, rays per second.</summary>
     private static string Summary(string output, Scene scene, LineRange lines, TimeSpan elapsed)

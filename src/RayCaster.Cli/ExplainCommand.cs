@@ -2,8 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class ExplainCommand : Command
 {
-    public override Option[] Options { get; } = [Option.Size, Option.Reference, Option.Json, Option.Quiet];
-
     public override string Help => """
         Description:
           Shows how one pixel gets its colour: the ray, each model's formula with this pixel's

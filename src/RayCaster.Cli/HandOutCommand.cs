@@ -2,8 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class HandOutCommand : Command
 {
-    public override Option[] Options { get; } = [Option.Open, Option.Solution, Option.Quiet];
-
     public override string Help => """
         Description:
           Writes a hand-out of the lab: a folder that is a course's repository. It has a program that

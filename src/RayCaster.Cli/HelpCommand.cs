@@ -2,9 +2,9 @@ namespace RayCaster.Cli;
 
 internal sealed class HelpCommand : Command
 {
-    public override Option[] Options => [];
-
     public override string Help => HelpText.Full;
+
+    public override bool Takes(Option option) => false;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {

@@ -12,7 +12,7 @@ internal static class Interruption
     {
         WrittenFiles.GiveUp();
         var resumes = WrittenFiles.Count > 0
-            && arguments.Any(word => Command.All.TryGetValue(word, out var command) && command().Options.Contains(Option.Resume));
+            && arguments.Any(word => Command.All.TryGetValue(word, out var command) && command().Takes(Option.Resume));
         var text = $"raycaster: interrupted; {WhatIsThere()}{(resumes ? "; --resume continues" : "")}\n";
         var telling = new Thread(() => StandardFile.WriteError(text)) { IsBackground = true };
         telling.Start();

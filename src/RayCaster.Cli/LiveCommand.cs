@@ -7,14 +7,12 @@ internal sealed class LiveCommand : Command
 {
     private const int Glance = 50; // milliseconds
 
-    public override Option[] Options { get; } = [Option.Mine, Option.Port, Option.NoBrowser];
-
     public override string Help => Live.LiveHelp.Text;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var arguments = new List<string> { line.Exactly("<scene>")[0] };
-        foreach (var option in Options)
+        foreach (var option in Option.All)
             if (line.Has(option))
                 arguments.AddRange(option.TakesValue ? [option.Name, line[option]!] : [option.Name]);
         using var live = Start(arguments);

@@ -2,9 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class MarkCommand : Command
 {
-    public override Option[] Options { get; } =
-        [Option.Output, Option.JUnit, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress];
-
     public override string Help => """
         Description:
           Marks the submissions of a class by their pictures: runs each program on the scenes of a
@@ -34,7 +31,7 @@ internal sealed class MarkCommand : Command
         The students' programs run with your rights. docs/teaching.md says which limits they have,
         and what only a container prevents.
 
-        Examples:
+        Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
           raycaster mark docs/rubric.json
           raycaster mark docs/rubric.json submissions -o marks
 
@@ -57,12 +54,13 @@ internal sealed class MarkCommand : Command
 
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
         var runs = rubric.Source.Run.Count > 0;
-        if (runs) line.Tell($"Students' programs run with your rights, within {RubricReport.HeldBy}.");
+        if (runs) line.Tell($"{RubricReport.LimitsOf(rubric)}");
         using var progress = line.ShowsProgress ? ProgressLine.OnTerminal(0, 0, "submissions") : null;
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(
             line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit],
-            progress is null ? null : progress.Show);
+            progress is null ? null : progress.Show,
+            copy => StandardFile.WriteError($"marks.csv was edited since the last run; that table is now {copy}{Environment.NewLine}"));
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
         progress?.Dispose();
         var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);

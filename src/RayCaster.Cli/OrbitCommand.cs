@@ -4,9 +4,6 @@ internal sealed class OrbitCommand : Command
 {
     private const int MostFrames = 1_000_000;
 
-    public override Option[] Options { get; } =
-        [Option.Frames, Option.Keys, Option.Only, Option.Output, Option.Size, Option.Resume, Option.Threads, Option.Quiet, Option.NoProgress];
-
     public override string Help => """
         Description:
           Draws the frames of a camera that goes once around its target, or along a path from
@@ -31,7 +28,7 @@ internal sealed class OrbitCommand : Command
           -q, --quiet            Prints errors only.
               --no-progress      Never draws a progress line.
 
-        Examples:
+        Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
           raycaster orbit scenes/room.json --frames 48 -o frames
           raycaster animate frames -o room.png --fps 24
 
@@ -41,9 +38,8 @@ internal sealed class OrbitCommand : Command
     {
         var path = line.Exactly("<scene>")[0];
         var (threads, quiet) = (line.ThreadCount(), line.Has(Option.Quiet));
-        if (line[Option.Frames] is not { } text) throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
-        if (CommandLine.ParseCount(text) is not ({ } frames and <= MostFrames))
-            throw ProblemException.Usage($"'{text}' is not a number of frames: it is a whole number from 1 to {MostFrames}");
+        var frames = line.Count(Option.Frames, "frames", MostFrames)
+            ?? throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
         var only = line[Option.Only] is { } some ? Rows.Of(some, frames, "frames", "a film") : LineRange.Whole(frames);
 
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
@@ -59,9 +55,7 @@ internal sealed class OrbitCommand : Command
 
         var folder = line[Option.Output] ?? "";
         var name = DrawCommand.NameOf(path);
-        var digits = $"D{Math.Max(4, (frames - 1).ToString(CultureInfo.InvariantCulture).Length)}";
         var (start, drawn) = (Stopwatch.GetTimestamp(), 0);
-        var leftByKilledRuns = ReplacedFile.LeftIn(folder == "" ? "." : folder);
         var models = PictureOutput.DigestOfModels(scene);
         for (var frame = only.First; frame <= only.Last; frame++)
         {
@@ -70,13 +64,12 @@ internal sealed class OrbitCommand : Command
             if (camera.Flaw is { } flaw) throw new ProblemException($"raycaster: frame {frame} cannot be drawn: {flaw}");
             var view = scene with { Camera = camera };
             var whole = LineRange.Whole(camera.Height);
-            var output = Path.Combine(folder, $"{name}-{frame.ToString(digits, CultureInfo.InvariantCulture)}.png");
+            var output = Path.Combine(folder, $"{name}-{DrawCommand.Padded(frame, frames)}.png");
             var part = PartFacts.Of(view, whole, models); // the file contains what it shows, so --resume can skip it
             // The reason to draw a frame again is printed for the first one only.
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue;
             PictureOutput.Draw(
-                output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, line.ShowsProgress, cancellation,
-                found: leftByKilledRuns);
+                output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, line.ShowsProgress, cancellation);
             drawn++;
         }
         var (pixels, seconds) = ($"{scene.Camera.Width} x {scene.Camera.Height} pixels", Stopwatch.GetElapsedTime(start).TotalSeconds);

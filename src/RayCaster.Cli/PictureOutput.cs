@@ -24,10 +24,9 @@ internal static class PictureOutput
             : PictureFormats.ByExtension(output));
 
     /// <param name="cancellation">If cancelled, the old file stays.</param>
-    /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
     /// <exception cref="PictureFileException">The file cannot be written.</exception>
-    public static void Write(string output, CancellationToken cancellation, Action<Stream> write, IReadOnlyList<string>? found = null)
+    public static void Write(string output, CancellationToken cancellation, Action<Stream> write)
     {
         if (output == SceneInput.Standard)
         {
@@ -35,7 +34,7 @@ internal static class PictureOutput
             return;
         }
         InputFiles.Keep(output);
-        using var file = new ReplacedFile(output, found);
+        using var file = new ReplacedFile(output);
         write(file);
         cancellation.ThrowIfCancellationRequested();
         file.Commit();
@@ -47,18 +46,17 @@ internal static class PictureOutput
     /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
     /// <param name="watch">Also gets the lines in order; again from the first line if the picture is drawn again.</param>
-    /// <param name="found">What killed runs have left in the file's folder; null to list the folder.</param>
     public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
-        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null, IReadOnlyList<string>? found = null)
+        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null)
     {
         if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // lines on standard output cannot be replaced later
         try
         {
-            Write(output, cancellation, WriteOnce, found);
+            Write(output, cancellation, WriteOnce);
         }
         catch (FastWayDisagreesException)
         {
-            Write(output, cancellation, WriteOnce, found); // the file has not replaced the old one yet
+            Write(output, cancellation, WriteOnce); // the file has not replaced the old one yet
         }
 
         void WriteOnce(Stream stream)

@@ -3,7 +3,8 @@ namespace RayCaster.Cli;
 /// <summary>An error that the user can fix. Only the message is printed.</summary>
 internal sealed class ProblemException(string message) : Exception(message)
 {
-    /// <summary>A mistake on the command line; the message ends with the help command.</summary>
-    public static ProblemException Usage(string problem) =>
-        new($"raycaster: {problem}\nTry 'raycaster help', or dotnet run --project src/RayCaster.Cli -- help.");
+    /// <summary>Whether the command line is wrong: then the command's usage is printed, too.</summary>
+    public bool IsUsage { get; private init; }
+
+    public static ProblemException Usage(string problem) => new($"raycaster: {problem}") { IsUsage = true };
 }

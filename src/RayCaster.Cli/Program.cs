@@ -40,6 +40,7 @@ internal static class Program
         catch (Exception e) when (Message(e) is { } message)
         {
             StandardFile.WriteError(message + Environment.NewLine);
+            if (e is ProblemException { IsUsage: true }) StandardFile.WriteError(HelpText.HintAfter(arguments));
             return ExitCode.CouldNot;
         }
         catch (Exception unexpected)
@@ -64,8 +65,8 @@ internal static class Program
     private static int Report(Exception unexpected)
     {
         StandardFile.WriteError($"""
-            raycaster: internal error: {unexpected.Message}
-            This is a fault of raycaster, please report it; with RAYCASTER_TRACE=1 it shows where it happened.
+            {Fault.InWords("raycaster", unexpected)}
+            With RAYCASTER_TRACE=1 it shows where it happened.
 
             """);
         if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1")

@@ -2,8 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class SheetCommand : Command
 {
-    public override Option[] Options { get; } = [Option.Output, Option.Columns, Option.Size, Option.Quiet];
-
     public override string Help => """
         Description:
           Makes a contact sheet: one picture with small copies of many pictures.

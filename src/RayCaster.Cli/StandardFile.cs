@@ -25,7 +25,7 @@ internal static class StandardFile
     {
         try
         {
-            using var stream = OpenOutput();
+            using var stream = OperatingSystem.IsWindows() ? Console.OpenStandardOutput() : Open(Output);
             HasTakenBytes = true;
             try
             {
@@ -41,8 +41,6 @@ internal static class StandardFile
             throw new ProblemException($"raycaster: cannot write to standard output: {Reason(e)}");
         }
     }
-
-    private static Stream OpenOutput() => OperatingSystem.IsWindows() ? Console.OpenStandardOutput() : Open(Output);
 
     /// <summary>
     /// Writes the buffer, and moves the position at which other processes write to the same file, as in "(raycaster … -o -; date) &gt; file".

@@ -5,8 +5,6 @@ internal sealed class StitchCommand : Command
     /// <summary>How many problems are listed at most.</summary>
     private const int Printed = 20;
 
-    public override Option[] Options { get; } = [Option.Output, Option.Format, Option.Missing, Option.Quiet, Option.NoProgress];
-
     public override string Help => """
         Description:
           Joins the parts of a picture that "raycaster <scene> --rows ..." has drawn, here or on
@@ -34,7 +32,7 @@ internal sealed class StitchCommand : Command
         lines that two parts hold (even if they are equal: remove one of the files). The message
         names the files and lines, and an existing picture stays as it is.
 
-        Examples:
+        Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
           raycaster stitch room.part-*.png -o room.png
           for lines in $(raycaster stitch parts --missing); do
             raycaster scenes/room.json --rows $lines -o parts/$lines.png

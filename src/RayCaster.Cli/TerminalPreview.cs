@@ -30,22 +30,22 @@ internal sealed class TerminalPreview
         var text = new StringBuilder();
         for (var y = 0; y < down; y += 2)
         {
-            if (depth == ColorDepth.None) AddPlain(text, y);
+            if (depth == ColorDepth.None) text.Append(Plain(y));
             else AddColored(text, y, depth);
             text.Append('\n');
         }
         return text.ToString();
     }
 
-    private void AddPlain(StringBuilder text, int y)
+    private string Plain(int y)
     {
-        var start = text.Length;
-        for (var x = 0; x < across; x++)
+        return string.Concat(Enumerable.Range(0, across).Select(Character)).TrimEnd();
+
+        char Character(int x)
         {
             var light = y + 1 < down ? (Light(cells.Picture[x, y]) + Light(cells.Picture[x, y + 1])) / 2 : Light(cells.Picture[x, y]);
-            text.Append(Ramp[Math.Min((int)(light / 256 * Ramp.Length), Ramp.Length - 1)]);
+            return Ramp[Math.Min((int)(light / 256 * Ramp.Length), Ramp.Length - 1)];
         }
-        while (text.Length > start && text[^1] == ' ') text.Length--;
     }
 
     private void AddColored(StringBuilder text, int y, ColorDepth depth)

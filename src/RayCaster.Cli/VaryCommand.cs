@@ -2,8 +2,6 @@ namespace RayCaster.Cli;
 
 internal sealed class VaryCommand : Command
 {
-    public override Option[] Options { get; } = [Option.Seed, Option.Output, Option.Quiet];
-
     public override string Help => """
         Description:
           Changes the numbers of a scene a little, so that each student gets a different scene.
@@ -21,7 +19,7 @@ internal sealed class VaryCommand : Command
           -o, --output <file>  Where to write the scene. If it names mesh files: in the same folder.
           -q, --quiet          Prints errors only.
 
-        Examples:
+        Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
           raycaster vary scenes/weeks/4-all.json --seed 12345 -o scenes/my/12345.json
 
         Exit codes:

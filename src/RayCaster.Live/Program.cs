@@ -36,7 +36,7 @@ internal static class Program
         }
         catch (Exception unexpected)
         {
-            Console.Error.WriteLine($"raycaster-live: internal error: {unexpected.Message}\nThis is a fault of raycaster, please report it.");
+            Console.Error.WriteLine(Fault.InWords("raycaster-live", unexpected));
             return InternalError;
         }
 

@@ -52,8 +52,18 @@ internal sealed class Studio
             {
                 Thread.Sleep(2); // pages that wait draw first
                 turn.Wait();
-                buffer.Draw(view);
-                turn.Release();
+                try
+                {
+                    buffer.Draw(view);
+                }
+                catch (Exception) when (ScalarRenderer.IsChanged)
+                {
+                    return; // a page whose picture has the same fault shows it
+                }
+                finally
+                {
+                    turn.Release();
+                }
             }
         })
         { IsBackground = true, Priority = ThreadPriority.Lowest, Name = "warm-up" }.Start();

@@ -16,6 +16,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private readonly CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
     private readonly ConcurrentQueue<byte[]> posted = new();
     private Task sending = Task.CompletedTask;
+    private bool hasFault; // the page shows a fault of the code
 
     private readonly Lock sync = new(); // for the fields below, which the reading loop writes, and the sending loop reads after Takes
     private Pending pending;
@@ -89,6 +90,12 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
                 lock (sync) Refresh();
                 Wake();
             }
+            catch (Exception fault) when (socket.State == WebSocketState.Open && !end.IsCancellationRequested)
+            {
+                // Often a formula that was changed. The page shows the fault until a picture is drawn again.
+                hasFault = true;
+                await SendAsync(Messages.OfCode([new(true, "", 0, 0, Fault.InWords("raycaster-live", fault).ReplaceLineEndings(". "), "")]));
+            }
         }
     }
 
@@ -130,6 +137,8 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
             ? await server.Studio.DoAsync(() => buffer.Draw(wanted.Of(state.Scene!)), end.Token)
             : await server.Studio.DrawAsync(state, wanted, Outdated());
         await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
+        if (hasFault) await SendAsync(Messages.OfCode([]));
+        hasFault = false;
         server.Studio.WarmUp(state.Scene!);
     }
 

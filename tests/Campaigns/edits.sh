@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What is read is what draws: edits lines that README shows, one at a time, in a copy of the project, builds, draws scenes/room.json, and wants the picture
-# or a message to change. diagnose warns of an edit in its JSON, too.
+# or a message to change. The JSON of diagnose, compare and check warns of an edit, too.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1
@@ -50,7 +50,7 @@ edit "truncated, not rounded"    $course/Models/Color.cs             's/ \* 255 
 edit "the picture's indexer"     $course/Rendering/Picture.cs        's/(Rgb\[i\], Rgb\[i + 1\], Rgb\[i + 2\]) = value/(Rgb[i + 2], Rgb[i + 1], Rgb[i]) = value/'
 edit "h without the 2"           $course/Camera/Camera.cs            's/PlaneHeight = 2 \* Math.Tan/PlaneHeight = Math.Tan/'
 edit "the ray of a pixel"        $course/Camera/Camera.cs            's/Direction<Scalar>(column, row);/Direction<Scalar>(column, row + 1);/'
-edit "the clip range"            $course/Camera/ClipRange.cs         's/(z >= zNear) &/(z <= zNear) \&/'
+edit "the clip range"            $course/Camera/ClipRange.cs         's/z >= zNear;/z <= zNear;/'
 edit "dot product"               $course/Mathematics/Vector3OfN.cs   's/a.X \* b.X + a.Y \* b.Y/a.X * b.X - a.Y * b.Y/'
 edit "cross product"             $course/Mathematics/Vector3.cs      's/a.Z \* b.X - a.X \* b.Z/a.X * b.Z - a.Z * b.X/'
 edit "plane"                     $course/Models/Plane.cs             's/(Point - ray.Origin) \* Normal/(ray.Origin - Point) * Normal/'
@@ -64,11 +64,22 @@ edit "the picture's writer"      src/RayCaster.Files/PictureFiles/PictureWriter.
 
 sed -i 's/Radius \* Radius - D \* D/Radius - D * D/' $course/Models/Sphere.cs
 draw >/dev/null
-dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll diagnose scenes/room.json right.png --json >said.json 2>/dev/null || true
-if grep -q '"warning": "The judge has been edited' said.json; then
-    passed=$((passed + 1)); echo "ok     diagnose --json says that the judge has been edited"
+for command in "diagnose scenes/room.json right.png" "compare new.png right.png --scene scenes/room.json" "check scenes/room.json"; do
+    # shellcheck disable=SC2086 # the words of a command
+    dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll $command --json >said.json 2>/dev/null || true
+    if grep -q '"warning": "The judge has been edited' said.json; then
+        passed=$((passed + 1)); echo "ok     ${command%% *} --json says that the judge has been edited"
+    else
+        failed=$((failed + 1)); echo "FAILED ${command%% *} --json does not say that the judge has been edited"
+    fi
+done
+
+sed -i 's/return new(tca - thc/if (Radius < 9) throw new Exception("boom"); &/' $course/Models/Sphere.cs
+message=$(draw)
+if [[ $message == *"Exception"*": boom"*"src/RayCaster was changed"* ]]; then
+    passed=$((passed + 1)); echo "ok     a formula that throws is told as the change's fault"
 else
-    failed=$((failed + 1)); echo "FAILED diagnose --json does not say that the judge has been edited"
+    failed=$((failed + 1)); echo "FAILED a formula that throws: $message"
 fi
 echo "$passed passed, $failed failed"
 [ "$failed" -eq 0 ]

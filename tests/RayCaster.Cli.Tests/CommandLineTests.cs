@@ -64,6 +64,24 @@ public sealed class CommandLineTests : IDisposable
     }
 
     [Fact]
+    public void AMistakeOnACommandsLineShowsItsUsage()
+    {
+        raycaster.Run("mark", "rubric.json", "--resum");
+        Assert.Equal((2, """
+            raycaster: unknown option '--resum'; did you mean '--resume'?
+            Usage:
+              raycaster mark <rubric> <submissions> -o <folder> [options]
+              raycaster mark <rubric>
+            Try 'raycaster help mark', or dotnet run --project src/RayCaster.Cli -- help mark.
+
+            """), (raycaster.ExitCode, raycaster.Error));
+    }
+
+    [Fact]
+    public void EveryCommandHasItsUsage() => Assert.All(Command.All.Keys, name =>
+        Assert.EndsWith($"help{(name is "draw" or "help" ? "" : " " + name)}.\n", HelpText.HintAfter([name, "--no-such-option"])));
+
+    [Fact]
     public void AfterTwoDashesEverythingIsAScene()
     {
         raycaster.Run("--", "-q");

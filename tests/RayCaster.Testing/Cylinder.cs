@@ -1,7 +1,7 @@
 namespace RayCaster.Testing;
 
 /// <summary>An upright tube without lids, written as docs/adding-a-primitive.md shows it: plain doubles and ifs, no number type.</summary>
-internal sealed class Cylinder(Vector3 center, double radius, double height) : Model
+public sealed class Cylinder(Vector3 center, double radius, double height) : Model
 {
     public override double? Intersect(Ray ray)
     {

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace RayCaster.Testing;
 
 /// <summary>A flat disc with a hole, written as docs/adding-a-primitive.md shows it: a formula over any kind of number.</summary>
-internal readonly record struct Ring(Vector3 Center, Vector3 Normal, double Inner, double Outer) : IPrimitive
+public readonly record struct Ring(Vector3 Center, Vector3 Normal, double Inner, double Outer) : IPrimitive
 {
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Crossings<N> Intersect<N>(in Ray<N> ray) where N : struct, IReal<N>

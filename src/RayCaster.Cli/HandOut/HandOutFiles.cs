@@ -49,9 +49,8 @@ internal static class HandOutFiles
             files.Add((path, open.Length == 0
                 ? content : Encoding.UTF8.GetBytes(bodies.With(slide => isOpen(Teaching.LabSteps.StepOf(slide))))));
         }
-        for (var step = 1; step <= Teaching.LabSteps.Count; step++)
-            if (!steps.Contains(step))
-                throw new ProblemException($"src/RayCaster.Lab: error: no body of step {step} is marked with // BEGIN SOLUTION");
-        return files;
+        return Enumerable.Range(1, Teaching.LabSteps.Count).Except(steps).ToArray() is [var step, ..]
+            ? throw new ProblemException($"src/RayCaster.Lab: error: no body of step {step} is marked with // BEGIN SOLUTION")
+            : files;
     }
 }

@@ -20,7 +20,9 @@ internal static class HandOutFolder
             foreach (var (path, content) in files)
             {
                 cancellation.ThrowIfCancellationRequested();
-                Write(Path.Combine(made.Path, path), content);
+                var file = Path.Combine(made.Path, path);
+                Directory.CreateDirectory(Path.GetDirectoryName(file)!);
+                File.WriteAllBytes(file, content);
             }
             foreach (var library in libraries) CopyLibrary(library, Path.Combine(made.Path, "lib"));
             WritePictures(Path.Combine(made.Path, "scenes"), cancellation);
@@ -31,12 +33,6 @@ internal static class HandOutFolder
             var reason = e is UnauthorizedAccessException ? "access is denied" : e.Message; // its own message names the temporary folder
             throw new ProblemException($"raycaster: the hand-out cannot be written to {folder}: {reason}");
         }
-    }
-
-    private static void Write(string path, byte[] content)
-    {
-        Directory.CreateDirectory(Path.GetDirectoryName(path)!);
-        File.WriteAllBytes(path, content);
     }
 
     private static void CopyLibrary(string name, string folder)

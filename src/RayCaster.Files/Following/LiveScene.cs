@@ -56,7 +56,9 @@ public sealed class LiveScene : IDisposable
             var reading = await ReadPatiently();
             var isSame = reading.Text.Span.SequenceEqual(State.Text.Span) && reading.Scene is not null == State.IsGood;
             if (isSame && stamps.AsSpan().SequenceEqual(StampsOf(reading))) continue; // a second notice of the same save
-            Publish(Next(reading));
+            State = Next(reading);
+            Interlocked.Exchange(ref outdated, new()).Cancel();
+            Changed?.Invoke();
         }
     }
 
@@ -85,13 +87,6 @@ public sealed class LiveScene : IDisposable
     {
         end.Cancel();
         watch.Dispose();
-    }
-
-    private void Publish(SceneState state)
-    {
-        State = state;
-        Interlocked.Exchange(ref outdated, new()).Cancel();
-        Changed?.Invoke();
     }
 
     /// <summary>Reads until the file is good, or stays broken for a while.</summary>

@@ -1,5 +1,9 @@
 namespace RayCaster.Files;
 
+/// <summary>Where a moving camera is at one moment.</summary>
+/// <param name="Time">The moment, in any unit: only the ratios of the times between keys matter.</param>
+public readonly record struct CameraKey(double Time, Vector3 Position, Vector3 Target, double FovY);
+
 /// <summary>The path of a camera through two or more keys.</summary>
 /// <param name="keys">The keys in the order of their times; no two times are equal.</param>
 /// <param name="isSmooth">Whether the path is a curve through the keys (Catmull–Rom), or straight from each key to the next.</param>

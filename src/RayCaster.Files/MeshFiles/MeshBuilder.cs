@@ -47,17 +47,11 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
     public MeshPiece TakePiece()
     {
         var piece = new MeshPiece([.. vertices], [.. indices], countsFromHere);
-        Drop();
-        return piece;
-    }
-
-    /// <summary>Forgets what was collected, but still counts its vertices.</summary>
-    public void Drop()
-    {
         verticesBefore += vertices.Count;
         vertices.Clear();
         indices.Clear();
         countsFromHere = false;
+        return piece;
     }
 
     private void Add(int corner)

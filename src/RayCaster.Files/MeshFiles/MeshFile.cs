@@ -44,7 +44,8 @@ public static class MeshFile
         }
         catch (UnauthorizedAccessException e)
         {
-            throw new MeshFileException(path, $"no permission to read it{FullPath(path)}", inner: e);
+            var place = Path.IsPathFullyQualified(path) ? "" : $"; looked for {PrintableText.Of(Path.GetFullPath(path))}";
+            throw new MeshFileException(path, $"no permission to read it{place}", inner: e);
         }
         catch (Exception e) when (e is IOException or ArgumentException or NotSupportedException)
         {
@@ -56,7 +57,4 @@ public static class MeshFile
         ? new(bytes.Array!, 0, bytes.Count, writable: false)
         : throw new MeshFileException(path, FormattableString.Invariant(
             $"a pipe or device of more than {MostBytesAtOnce:N0} bytes is not read, but a file of any size is"));
-
-    private static string? FullPath(string path) =>
-        Path.IsPathFullyQualified(path) ? null : $"; looked for {PrintableText.Of(Path.GetFullPath(path))}";
 }

@@ -13,15 +13,9 @@ internal static class MeshReader
         return (threads > 1 ? ReadSideBySide(source, begin(), threads) : null) ?? ReadInOrder(source, begin());
     }
 
-    /// <summary>Reads a file again and keeps nothing of it, to find its first mistake.</summary>
+    /// <summary>Reads a file on one thread, so that its first mistake is found.</summary>
     /// <exception cref="MeshFileException">The mistake.</exception>
-    public static void Check(MeshSource source, MeshFormat format)
-    {
-        var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: true));
-        for (; format.Next(block); mesh.Drop()) format.Read(block, mesh);
-    }
-
-    private static MeshData ReadInOrder(MeshSource source, MeshFormat format)
+    public static MeshData ReadInOrder(MeshSource source, MeshFormat format)
     {
         var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: true));
         var pieces = new List<MeshPiece>();
@@ -36,10 +30,9 @@ internal static class MeshReader
     private static MeshData? ReadSideBySide(MeshSource source, MeshFormat format, int threads)
     {
         var pieces = new List<MeshPiece>();
-        var failed = false;
-        Ranges.EachPiece(threads, threads, _ =>
+        try
         {
-            try
+            Ranges.EachPiece(threads, threads, _ =>
             {
                 var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: false));
                 while (NextPlace(block) is { } place)
@@ -48,15 +41,7 @@ internal static class MeshReader
                     var piece = mesh.TakePiece();
                     lock (format) pieces[place] = piece;
                 }
-            }
-            catch (MeshFileException)
-            {
-                Volatile.Write(ref failed, true);
-            }
-        });
-        if (failed) return null;
-        try
-        {
+            });
             return MeshPiece.Join(pieces, source, threads);
         }
         catch (MeshFileException)
@@ -68,7 +53,7 @@ internal static class MeshReader
         {
             lock (format)
             {
-                if (Volatile.Read(ref failed) || !format.Next(block)) return null;
+                if (!format.Next(block)) return null;
                 pieces.Add(default);
                 return pieces.Count - 1;
             }

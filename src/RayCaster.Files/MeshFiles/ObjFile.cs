@@ -14,7 +14,7 @@ internal sealed class ObjFile : TextFormat
         var mesh = MeshReader.Read(source, () => new ObjFile(source));
         // A face may stand before its vertices, so the range of indices is known only now. A second reading stops at the first index beyond it.
         if (!mesh.Indices.AsSpan().ContainsAnyInRange(mesh.Vertices.Length, int.MaxValue)) return mesh;
-        MeshReader.Check(source, new ObjFile(source, mesh.Vertices.Length));
+        MeshReader.ReadInOrder(source, new ObjFile(source, mesh.Vertices.Length));
         throw source.Error("the file changed while it was read");
     }
 

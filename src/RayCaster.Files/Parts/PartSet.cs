@@ -24,7 +24,7 @@ public sealed class PartSet
         if (parts.Count == 0) return;
         FindStrangers();
         if (problems.Count == 0) FindOverlaps();
-        Missing = FindMissing();
+        Missing = [.. FindMissing()];
     }
 
     /// <summary>How many parts there are.</summary>
@@ -94,16 +94,14 @@ public sealed class PartSet
         }
     }
 
-    private List<LineRange> FindMissing()
+    private IEnumerable<LineRange> FindMissing()
     {
-        var missing = new List<LineRange>();
         var next = 0; // the first line that is not yet found
         foreach (var (_, facts) in parts)
         {
-            if (facts.Lines.First > next) missing.Add(new(next, facts.Lines.First - 1));
+            if (facts.Lines.First > next) yield return new(next, facts.Lines.First - 1);
             next = Math.Max(next, facts.Lines.Last + 1);
         }
-        if (next < Size.Height) missing.Add(new(next, Size.Height - 1));
-        return missing;
+        if (next < Size.Height) yield return new(next, Size.Height - 1);
     }
 }

@@ -27,14 +27,10 @@ public static class PictureFile
     /// <summary>Reads a picture from the rest of a stream, as <see cref="Read(string)"/> does; the messages name no file.</summary>
     /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
-    public static Picture Read(Stream stream) => Read(stream, MostBytes);
-
-    /// <summary>The same with a limit.</summary>
-    /// <param name="mostBytes">The most bytes that the picture may take in memory, three for each pixel.</param>
-    /// <exception cref="PictureFileException">The data are damaged, of another kind, or too large.</exception>
-    /// <exception cref="IOException">The stream fails.</exception>
-    public static Picture Read(Stream stream, long mostBytes)
+    /// <param name="limit">The most bytes that the picture may take in memory, three for each pixel; those of the largest array if left out.</param>
+    public static Picture Read(Stream stream, long? limit = null)
     {
+        var mostBytes = limit ?? MostBytes;
         try
         {
             // The first bytes show the format. A pipe cannot seek back, so they are passed on with the rest.
@@ -119,14 +115,8 @@ public static class PictureFile
     }
 
     /// <summary>A piece of a damaged file, fit for a message.</summary>
-    internal static string Printable(ReadOnlySpan<byte> bytes)
-    {
-        var text = new StringBuilder();
-        foreach (var value in bytes)
-            if (value is >= 0x20 and < 0x7F) text.Append((char)value);
-            else text.Append($"\\x{value:X2}");
-        return text.ToString();
-    }
+    internal static string Printable(ReadOnlySpan<byte> bytes) =>
+        string.Concat(bytes.ToArray().Select(value => value is >= 0x20 and < 0x7F ? $"{(char)value}" : $"\\x{value:X2}"));
 
     private static MemoryStream InMemory(ReadOnlySpan<byte> begun, Stream stream) =>
         StreamBytes.TryReadToEnd(stream, MostBytes - 1, out var bytes, begun)

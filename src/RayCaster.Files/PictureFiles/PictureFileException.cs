@@ -18,7 +18,7 @@ public sealed class PictureFileException(string message, Exception? cause = null
     internal static string Reason(Exception e)
     {
         if (e is UnauthorizedAccessException) return "access is denied";
-        if (e is FileNotFoundException or DirectoryNotFoundException) return "the file or its folder is gone";
+        if (e is FileNotFoundException or DirectoryNotFoundException) return "the file or its folder does not exist";
         if (e is PathTooLongException) return "the name is too long";
         if (e.HResult is NoSpaceOnUnix or DiskFullOnWindows) return "the disk is full";
         if (e is ArgumentOutOfRangeException) return "the file is larger than the system allows";

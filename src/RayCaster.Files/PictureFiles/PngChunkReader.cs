@@ -5,7 +5,6 @@ internal sealed class PngChunkReader
 {
     private readonly Stream file;
     private readonly byte[] frame = new byte[8], passedBy = new byte[1 << 14];
-    private long start;
     private uint crc;
 
     /// <exception cref="PictureFileException">The file cannot seek, or does not begin like a PNG.</exception>
@@ -23,25 +22,28 @@ internal sealed class PngChunkReader
     /// <summary>The chunk's four letters.</summary>
     public string Type { get; private set; } = "";
 
+    /// <summary>Where the chunk begins in the file.</summary>
+    public long Place { get; private set; }
+
     /// <summary>How many of its bytes are not read yet.</summary>
     public long Left { get; private set; }
 
     /// <exception cref="PictureFileException">The file is cut short.</exception>
     public void Next()
     {
-        start = file.Position;
-        var follow = file.Length - start - PngChunk.Frame;
+        Place = file.Position;
+        var follow = file.Length - Place - PngChunk.Frame;
         if (follow < 0 || Fill(frame) < frame.Length)
             throw new PictureFileException($"the file is cut short: it ends at byte {file.Length:N0}, before its chunk IEND");
         Left = BinaryPrimitives.ReadUInt32BigEndian(frame);
         foreach (var letter in frame.AsSpan(4))
             if (!char.IsAsciiLetter((char)letter))
-                throw new PictureFileException($"its chunk at byte {start:N0} is of the type {PictureFile.Printable(frame.AsSpan(4))}, " +
+                throw new PictureFileException($"its chunk at byte {Place:N0} is of the type {PictureFile.Printable(frame.AsSpan(4))}, " +
                     "which is not four letters");
         Type = Encoding.ASCII.GetString(frame.AsSpan(4));
         if (Left > follow)
             throw new PictureFileException(
-                $"the file is cut short: its chunk {Type} at byte {start:N0} needs {Left:N0} bytes, but {follow:N0} follow");
+                $"the file is cut short: its chunk {Type} at byte {Place:N0} needs {Left:N0} bytes, but {follow:N0} follow");
         crc = PngChunk.Crc(0, frame.AsSpan(4));
         if (Left == 0) CheckCrc();
     }
@@ -52,8 +54,6 @@ internal sealed class PngChunkReader
         file.Position = chunk;
         Next();
     }
-
-    public long Place => start;
 
     /// <summary>Reads the next bytes of the chunk's data, and checks the checksum after the last of them.</summary>
     /// <returns>How many: fewer than the buffer holds only at the chunk's end.</returns>
@@ -96,7 +96,7 @@ internal sealed class PngChunkReader
         var sum = frame.AsSpan(0, 4);
         if (Fill(sum) < 4) throw new PictureFileException("the file became shorter while it was read");
         if (BinaryPrimitives.ReadUInt32BigEndian(sum) != crc)
-            throw new PictureFileException($"its chunk {Type} at byte {start:N0} is damaged: the checksum is wrong");
+            throw new PictureFileException($"its chunk {Type} at byte {Place:N0} is damaged: the checksum is wrong");
     }
 
     private int Fill(Span<byte> buffer)

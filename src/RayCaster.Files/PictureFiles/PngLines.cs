@@ -8,9 +8,6 @@ internal sealed class PngLines(Stream data, PngHeader header)
     private readonly int margin = Math.Max(1, header.BitsPerPixel / 8);
     private byte[] line = [], above = [], samples = [];
 
-    /// <summary>The picture's line that was read last.</summary>
-    public int Line { get; private set; }
-
     /// <summary>Begins a pass, of the width of its lines.</summary>
     public void Begin(PngPass pass)
     {
@@ -22,11 +19,10 @@ internal sealed class PngLines(Stream data, PngHeader header)
     /// <summary>The samples of the next line, scaled to 8 bits if they are not places in the palette. The next call overwrites them.</summary>
     /// <exception cref="EndOfStreamException">The line is missing.</exception>
     /// <exception cref="PictureFileException">Its filter is unknown.</exception>
-    public ReadOnlySpan<byte> Next(int y)
+    public ReadOnlySpan<byte> Next()
     {
         (line, above) = (above, line);
         var filtered = line.AsSpan(margin - 1);
-        Line = y;
         data.ReadExactly(filtered);
         var filter = filtered[0];
         filtered[0] = 0;

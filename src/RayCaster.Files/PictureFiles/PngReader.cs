@@ -6,7 +6,7 @@ namespace RayCaster.Files;
 /// Reads PNG of every colour type, bit depth and interlacing (ISO/IEC 15948). Checks all checksums, and drops alpha and transparency. A picture
 /// that is not interlaced can be read line by line, in memory that does not grow with the number of lines.
 /// </summary>
-internal sealed class PngReader : IDisposable
+internal sealed class PngReader
 {
     /// <summary>The best compression there is: Deflate describes 258 bytes with two bits.</summary>
     private const int MostBytesFromOne = 1032;
@@ -17,9 +17,6 @@ internal sealed class PngReader : IDisposable
     private readonly PngChunkReader chunks;
     private readonly byte[] palette = [];
     private readonly long firstData;
-    private ZLibStream? data;
-    private PngLines? lines;
-    private int linesRead;
 
     /// <summary>Reads all chunks but the pixels. The file must be able to seek, and is left open.</summary>
     /// <exception cref="PictureFileException">The file is damaged, or the picture needs more than <paramref name="mostBytes"/> bytes, three
@@ -58,7 +55,7 @@ internal sealed class PngReader : IDisposable
                     IsAnimation = true;
                     break;
                 case "tEXt" when chunks.Left <= MostText && PartText is null:
-                    PartText = TextOf(chunks.ReadUpTo(MostText));
+                    PartText = Encoding.Latin1.GetString(chunks.ReadUpTo(MostText)).Split('\0') is [PartFacts.Keyword, var text] ? text : null;
                     break;
                 case "IEND":
                     break;
@@ -86,23 +83,22 @@ internal sealed class PngReader : IDisposable
     /// <summary>Whether the file is an animation (APNG), of which only the first picture is read.</summary>
     public bool IsAnimation { get; }
 
-    /// <summary>The text of <see cref="PartFacts"/>, if the picture is a part of one.</summary>
+    /// <summary>The text under <see cref="PartFacts.Keyword"/>; null if there is none.</summary>
     public string? PartText { get; }
 
     /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
     public static Picture Read(Stream file, long mostBytes)
     {
-        using var reader = new PngReader(file, mostBytes);
-        return reader.ReadPicture();
+        var reader = new PngReader(file, mostBytes);
+        var picture = new Picture(reader.Header.Width, reader.Header.Height);
+        reader.ReadLines(y => picture.Rgb.AsMemory(3 * picture.Width * y, 3 * picture.Width), _ => { });
+        return picture;
     }
 
     /// <summary>Opens a file for reading it line by line.</summary>
     /// <exception cref="PictureFileException">The file cannot be read; the message names it.</exception>
-    public static T OpenFile<T>(string path, Func<PngReader, T> read) => PictureFile.Open(path, file =>
-    {
-        using var png = new PngReader(file, 3 * Camera.MaxPixels);
-        return read(png);
-    });
+    public static T OpenFile<T>(string path, Func<PngReader, T> read) =>
+        PictureFile.Open(path, file => read(new(file, 3 * Camera.MaxPixels)));
 
     /// <exception cref="PictureFileException">The picture is interlaced, so that its lines do not follow each other.</exception>
     public void RequireLines()
@@ -115,23 +111,8 @@ internal sealed class PngReader : IDisposable
     public void ReadLines(Action<ReadOnlySpan<byte>> take)
     {
         var line = new byte[3 * Header.Width];
-        for (var y = 0; y < Header.Height; y++)
-        {
-            ReadLine(line);
-            take(line);
-        }
+        ReadLines(_ => line, _ => take(line));
     }
-
-    private void ReadLine(Span<byte> rgb) => FromData(rgb, static (reader, rgb) =>
-    {
-        if (reader.lines is null) reader.OpenLines().Begin(reader.Header.Passes[0]);
-        var samples = reader.lines!.Next(reader.linesRead);
-        if (reader.Header.ColorType == PngHeader.Rgb) samples.CopyTo(rgb);
-        else
-            for (; !rgb.IsEmpty; rgb = rgb[3..], samples = samples[reader.Header.Channels..])
-                (rgb[0], rgb[1], rgb[2]) = reader.ColorOf(samples);
-        if (++reader.linesRead == reader.Header.Height) reader.CheckEnd();
-    });
 
     /// <summary>The compressed pixels, a zlib stream. Reading it checks the chunks' checksums.</summary>
     public Stream OpenCompressed()
@@ -140,68 +121,44 @@ internal sealed class PngReader : IDisposable
         return new PngData(chunks);
     }
 
-    public void Dispose() => data?.Dispose();
-
-    private Picture ReadPicture()
-    {
-        OpenLines();
-        var picture = new Picture(Header.Width, Header.Height);
-        FromData(picture, static (reader, picture) =>
-        {
-            foreach (var pass in reader.Header.Passes)
-            {
-                reader.lines!.Begin(pass);
-                for (var y = pass.Y; y < picture.Height; y += pass.StepY) reader.Place(reader.lines.Next(y), y, pass, picture);
-            }
-            reader.CheckEnd();
-        });
-        return picture;
-    }
-
-    private PngLines OpenLines()
+    /// <param name="lineAt">The memory for the colours of a line.</param>
+    /// <param name="isRead">Called after each line of a pass.</param>
+    private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead)
     {
         chunks.Return(firstData);
-        data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
-        return lines = new(data, Header);
-    }
-
-    /// <summary>The text under <see cref="PartFacts.Keyword"/>; null where the chunk holds another text.</summary>
-    private static string? TextOf(ReadOnlySpan<byte> chunk)
-    {
-        var end = chunk.IndexOf((byte)0);
-        if (end != PartFacts.Keyword.Length || chunk[(end + 1)..].Contains((byte)0)) return null;
-        return Encoding.Latin1.GetString(chunk[..end]) == PartFacts.Keyword ? Encoding.Latin1.GetString(chunk[(end + 1)..]) : null;
-    }
-
-    /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a missing one only with its switch UseStrictValidation
-    /// (Directory.Build.props). Bytes behind it are ignored, as PNG's third edition asks (11.2.3): programs write their whole buffer. The
-    /// checksums of their chunks are checked.</summary>
-    private void CheckEnd()
-    {
-        try
+        using var data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
+        var (lines, passes) = (new PngLines(data, Header), Header.Passes);
+        foreach (var pass in passes)
         {
-            if (data!.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
-            data.BaseStream.CopyTo(Stream.Null);
-        }
-        catch (InvalidDataException e)
-        {
-            throw new PictureFileException("its compressed data do not end with their checksum", e);
+            lines.Begin(pass);
+            for (var y = pass.Y; y < Header.Height; y += pass.StepY)
+            {
+                var isLast = pass == passes[^1] && y + pass.StepY >= Header.Height;
+                ReadLine(lines, pass, y, lineAt(y).Span, isLast ? data : null);
+                isRead(y);
+            }
         }
     }
 
-    /// <summary>Reads something from the data. Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>
-    private void FromData<T>(T into, Action<PngReader, T> read) where T : allows ref struct
+    /// <summary>Reads a line of a pass. Damaged data are reported as a wrong checksum of their chunk, if it is wrong.</summary>
+    /// <param name="ending">The data, if they must end with this line.</param>
+    private void ReadLine(PngLines lines, PngPass pass, int y, Span<byte> rgb, ZLibStream? ending)
     {
         try
         {
-            read(this, into);
+            var samples = lines.Next();
+            if (Header.ColorType == PngHeader.Rgb && pass.StepX == 1) samples.CopyTo(rgb);
+            else
+                for (var at = 3 * pass.X; at < rgb.Length; at += 3 * pass.StepX, samples = samples[Header.Channels..])
+                    (rgb[at], rgb[at + 1], rgb[at + 2]) = ColorOf(samples);
+            if (ending is not null) CheckEnd(ending);
         }
         catch (Exception e) when (e is InvalidDataException or IOException)
         {
             var isCut = e is EndOfStreamException || chunks.Type == "IEND";
             chunks.Check();
             throw new PictureFileException(
-                isCut ? $"the file is cut short: its data end in line {lines!.Line} of {Header.Height}" : "its compressed data are damaged", e);
+                isCut ? $"the file is cut short: its data end in line {y} of {Header.Height}" : "its compressed data are damaged", e);
         }
         catch (PictureFileException)
         {
@@ -210,14 +167,20 @@ internal sealed class PngReader : IDisposable
         }
     }
 
-    private void Place(ReadOnlySpan<byte> samples, int y, PngPass pass, Picture picture)
+    /// <summary>Checks that the data end here, with the right checksum. The runtime refuses a missing one only with its switch UseStrictValidation
+    /// (Directory.Build.props). Bytes behind it are ignored, as PNG's third edition asks (11.2.3): programs write their whole buffer. The
+    /// checksums of their chunks are checked.</summary>
+    private static void CheckEnd(ZLibStream data)
     {
-        if (Header.ColorType == PngHeader.Rgb && pass.StepX == 1)
+        try
         {
-            samples.CopyTo(picture.Rgb.AsSpan(y * samples.Length));
-            return;
+            if (data.ReadByte() >= 0) throw new PictureFileException("it holds more data than its pixels need");
+            data.BaseStream.CopyTo(Stream.Null);
         }
-        for (var x = pass.X; x < picture.Width; x += pass.StepX, samples = samples[Header.Channels..]) picture[x, y] = ColorOf(samples);
+        catch (InvalidDataException e)
+        {
+            throw new PictureFileException("its compressed data do not end with their checksum", e);
+        }
     }
 
     private (byte R, byte G, byte B) ColorOf(ReadOnlySpan<byte> samples)

@@ -11,11 +11,10 @@ public sealed class ReplacedFile : Stream
     private bool closed;
 
     /// <summary>Creates the temporary file; the old file stays as it is.</summary>
-    /// <param name="found">Where to look for what killed writers of this file have left (<see cref="LeftIn"/>); null: in its folder.</param>
     /// <exception cref="PictureFileException">
     /// The path is a folder or a device, its folder is /dev, does not exist or may not be written to, or the old file is read-only.
     /// </exception>
-    public ReplacedFile(string path, IReadOnlyList<string>? found = null)
+    public ReplacedFile(string path)
     {
         this.path = path;
         try
@@ -33,7 +32,7 @@ public sealed class ReplacedFile : Stream
                 throw Failure("the old file is read-only");
             file = WrittenFiles.Begin(() => TemporaryFile.Create(target));
             temporary = file.Name;
-            TemporaryFile.DeleteOrphans(target, temporary, found);
+            TemporaryFile.DeleteOrphans(target, temporary);
         }
         catch (Exception e) when (e is UnauthorizedAccessException or FileNotFoundException) // the latter in a folder like /proc
         {
@@ -42,20 +41,6 @@ public sealed class ReplacedFile : Stream
         catch (IOException e)
         {
             throw Failure(e);
-        }
-    }
-
-    /// <summary>The temporary files in a folder now; none if the folder cannot be listed. A program that writes many files lists their folder
-    /// once: once for each file would be quadratic in their number.</summary>
-    public static IReadOnlyList<string> LeftIn(string folder)
-    {
-        try
-        {
-            return Directory.GetFiles(Path.GetFullPath(folder), "*.tmp");
-        }
-        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
-        {
-            return []; // writing the first file fails too, and says why
         }
     }
 
@@ -114,18 +99,9 @@ public sealed class ReplacedFile : Stream
     /// <inheritdoc cref="Write(ReadOnlySpan{byte})"/>
     public override void Write(byte[] buffer, int offset, int count) => Write(buffer.AsSpan(offset, count));
 
-    /// <summary>Passes buffered bytes to the system.</summary>
-    /// <exception cref="PictureFileException">The disk is full or gone.</exception>
+    /// <summary>Does nothing: <see cref="Commit"/> flushes.</summary>
     public override void Flush()
     {
-        try
-        {
-            file.Flush();
-        }
-        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
-        {
-            throw Failure(e);
-        }
     }
 
     /// <summary>Not supported.</summary>

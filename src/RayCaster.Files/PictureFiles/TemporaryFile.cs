@@ -1,3 +1,5 @@
+using System.Collections.Concurrent;
+
 namespace RayCaster.Files;
 
 /// <summary>
@@ -9,6 +11,10 @@ internal static class TemporaryFile
 {
     private const int MostAttempts = 5, LongestName = 255; // bytes
     private const string Ending = ".XXXXXXXX.tmp";
+
+    /// <summary>The temporary files that each folder had when this process first wrote a file in it. To list a folder once for each of many files
+    /// would be quadratic in their number.</summary>
+    private static readonly ConcurrentDictionary<string, string[]> foundIn = new();
 
     /// <summary>The rights to read, write and execute, without set-user-ID and the like.</summary>
     private const UnixFileMode Rights = (UnixFileMode)511;
@@ -68,14 +74,13 @@ internal static class TemporaryFile
     }
 
     /// <summary>Deletes the temporary files of writers of the same target that were killed. Never fails.</summary>
-    /// <param name="found">Files of the target's folder; null: all that it has now.</param>
-    public static void DeleteOrphans(string target, string own, IReadOnlyList<string>? found)
+    public static void DeleteOrphans(string target, string own)
     {
         try
         {
             var name = Path.GetFileName(Beginning(target));
             bool? locksHold = null;
-            foreach (var path in found ?? Directory.EnumerateFiles(Path.GetDirectoryName(target)!))
+            foreach (var path in foundIn.GetOrAdd(Path.GetDirectoryName(target)!, folder => Directory.GetFiles(folder, "*.tmp")))
                 if (path != own && IsOneOf(name, Path.GetFileName(path)) && (locksHold ??= IsLocked(own)))
                     DeleteUnlessLocked(path);
         }

@@ -1,7 +1,6 @@
 namespace RayCaster.Files;
 
-/// <summary>Suggests names for files that are missing. Each folder is listed only once, and only the first missing files get a hint: a scene may
-/// name thousands.</summary>
+/// <summary>Suggests names for files that are missing. Only the first missing files get a hint: a scene may name thousands.</summary>
 internal sealed class FileNames
 {
     /// <summary>The number of problems of a scene that are printed.</summary>
@@ -10,11 +9,7 @@ internal sealed class FileNames
     /// <summary>In a larger folder only the first files are compared.</summary>
     private const int MostFiles = 20_000;
 
-    private readonly Dictionary<string, string[]> listings = [];
     private int hints;
-
-    /// <summary>How many names of files were read from folders.</summary>
-    public int NamesRead { get; private set; }
 
     /// <summary>The end of a message about a missing file: its full path, unless that was given, and a file with a similar name.</summary>
     /// <param name="extension">An extension that may have been left out.</param>
@@ -27,7 +22,7 @@ internal sealed class FileNames
         {
             var folder = Path.GetDirectoryName(full)!;
             if (!Directory.Exists(folder)) return $"{sought}; there is no folder {PrintableText.Of(folder)}";
-            if (!listings.TryGetValue(folder, out var names)) listings.Add(folder, names = NamesIn(folder));
+            var names = NamesIn(folder);
             var completed = Path.GetFileName(path) + extension;
             if (extension.Length > 0 && Array.IndexOf(names, completed) >= 0) return $"{sought}; did you mean \"{completed}\"?";
             return sought + Spelling.DidYouMean(Path.GetFileName(path), names);
@@ -39,14 +34,9 @@ internal sealed class FileNames
     }
 
     /// <summary>The names in a folder, sorted; without names that are not printable.</summary>
-    private string[] NamesIn(string folder)
-    {
-        string[] names =
-        [
-            .. Directory.EnumerateFiles(folder).Take(MostFiles).Select(path => Path.GetFileName(path))
-                .Where(name => PrintableText.Of(name) == name && !name.Contains('\uFFFD')).Order(StringComparer.Ordinal),
-        ];
-        NamesRead += names.Length;
-        return names;
-    }
+    private static string[] NamesIn(string folder) =>
+    [
+        .. Directory.EnumerateFiles(folder).Take(MostFiles).Select(path => Path.GetFileName(path))
+            .Where(name => PrintableText.Of(name) == name && !name.Contains('\uFFFD')).Order(StringComparer.Ordinal),
+    ];
 }

@@ -1,5 +1,9 @@
 namespace RayCaster.Files;
 
+/// <summary>Why a text is not JSON.</summary>
+/// <param name="End">The place after the last byte to underline.</param>
+internal readonly record struct JsonMistake(int Start, int End, string Message);
+
 /// <summary>
 /// Says why a text is not JSON, after <see cref="Utf8JsonReader"/> has refused it: compares what follows the last good token with what JSON
 /// allows there.
@@ -31,23 +35,19 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
 
     private JsonMistake? AfterValue(int at, int valueEnd)
     {
-        if (wrong.Lookalike(at) is { } lookalike) return lookalike;
         var c = (char)utf8[at];
         if (c == '/' && last == JsonTokenType.Number && at == valueEnd && words.IsDigit(at + 1)) return Fraction(at);
-        if (c == '/') return Slash(at);
-        if (open.Length == 0) return new(at, words.LineEnd(at), "the scene has ended before this; a file holds one object");
+        if (c != '/' && open.Length == 0)
+            return wrong.Lookalike(at) ?? new(at, words.LineEnd(at), "the scene has ended before this; a file holds one object");
+        if (Misplaced(at) is { } mistake) return mistake;
         switch (c)
         {
             case ',':
                 var next = words.SkipBlanks(at + 1);
                 if (next == utf8.Length) return CutOff();
                 return tree[open[^1]].Kind == JsonTokenType.StartObject ? Key(next) : Value(next);
-            case '}' or ']':
-                return WrongBracket(at);
             case ';':
                 return new(at, at + 1, "a comma, not a semicolon, stands between two values");
-            case '#':
-                return Comment(at);
             case ':' or '=':
                 return new(at, at + 1, $"'{c}' cannot follow a value; a comma or a bracket can");
         }
@@ -59,15 +59,15 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
 
     private JsonMistake? Key(int at)
     {
-        if (wrong.Lookalike(at) is { } lookalike) return lookalike;
+        if (Misplaced(at) is { } mistake) return mistake;
         switch ((char)utf8[at])
         {
             case '"':
-                if (wrong.Text(at, out var end) is { } mistake) return mistake;
+                if (wrong.Text(at, out var end) is { } unfinished) return unfinished;
                 var colon = words.SkipBlanks(end);
                 if (colon == utf8.Length) return CutOff();
                 if (utf8[colon] == ':') return null;
-                if (utf8[colon] == '/') return Slash(colon);
+                if (utf8[colon] == '/') return Misplaced(colon);
                 var hint = utf8[colon] == '=' ? ", not '='," : "";
                 return new(colon, words.End(colon), $"a colon{hint} must follow the key {tree.Text.Quote(at, end)}");
             case '\'':
@@ -76,17 +76,11 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 return new(at, at + 1, "there is one comma too many");
             case ':':
                 return new(at, at + 1, "a key is missing before the colon");
-            case '}' or ']':
-                return WrongBracket(at);
             case '{' when last == JsonTokenType.EndObject && tree.KeyOfLastClosed is { } key:
                 var name = tree.Text.Quote(tree[key].Start, tree[key].End);
                 return new(at, at + 1, $"a second object follows the one of {name}; write several in brackets: {name}: [ {{ ... }}, {{ ... }} ]");
             case '{' or '[':
                 return new(at, at + 1, "a key in double quotes must come first: \"key\": value");
-            case '#':
-                return Comment(at);
-            case '/':
-                return Slash(at);
             case >= '0' and <= '9' when last == JsonTokenType.Number:
                 var whole = tree.Text.Quote(tree.Last.Start, tree.Last.End);
                 return new(at, words.End(at), $"a key is expected here; is this a decimal comma? Write {whole}.{words.Word(at)}");
@@ -97,9 +91,10 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
 
     private JsonMistake? Value(int at)
     {
-        if (wrong.Lookalike(at) is { } lookalike) return lookalike;
-        var end = words.End(at);
-        switch ((char)utf8[at])
+        var (c, end) = ((char)utf8[at], words.End(at));
+        if (c is ',' or '}' or ']' && last == JsonTokenType.PropertyName) return new(at, at + 1, "a value is missing after the colon");
+        if (Misplaced(at) is { } mistake) return mistake;
+        switch (c)
         {
             case '"':
                 return wrong.Text(at, out end) ?? (end == utf8.Length ? CutOff() : null);
@@ -107,18 +102,10 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
                 return new(at, at + 1, $"arrays and objects are nested deeper than {JsonTree.MaxDepth}");
             case '\'':
                 return new(at, end, "a text is written in double quotes, not in single ones");
-            case ',' or '}' or ']' when last == JsonTokenType.PropertyName:
-                return new(at, at + 1, "a value is missing after the colon");
             case ',':
                 return new(at, at + 1, "there is one comma too many");
-            case '}' or ']':
-                return WrongBracket(at);
             case ':' or '=':
-                return new(at, at + 1, $"a value is expected here, not '{(char)utf8[at]}'");
-            case '#':
-                return Comment(at);
-            case '/':
-                return Slash(at);
+                return new(at, at + 1, $"a value is expected here, not '{c}'");
             case '.' or '+' or '-' or (>= '0' and <= '9'):
                 return wrong.Number(at) ?? (end == utf8.Length ? CutOff() : AfterValue(words.SkipBlanks(end), end));
             default:
@@ -151,17 +138,21 @@ internal readonly ref struct JsonExpectation(JsonTree tree, ReadOnlySpan<int> op
         return (char)utf8[start];
     }
 
-    private static JsonMistake Comment(int at) => new(at, at + 1, "a comment starts with //, not with #");
+    /// <summary>What is a mistake wherever it stands; null for anything else.</summary>
+    private JsonMistake? Misplaced(int at) => (char)utf8[at] switch
+    {
+        '}' or ']' => WrongBracket(at),
+        '#' => new(at, at + 1, "a comment starts with //, not with #"),
+        '/' when utf8[at..].StartsWith("/*"u8) => new(at, at + 2, "this comment is never closed; */ is missing"),
+        '/' => new(at, at + 1, "a comment starts with // or stands between /* and */"),
+        _ => wrong.Lookalike(at),
+    };
 
     private JsonMistake Fraction(int at)
     {
         var (start, end) = (tree.Last.Start, words.End(at + 1));
         return new(start, end, $"{tree.Text.Quote(start, end)} is not a number; JSON has no fractions: write 0.5 for 1/2");
     }
-
-    private JsonMistake Slash(int at) => utf8[at..].StartsWith("/*"u8)
-        ? new(at, at + 2, "this comment is never closed; */ is missing")
-        : new(at, at + 1, "a comment starts with // or stands between /* and */");
 
     /// <summary>The JSON reader's message without its own count of lines.</summary>
     private static JsonMistake Unknown(int at, JsonException refusal)

@@ -72,11 +72,7 @@ internal readonly struct JsonValue(JsonTree tree, int node)
     public bool Is(string text)
     {
         var written = tree.Written(node);
-        if (written.Length != text.Length) return written.Length > text.Length && written.IndexOf((byte)'\\') >= 0 && Text == text;
-        for (var i = 0; i < written.Length; i++)
-            if (written[i] != text[i])
-                return false;
-        return true;
+        return written.Length > text.Length ? written.IndexOf((byte)'\\') >= 0 && Text == text : Ascii.Equals(written, text);
     }
 
     /// <summary>The double nearest to the number in the text; ±∞ beyond the largest.</summary>

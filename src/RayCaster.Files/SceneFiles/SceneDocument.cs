@@ -8,7 +8,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     private const int LongestMessage = 2000; // a mesh file's path in it may have any length
     private readonly List<(bool IsError, int Start, int End, string Message)> findings = [];
     private readonly FileNames names = new();
-    private Dictionary<string, (MeshData? Mesh, MeshFileException? Refusal)>? meshes; // by full path; most scenes name none
+    private Dictionary<string, Lazy<MeshData>>? meshes; // by full path, each with its data or its exception; most scenes name none
 
     public int ErrorCount { get; private set; }
 
@@ -20,7 +20,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
     public int? Threads => threads;
 
     /// <summary>The full paths of the mesh files that the scene names.</summary>
-    public IReadOnlyCollection<string> MeshFiles => meshes is null ? [] : Array.ConvertAll([.. meshes.Keys], Path.GetFullPath);
+    public IReadOnlyCollection<string> MeshFiles => meshes is null ? [] : meshes.Keys;
 
     /// <summary>Notes a problem with the bytes from <paramref name="start"/> to <paramref name="end"/>.</summary>
     public void Add(bool isError, int start, int end, string message)
@@ -53,19 +53,7 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
         var path = Path.Combine(folder, file.Replace('\\', '/'));
         var place = Path.GetFullPath(path); // a scene may write the path of one file in several ways
         meshes ??= [];
-        if (!meshes.TryGetValue(place, out var known)) meshes.Add(place, known = Read(path));
-        return known.Mesh ?? throw known.Refusal!;
-    }
-
-    private (MeshData?, MeshFileException?) Read(string path)
-    {
-        try
-        {
-            return (MeshFile.Read(path, threads, names), null);
-        }
-        catch (MeshFileException refusal)
-        {
-            return (null, refusal);
-        }
+        if (!meshes.TryGetValue(place, out var mesh)) meshes.Add(place, mesh = new(() => MeshFile.Read(path, threads, names)));
+        return mesh.Value;
     }
 }

@@ -29,16 +29,12 @@ internal sealed record SceneKey(string Name, KeyKind Kind, string Meaning, bool 
 
 /// <summary>Which numbers a key may have.</summary>
 /// <param name="IsOpen">Whether the limits themselves are refused.</param>
-internal sealed record Limits(double Least, double Most, bool IsOpen)
+internal sealed record Limits(double Least, double Most, bool IsOpen, bool IsZeroRefused = false)
 {
-    public static readonly Limits None = new(double.NegativeInfinity, double.PositiveInfinity, false) { Words = "a number" };
-    public static readonly Limits Positive = new(0, double.PositiveInfinity, true) { Words = "greater than 0" };
-    public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false) { Words = "at least 0" };
-    public static readonly Limits NotZero = new(double.NegativeInfinity, double.PositiveInfinity, false)
-    {
-        Words = "other than 0",
-        IsZeroRefused = true,
-    };
+    public static readonly Limits None = new(double.NegativeInfinity, double.PositiveInfinity, false);
+    public static readonly Limits Positive = new(0, double.PositiveInfinity, true);
+    public static readonly Limits NotNegative = new(0, double.PositiveInfinity, false);
+    public static readonly Limits NotZero = None with { IsZeroRefused = true };
 
     /// <summary>Numbers between two limits, which are excluded.</summary>
     public static Limits Between(double least, double most) => new(least, most, true);
@@ -47,14 +43,12 @@ internal sealed record Limits(double Least, double Most, bool IsOpen)
     public static Limits From(double least, double most) => new(least, most, false);
 
     /// <summary>The words of a message after "must be".</summary>
-    public string Words
-    {
-        get => field
-            ?? FormattableString.Invariant(IsOpen ? $"greater than {Least} and less than {Most}" : (FormattableString)$"from {Least} to {Most}");
-        private init;
-    }
-
-    public bool IsZeroRefused { get; private init; }
+    public string Words =>
+        this == None ? "a number"
+        : this == Positive ? "greater than 0"
+        : this == NotNegative ? "at least 0"
+        : this == NotZero ? "other than 0"
+        : FormattableString.Invariant(IsOpen ? $"greater than {Least} and less than {Most}" : (FormattableString)$"from {Least} to {Most}");
 
     public bool Allow(double number) =>
         (IsOpen ? number > Least && number < Most : number >= Least && number <= Most) && !(IsZeroRefused && number == 0);

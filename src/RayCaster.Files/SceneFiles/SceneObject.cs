@@ -78,7 +78,7 @@ internal sealed class SceneObject
         if (Take(key, meaning, false) is not { } value) return orElse;
         if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
         {
-            Report(value, key, " must be a whole number, but is " + value.AsWritten);
+            Report(true, value, key, " must be a whole number, but is " + value.AsWritten);
             return orElse;
         }
         var number = NumberAt(value, key, null, limits);
@@ -193,8 +193,6 @@ internal sealed class SceneObject
         document?.Add(isError, start, end, PathOf(key, element) + message);
     }
 
-    private void Report(JsonValue value, string key, string message, int? element = null) => Report(true, value, key, message, element);
-
     /// <summary>Starts to read an object. False, after a report, if the value is none.</summary>
     /// <param name="name">What a message calls it, if not by its path.</param>
     private bool Begin(JsonValue value, int? place, string? name = null)
@@ -242,14 +240,14 @@ internal sealed class SceneObject
     private bool IsText(JsonValue value, string key, int? element = null)
     {
         if (value.Kind == JsonTokenType.String) return true;
-        Report(value, key, " must be a text in double quotes, but is " + value.InWords, element);
+        Report(true, value, key, " must be a text in double quotes, but is " + value.InWords, element);
         return false;
     }
 
     private bool IsArray(JsonValue value, string key, string elements)
     {
         if (value.Kind == JsonTokenType.StartArray) return true;
-        Report(value, key, $" must be an array of {elements} in brackets [ ], but is {value.InWords}");
+        Report(true, value, key, $" must be an array of {elements} in brackets [ ], but is {value.InWords}");
         return false;
     }
 
@@ -261,14 +259,14 @@ internal sealed class SceneObject
         foreach (var word in words)
             if (value.Is(word))
                 return word;
-        Report(value, key, WrongValue.Word(value, words));
+        Report(true, value, key, WrongValue.Word(value, words));
         return Spelling.Nearest(value.Text, words);
     }
 
     private double NumberAt(JsonValue value, string key, int? element, Limits limits)
     {
         if (value.Kind == JsonTokenType.Number && value.Number is var number && double.IsFinite(number) && limits.Allow(number)) return number;
-        Report(value, key, WrongValue.Number(value, limits), element);
+        Report(true, value, key, WrongValue.Number(value, limits), element);
         return double.NaN;
     }
 
@@ -276,13 +274,13 @@ internal sealed class SceneObject
     {
         if (value.Kind == JsonTokenType.StartArray && value.IsOfThree(out var x, out var y, out var z))
             return new(NumberAt(x, key, 0, limits), NumberAt(y, key, 1, limits), NumberAt(z, key, 2, limits));
-        Report(value, key, WrongValue.Vector(value, form));
+        Report(true, value, key, WrongValue.Vector(value, form));
         return NoVector;
     }
 
     private Color WrongColor(JsonValue value, string key, Color orElse)
     {
-        Report(value, key, $" must be {SceneColor.Form}, but is {value.InWords}; # and six hexadecimal digits make a colour");
+        Report(true, value, key, $" must be {SceneColor.Form}, but is {value.InWords}; # and six hexadecimal digits make a colour");
         return orElse;
     }
 

@@ -149,16 +149,11 @@ public static class SceneReader
     private static Model? ReadModel(SceneObject o)
     {
         var name = o.Choice("type", "What the model is.", null, PrimitiveList.Names);
-        foreach (var type in PrimitiveList.All)
-        {
-            if (type.Name != name) continue;
-            var model = ReadModel(o, type);
-            o.Close();
-            return model;
-        }
+        var type = Array.IndexOf(PrimitiveList.Names, name) is >= 0 and var place ? PrimitiveList.All[place] : null;
+        var model = type is null ? null : ReadModel(o, type);
         // If the type is unknown, only a key that no type has is surely wrong.
-        o.Close(PrimitiveList.KeysOfAllTypes());
-        return null;
+        o.Close(type is null ? PrimitiveList.KeysOfAllTypes() : []);
+        return model;
     }
 
     /// <summary>Reads all keys of a model but the type.</summary>

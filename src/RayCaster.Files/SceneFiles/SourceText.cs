@@ -9,7 +9,6 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
     private const int LongestExcerpt = 120;
     private readonly ArraySegment<byte> bytes = MemoryMarshal.TryGetArray(utf8, out var array) ? array : utf8.ToArray();
     private readonly int mark = utf8.Span.StartsWith("\uFEFF"u8) ? 3 : 0; // the bytes of a byte order mark
-    private int[]? lineStarts;
     private (int Offset, int Column) last = (0, 1); // the last result of Locate, from which it goes on: a long line may have many problems
 
     public string Name => name;
@@ -64,14 +63,11 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         var before = (cutBefore ? "…" : "") + PrintableText.Of(Encoding.UTF8.GetString(Utf8[from..start]));
         var value = PrintableText.Of(Encoding.UTF8.GetString(Utf8[start..end]));
         var after = PrintableText.Of(Encoding.UTF8.GetString(Utf8[end..to])) + (cutAfter ? "…" : "");
-        var indent = string.Create(before.Length, before, (span, text) =>
-        {
-            for (var i = 0; i < span.Length; i++) span[i] = text[i] == '\t' ? '\t' : ' ';
-        });
+        var indent = string.Concat(before.Select(c => c == '\t' ? c : ' '));
         return $"{line,5} | {before}{value}{after}".TrimEnd() + $"\n      | {indent}^{new string('~', Math.Max(0, value.Length - 1))}";
     }
 
-    private int[] LineStarts => lineStarts ??= FindLineStarts();
+    private int[] LineStarts => field ??= FindLineStarts();
 
     private int[] FindLineStarts()
     {

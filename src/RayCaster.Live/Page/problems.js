@@ -13,7 +13,7 @@ on("scene", scene => {
   document.body.classList.toggle("stale", !scene.good);
 });
 
-// Comes under "dotnet watch" only.
+// Compiler errors come under "dotnet watch" only; a fault while a picture is drawn comes always, and has no place.
 on("code", code => {
   $("code-list").replaceChildren(...code.errors.map(entry));
   if (code.more > 0) $("code-list").append(make("li", {}, `and ${code.more} more`));
@@ -21,12 +21,15 @@ on("code", code => {
   show($("code"), code.errors.length > 0);
 });
 
+on("open", () => show($("code"), false)); // the program may be a new one, and tells its errors again
+
 /** A mistake with its line and caret, a link to its place, and the place in words. */
 function entry(problem) {
   return make("li", { class: problem.isError ? "error" : "warning" },
     make("p", {}, make("strong", {}, problem.isError ? "Error: " : "Warning: "), problem.message),
     problem.excerpt ? make("pre", { tabindex: 0, role: "group", "aria-label": "The place in the file" }, problem.excerpt) : null,
-    make("p", {}, make("a", { href: problem.link }, "Open in VS Code"), " or go to ", make("code", {}, problem.place)));
+    problem.place
+      ? make("p", {}, make("a", { href: problem.link }, "Open in VS Code"), " or go to ", make("code", {}, problem.place)) : null);
 }
 
 export function count(number, noun) {

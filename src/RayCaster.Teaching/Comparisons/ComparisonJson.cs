@@ -4,11 +4,13 @@ namespace RayCaster.Teaching;
 public static class ComparisonJson
 {
     /// <summary>The text. Lines count from the top, rows from the bottom; an infinite PSNR is null.</summary>
-    public static string Of(PictureComparison comparison, string mine, string reference)
+    /// <param name="warning">Why what it says of the scene may be wrong; left out if null.</param>
+    public static string Of(PictureComparison comparison, string mine, string reference, string? warning = null)
     {
         var (d, r) = (comparison.Difference, comparison.Recognition);
         return JsonText.Of(new
         {
+            Warning = warning,
             Mine = Named(mine, comparison.Mine),
             Reference = Named(reference, comparison.Reference),
             Verdict = ComparisonText.Of(comparison.Likeness),

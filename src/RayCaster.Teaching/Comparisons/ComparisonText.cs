@@ -18,33 +18,24 @@ public static class ComparisonText
     /// <param name="reference">The name of the picture that it should be.</param>
     public static string Of(PictureComparison comparison, string mine, string reference)
     {
-        var text = new StringBuilder();
         if (comparison.Difference is not { } d)
         {
             var (a, b) = (comparison.Mine, comparison.Reference);
-            text.Append($"{mine} is wrong: it has {a.Width} x {a.Height} pixels, {reference} has {b.Width} x {b.Height}");
-            text.Append((a.Width, a.Height) == (b.Height, b.Width) ? ": width and height are swapped.\n" : ".\n");
-            AppendOneColor(text, comparison, mine);
-            AppendRecognition(text, comparison);
-            return text.ToString();
+            var isSwapped = (a.Width, a.Height) == (b.Height, b.Width);
+            return $"{mine} is wrong: it has {a.Width} x {a.Height} pixels, {reference} has {b.Width} x {b.Height}" +
+                $"{(isSwapped ? ": width and height are swapped" : "")}.\n" + OneColor(comparison, mine) + Recognized(comparison);
         }
-
-        text.Append(comparison.Likeness switch
+        return comparison.Likeness switch
         {
             Likeness.Identical => $"{mine} and {reference} are identical: {Count(d.Pixels, "pixel")}.\n",
             Likeness.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed for up to 1 % of them.\n",
-            Likeness.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n",
-            Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but only 1 % may be.\n",
-            _ => $"{mine} is wrong: {Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n",
-        });
-        if (comparison.Likeness == Likeness.OutlinesOnly && d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n");
-        if (comparison.Likeness == Likeness.RoundedOtherwise)
-        {
-            text.Append(Rounding(d));
-            if (d.Wrong > 0) text.Append($"  Besides, {Outlines(d)}, which is allowed.\n");
-        }
-        if (comparison.Likeness == Likeness.Wrong) AppendPlaces(text, comparison, d, mine);
-        return text.ToString();
+            Likeness.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n" +
+                (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n" : ""),
+            Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but only 1 % may be.\n" + Rounding(d) +
+                (d.Wrong > 0 ? $"  Besides, {Outlines(d)}, which is allowed.\n" : ""),
+            _ => $"{mine} is wrong: {Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n" +
+                Places(comparison, d, mine),
+        };
     }
 
     /// <summary>The measures in one line.</summary>
@@ -53,40 +44,37 @@ public static class ComparisonText
         $"PSNR {(m.Maximum == 0 ? "infinite" : $"{m.PeakSignalToNoiseRatio.ToString("0.####", CultureInfo.InvariantCulture)} dB")}, " +
         $"SSIM {m.StructuralSimilarity:0.######}\n");
 
-    private static void AppendPlaces(StringBuilder text, PictureComparison comparison, PictureDifference d, string mine)
+    private static string Places(PictureComparison comparison, PictureDifference d, string mine)
     {
         var ((x, y), area) = (d.WrongMiddle!.Value, d.WrongArea!.Value);
         var last = d.Mine.Height - 1;
-        text.Append($"  In the middle of the widest wrong place: column {x}, line {y} from the top (row {last - y} from the bottom): " +
-            $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n");
-        text.Append($"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
-            $"(rows {last - area.Bottom} to {last - area.Top}).\n");
         var (red, green, blue) = d.WrongByChannel;
-        text.Append($"  Red differs in {Number(red)} of them, green in {Number(green)}, blue in {Number(blue)}.\n");
-        if (d.OffByOne > 0) text.Append($"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}");
-        AppendOneColor(text, comparison, mine);
-        AppendRecognition(text, comparison);
-        if (comparison.ByModels is { } models) ModelsText.Append(text, comparison, models, mine);
+        return $"  In the middle of the widest wrong place: column {x}, line {y} from the top (row {last - y} from the bottom): " +
+            $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n" +
+            $"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
+            $"(rows {last - area.Bottom} to {last - area.Top}).\n" +
+            $"  Red differs in {Number(red)} of them, green in {Number(green)}, blue in {Number(blue)}.\n" +
+            (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}" : "") +
+            OneColor(comparison, mine) + Recognized(comparison) +
+            (comparison.ByModels is { } models ? ModelsText.Of(comparison, models, mine) : "");
     }
 
-    private static void AppendOneColor(StringBuilder text, PictureComparison comparison, string mine)
-    {
-        if (comparison.Mine.IsOneColor) text.Append($"Every pixel of {mine} is {comparison.Mine[0, 0]}.\n");
-    }
+    private static string OneColor(PictureComparison comparison, string mine) =>
+        comparison.Mine.IsOneColor ? $"Every pixel of {mine} is {comparison.Mine[0, 0]}.\n" : "";
 
-    private static void AppendRecognition(StringBuilder text, PictureComparison comparison)
+    private static string Recognized(PictureComparison comparison)
     {
-        if (comparison.Recognition is not { } r) return;
+        if (comparison.Recognition is not { } r) return "";
         var when = $"when {r.Change.Description}";
         var d = r.Difference;
-        text.Append(r.Likeness switch
+        return r.Likeness switch
         {
             Likeness.Identical => $"It becomes identical {when}.\n",
             Likeness.WithinRounding => $"It becomes right within rounding {when}.\n",
             Likeness.OutlinesOnly => $"It becomes right but for {Count(d.Wrong, "pixel")} on outlines {when}.\n",
             Likeness.RoundedOtherwise => $"It becomes right but for rounding {when}; then {OffByOne(d)}.\n{Rounding(d)}",
             _ => $"It becomes nearly right {when}: then {Part(d.Wrong, d.Pixels)} are wrong.\n",
-        });
+        };
     }
 
     private static string Rounding(PictureDifference d)

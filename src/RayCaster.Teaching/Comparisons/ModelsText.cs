@@ -5,41 +5,34 @@ internal static class ModelsText
 {
     private const int MostSentences = 6, MostRows = 20;
 
-    /// <summary>Adds which models are wrong and how, or why they cannot be compared.</summary>
-    public static void Append(StringBuilder text, PictureComparison comparison, SceneDifference scene, string mine)
+    /// <summary>Which models are wrong and how, or why they cannot be compared.</summary>
+    public static string Of(PictureComparison comparison, SceneDifference scene, string mine)
     {
+        var own = scene.ReferenceToOwn;
         if (!scene.IsReferenceOwn)
-        {
-            var own = scene.ReferenceToOwn;
-            text.Append(scene.IsMineOwn
+            return scene.IsMineOwn
                 ? $"The scene's own picture is {mine}, not the reference: are the two swapped?\n"
                 : $"The reference is not the picture of this scene: {ComparisonText.Part(own.Wrong, own.Pixels)} differ. " +
-                    "So its models are not compared.\n");
-            return;
-        }
+                    "So its models are not compared.\n";
         // A change of the whole picture explains the difference, not single models.
-        if (comparison.Recognition is not null || comparison.Mine.IsOneColor) return;
-        foreach (var sentence in Sentences(comparison.Scene!, scene)) text.Append(sentence).Append('\n');
-        if (scene.ReferenceToOwn.Wrong > 0)
-            text.Append("The reference itself differs from the picture of this scene in " +
-                $"{ComparisonText.Count(scene.ReferenceToOwn.Wrong, "pixel")}.\n");
-        AppendTable(text, scene);
+        if (comparison.Recognition is not null || comparison.Mine.IsOneColor) return "";
+        return string.Concat(Sentences(comparison.Scene!, scene).Select(sentence => sentence + "\n")) +
+            (own.Wrong > 0 ? $"The reference itself differs from the picture of this scene in {ComparisonText.Count(own.Wrong, "pixel")}.\n" : "") +
+            Table(scene);
     }
 
     /// <summary>The models that are wrong somewhere, most wrong first.</summary>
-    private static void AppendTable(StringBuilder text, SceneDifference scene)
+    private static string Table(SceneDifference scene)
     {
         var width = scene.Models.Select(model => model.Name.Length).Append(5).Max();
-        text.Append($"\n  {"model".PadRight(width)}      pixels       wrong\n");
-        var (rows, right) = (0, 0);
-        foreach (var model in scene.Models)
-            if (model.Wrong == 0) right++;
-            else if (rows++ < MostRows)
-                text.Append($"  {model.Name.PadRight(width)}  {ComparisonText.Number(model.Pixels),10}  {ComparisonText.Number(model.Wrong),10}" +
-                    $"  {ComparisonText.Share(model.Wrong, model.Pixels)}\n");
-        if (rows > MostRows) text.Append($"  and {rows - MostRows} more\n");
-        if (right > 0) text.Append($"  {(right == 1 ? "the other" : $"the {right} others")}: none wrong\n");
-        text.Append('\n');
+        ModelDifference[] wrong = [.. scene.Models.Where(model => model.Wrong > 0)];
+        var rows = wrong.Take(MostRows).Select(model =>
+            $"  {model.Name.PadRight(width)}  {ComparisonText.Number(model.Pixels),10}  {ComparisonText.Number(model.Wrong),10}" +
+            $"  {ComparisonText.Share(model.Wrong, model.Pixels)}\n");
+        var right = scene.Models.Count - wrong.Length;
+        return $"\n  {"model".PadRight(width)}      pixels       wrong\n" + string.Concat(rows) +
+            (wrong.Length > MostRows ? $"  and {wrong.Length - MostRows} more\n" : "") +
+            (right > 0 ? $"  {(right == 1 ? "the other" : $"the {right} others")}: none wrong\n" : "") + "\n";
     }
 
     /// <summary>A sentence for each wrong model.</summary>

@@ -24,6 +24,9 @@ public static class StoredReference
             : $"The judge has been edited: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}";
     }
 
+    /// <param name="path">The scene's file.</param>
+    public static bool Exists(string path) => Find(path) is not null;
+
     /// <summary>The reference of a scene in a folder "scenes", whose neighbour is "tests/References".</summary>
     private static string? Find(string path)
     {

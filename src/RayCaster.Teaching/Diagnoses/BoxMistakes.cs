@@ -48,6 +48,8 @@ internal static class BoxMistakes
             "Do the same for x, y and z.")
             .Or("box: the slab of x forgotten", Corners(box => new(box.Min with { X = -endless }, box.Max with { X = endless })))
             .Or("box: the slab of y forgotten", Corners(box => new(box.Min with { Y = -endless }, box.Max with { Y = endless })))
+            .Or("box: face by face, only the next coordinate asked", lab => lab.AskFaces(asked: 1))
+            .Or("box: face by face, only the coordinate before asked", lab => lab.AskFaces(asked: 2))
             .Or(AxisSlips())
             .Or(from left in (int[])[1, 2, 4, 8, 16, 32, 12, 48, 60] select ($"box: asked axis by axis, without {Names(left)}", AxisByAxis(left))),
         new Mistake("slab-tmax", Concerns.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",

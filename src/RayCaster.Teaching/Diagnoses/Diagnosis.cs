@@ -64,9 +64,9 @@ public sealed class Diagnosis
     /// each pixel. If a mistake leaves more than the first share, other numbers of the scene are tried.</summary>
     private const double Nearly = 0.001, NearlyOtherSample = 0.01;
 
-    /// <summary>A mistake that leaves a greater share of the wrong pixels fits only by chance; several mistakes may leave less. A mistake whose
-    /// pixels may lie anywhere leaves more.</summary>
-    private const double Foreign = 0.1, ForeignPair = 0.05, Scattered = 0.35;
+    /// <summary>A mistake that leaves a greater share of the wrong pixels fits only by chance; several mistakes may leave less, but more if they
+    /// leave at most a third of what one leaves. A mistake whose pixels may lie anywhere leaves more.</summary>
+    private const double Foreign = 0.1, ForeignPair = 0.05, ForeignApart = 0.08, Third = 1 / 3.0, Scattered = 0.35;
 
     /// <summary>Another number of the scene replaces one mistake, or two, if it leaves at most this share of what they leave.</summary>
     private const double NumberForOne = 0.25, NumberForPair = 0.8;
@@ -89,7 +89,7 @@ public sealed class Diagnosis
     private readonly SceneDiagnosis prepared;
     private readonly Evidence evidence;
     private readonly Predicate<Mistake>? likely;
-    private double leftByMissingModel;
+    private double leftByMissingModel, leftByOne;
 
     internal Diagnosis(SceneDiagnosis prepared, Picture picture, IReadOnlyCollection<string> done, Predicate<Mistake>? likely)
     {
@@ -170,6 +170,7 @@ public sealed class Diagnosis
     private void Answer(DiagnosisSearch search, IReadOnlyCollection<string> done)
     {
         var (ranked, picture) = (search.Run(), evidence.Picture);
+        leftByOne = ranked.Where(IsOne).Select(trial => trial.Misfit.Unexplained).DefaultIfEmpty(0).Min();
         var best = ranked.Find(trial => trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount) ?? ranked[0];
         if (best.Base.Kinds.Any() && best.Misfit.Unexplained > Nearly * WrongCount) // few wrong pixels may be all that shows of a misplaced shape
             best = ranked.Find(trial => !trial.Base.Kinds.Any() && trial.Misfit.Unexplained <= Much * best.Misfit.Unexplained) ?? best;
@@ -216,7 +217,9 @@ public sealed class Diagnosis
         .OrderBy(trial => trial.Misfit.Unexplained).Select(trial => AsSuspect(trial, likeliest));
 
     private double MayLeave(WrongProgram trial) => trial.Wordings is [{ Id: "tri-area" }] ? Scattered
-        : trial.Wordings.Count + trial.Base.Kinds.Count() > 1 ? ForeignPair : Foreign;
+        : IsOne(trial) ? Foreign : trial.Misfit.Unexplained <= Third * leftByOne ? ForeignApart : ForeignPair;
+
+    private static bool IsOne(WrongProgram trial) => trial.Wordings.Count + trial.Base.Kinds.Count() < 2;
 
     /// <summary>The mistakes that would also make a program lose the missing shapes.</summary>
     private IEnumerable<WrongProgram> Losing(WrongProgram best)

@@ -17,8 +17,7 @@ public static class DiagnosisReport
         text.AppendLine($"{picture} is not the picture of {scene}: {ComparisonText.Part(diagnosis.WrongCount, diagnosis.PixelCount)} differ.");
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
-            Wrap(text, "",
-                $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(diagnosis.Finding == Finding.Unfinished ? " The rest is right." : "")}");
+            Wrap(text, "", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(IsRestRight(diagnosis) ? " The rest is right." : "")}");
         else if (diagnosis.MissingModel is { } missing)
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
         AppendLost(text, diagnosis);
@@ -29,6 +28,15 @@ public static class DiagnosisReport
         else if (diagnosis.Finding == Finding.Mistake) AppendSuspects(text, diagnosis, level);
         return text.ToString();
     }
+
+    private static bool IsRestRight(Diagnosis diagnosis) =>
+        diagnosis.Finding == Finding.Unfinished || diagnosis.Suspects is [{ Unexplained: < 0.5 } first, ..] && IsOnlyUnwritten(first);
+
+    /// <summary>Whether a program without attenuation or clipping, but with no other mistake, draws the same.</summary>
+    private static bool IsOnlyUnwritten(Suspect suspect) => !Beside(suspect).Any();
+
+    /// <summary>The mistakes that are not a part that is not written yet.</summary>
+    private static IEnumerable<Mistake> Beside(Suspect suspect) => suspect.Mistakes.Except(new Unfinished(suspect.NotYet).AsMistakes);
 
     private static void AppendMatch(StringBuilder text, Diagnosis diagnosis, string picture, string scene)
     {
@@ -167,10 +175,12 @@ public static class DiagnosisReport
 
     private static void AppendSuspect(StringBuilder text, Diagnosis diagnosis, Suspect suspect, HintLevel level)
     {
-        text.AppendLine($"Most likely: {Names(suspect)}{(suspect.Mistakes.Count > 1 ? ", both at once" : "")}");
-        foreach (var mistake in suspect.Mistakes)
+        var (isUnwritten, shown) = (IsOnlyUnwritten(suspect), Shown(suspect));
+        text.AppendLine((isUnwritten ? "If that is written already, most likely: " : "Most likely: ") + Names(suspect)
+            + (shown.Count switch { 1 => "", 2 => ", both at once", _ => ", all at once" }));
+        foreach (var mistake in shown)
         {
-            if (suspect.Mistakes.Count > 1) text.AppendLine($"  {mistake.Id}");
+            if (shown.Count > 1) text.AppendLine($"  {mistake.Id}");
             if (suspect.HasSymptoms) Wrap(text, "  Symptom:  ", mistake.Hint.Symptom);
             if (level >= HintLevel.Question) Wrap(text, "  Question: ", mistake.Hint.Question);
             if (level < HintLevel.Answer) continue;
@@ -194,7 +204,9 @@ public static class DiagnosisReport
                 $"Not tried, since the scene has too many triangles: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 
-    private static string Names(Suspect suspect) => string.Join(" + ", suspect.Mistakes.Select(mistake => mistake.Id));
+    private static string Names(Suspect suspect) => string.Join(" + ", Shown(suspect).Select(mistake => mistake.Id));
+
+    private static IReadOnlyList<Mistake> Shown(Suspect suspect) => IsOnlyUnwritten(suspect) ? suspect.Mistakes : [.. Beside(suspect)];
 
     private static string Rest(Diagnosis diagnosis, Suspect suspect) => suspect.Unexplained < 0.5
         ? "nothing unexplained"

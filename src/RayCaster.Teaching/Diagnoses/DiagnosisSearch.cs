@@ -73,6 +73,8 @@ internal sealed class DiagnosisSearch(
 
     private readonly string[] kinds = Unfinished.KindsOf(pictures);
 
+    private List<WrongProgram>? nearestByColors; // of every single mistake, for all rounds of pairs
+
     /// <summary>All that is wrong: the wrong pixels of one picture, or how many of several are wrong.</summary>
     public double Wrong { get; } = pictures is [var only] ? only.WrongCount : pictures.Count(picture => !picture.IsRight);
 
@@ -193,8 +195,8 @@ internal sealed class DiagnosisSearch(
     private IEnumerable<List<WrongProgram>> PairsByEffort(List<WrongProgram> singles, List<WrongProgram> everySingle, List<WrongProgram> onTop)
     {
         yield return [.. Pairs(singles, everySingle, Partners), .. Pairs(onTop, [], UnfinishedPartners)];
-        var shape = singles.Take(OtherSamples).Select(ChangedShapes).FirstOrDefault(shape => BitOperations.IsPow2((int)shape));
-        if (shape != 0) yield return AllPairs([.. everySingle.Where(single => ChangedShapes(single) == shape)]);
+        var shapes = Firsts(singles, everySingle, OtherSamples).Select(ChangedShapes).Distinct().Where(shape => BitOperations.IsPow2((int)shape));
+        foreach (var shape in shapes) yield return AllPairs([.. everySingle.Where(single => ChangedShapes(single) == shape)]);
         yield return AllPairs([.. everySingle.Where(IsOfAll).DistinctBy(single => (single.Id, single.Misfit))]);
     }
 
@@ -217,12 +219,23 @@ internal sealed class DiagnosisSearch(
            select pair,
     ];
 
-    /// <summary>The nearest wording of each mistake, and some that draw something else: with a second mistake, one of these may be right.</summary>
-    private static IEnumerable<WrongProgram> Firsts(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners)
+    /// <summary>The nearest wording of each mistake, some that draw something else, and some that draw most colours right: with a second mistake,
+    /// one of these may be right.</summary>
+    private IEnumerable<WrongProgram> Firsts(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners)
     {
         WrongProgram[] nearest = [.. singles.DistinctBy(trial => (trial.Id, trial.OtherSample)).Take(partners + 1)];
-        return nearest.Concat(everySingle.DistinctBy(trial => trial.Misfit)
-            .Where(trial => Array.TrueForAll(nearest, other => other.Wordings[0] != trial.Wordings[0])).Take(partners / 2));
+        if (everySingle.Count == 0) return nearest;
+        nearestByColors ??= NearestByColors(everySingle);
+        return nearest.Concat(Others(everySingle)).Concat(Others(nearestByColors)).DistinctBy(trial => (trial.Wordings[0], trial.OtherSample));
+
+        IEnumerable<WrongProgram> Others(List<WrongProgram> trials) => trials.DistinctBy(trial => trial.Misfit)
+            .Where(trial => Array.TrueForAll(nearest, other => other.Wordings[0] != trial.Wordings[0])).Take(partners / 2);
+    }
+
+    private List<WrongProgram> NearestByColors(List<WrongProgram> everySingle)
+    {
+        var byColors = pictures.Select(picture => picture.ByColors()).ToArray();
+        return Measured(Measured(everySingle, Glance, byColors)[..(everySingle.Count / 8)], 0.05, byColors);
     }
 
     /// <summary>All pairs of some single mistakes, because neither of the two may be near alone.</summary>

@@ -67,6 +67,23 @@ internal sealed class Evidence
         WrongCount = (int)whole.Misfit(first).Unexplained;
     }
 
+    private Evidence(Evidence whole, int[] pixels)
+    {
+        (Scene, Picture, Right, most) = (whole.Scene, whole.Picture, whole.Right, whole.most);
+        (wrongPixels, otherPixels, WrongCount) = (pixels, [], PixelCount);
+    }
+
+    /// <summary>The same pixels in another order, all of them taken for wrong, in which each colour that the picture shows counts alike: a mistake
+    /// that draws most models right is near, even if a second one changes most of the picture.</summary>
+    public Evidence ByColors()
+    {
+        int[][] colors = [.. wrongPixels.Concat(otherPixels).GroupBy(pixel => ColorOf(Picture.At(pixel))).Select(same => same.ToArray())];
+        return new(this, [.. Enumerable.Range(0, 2 * most).SelectMany(k => colors.Where(color => k < color.Length).Select(color => color[k]))]);
+
+        int ColorOf((byte, byte, byte) shown) => shown == Scene.Background.ToBytes() ? -1
+            : Scene.Models.TakeWhile(model => !Unfinished.IsShadeOf(shown, model.Color)).Count();
+    }
+
     public Scene Scene { get; }
 
     public Picture Right { get; }

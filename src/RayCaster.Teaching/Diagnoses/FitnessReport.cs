@@ -87,8 +87,10 @@ public static class FitnessReport
 
     /// <summary>The same as JSON, for other programs.</summary>
     /// <param name="absent">The required mistakes that do not show.</param>
-    public static string Json(SceneFitness fitness, IReadOnlyList<string> absent) => JsonText.Of(new
+    /// <param name="warning">Why all of it may be wrong; left out if null.</param>
+    public static string Json(SceneFitness fitness, IReadOnlyList<string> absent, string? warning = null) => JsonText.Of(new
     {
+        Warning = warning,
         Scenes = fitness.Scenes.Count,
         Known = fitness.Asked.Count,
         Shown = Shown(fitness),

@@ -28,7 +28,7 @@ internal sealed partial class Lab
     /// <summary>Computes what is the same for all rays.</summary>
     private void SetUp()
     {
-        geometric = D2.IsChanged || PassesBy.IsChanged || Thc.IsChanged || Roots.IsChanged;
+        geometric = D2.IsChanged || PassesBy.IsChanged || Thc2.IsChanged || Thc.IsChanged || Roots.IsChanged;
         analytical = InB.IsChanged || InC.IsChanged || R2.IsChanged || Discriminant.IsChanged || Solution.IsChanged;
         slabs = Faces.IsChanged || Order.IsChanged || Slab.IsChanged || LastIn.IsChanged || FirstOut.IsChanged || Overlap.IsChanged;
         if (TriangleT.IsChanged || TriangleX.IsChanged || Whole.IsChanged || Inside.IsChanged)
@@ -45,7 +45,7 @@ internal sealed partial class Lab
     /// <summary>The shapes whose own formulas its mistakes change.</summary>
     public Concerns ChangedShapes =>
         (Plane.IsChanged ? Concerns.Planes : 0) | (Sphere.IsChanged || geometric || analytical ? Concerns.Spheres : 0)
-        | (Box.IsChanged || slabs ? Concerns.Boxes : 0) | (Circle.IsChanged ? Concerns.Circles : 0)
+        | (Box.IsChanged || slabs || facesAsked is not null ? Concerns.Boxes : 0) | (Circle.IsChanged ? Concerns.Circles : 0)
         | (Triangle.IsChanged ? Concerns.Triangles : 0);
 
     /// <summary>As many models as a ray may try; with more a scene's mistakes are not tried at all.</summary>
@@ -63,6 +63,7 @@ internal sealed partial class Lab
     private double h, w, reach;
     private readonly int made; // mistakes; that rays pass through the other place of each pixel is a manner, too
     private bool geometric, analytical, slabs;
+    private int? facesAsked;
 
     /// <summary>What is drawn.</summary>
     public Scene Scene { get; }

@@ -13,11 +13,17 @@ internal sealed partial class Lab
     /// <summary>(L², tca) → D².</summary>
     public Step<Func<double, double, double>> D2 => field ??= new((L2, tca) => L2 - tca * tca);
 
+    /// <summary>Whether it is never asked if a ray passes a sphere by.</summary>
+    public bool NeverPassesBy { get; set; }
+
     /// <summary>(R, D²) → whether the ray passes the sphere by.</summary>
     public Step<Func<double, double, bool>> PassesBy => field ??= new((R, D2) => D2 > R * R);
 
-    /// <summary>(R, D²) → thc.</summary>
-    public Step<Func<double, double, double>> Thc => field ??= new((R, D2) => Math.Sqrt(R * R - D2));
+    /// <summary>(R, D²) → thc².</summary>
+    public Step<Func<double, double, double>> Thc2 => field ??= new((R, D2) => R * R - D2);
+
+    /// <summary>That → thc.</summary>
+    public Step<Func<double, double>> Thc => field ??= new(Math.Sqrt);
 
     /// <summary>(tca, thc) → the crossings.</summary>
     public Step<Func<double, double, Crossed>> Roots => field ??= new((tca, thc) => new(tca - thc, tca + thc));
@@ -87,12 +93,14 @@ internal sealed partial class Lab
 
     /// <summary>L, tca, D², thc.</summary>
     /// <param name="fromTheRay">Whether D² is that of L − tca d, as the hand-out has it; with d·d = 1 it is the same.</param>
-    public Crossed Geometric(Sphere s, Vector3 d, bool fromTheRay = false)
+    /// <param name="inTca">The vector in tca = L·d; L if null.</param>
+    public Crossed Geometric(Sphere s, Vector3 d, bool fromTheRay = false, Vector3? inTca = null)
     {
         var L = s.Center - P;
-        var tca = L * d;
-        var distance = fromTheRay && L - tca * d is var D ? D * D : D2.Do(L * L, tca);
-        return PassesBy.Do(s.Radius, distance) ? SlideFormulas.None : Roots.Do(tca, Thc.Do(s.Radius, distance));
+        var tca = (inTca ?? L) * d;
+        var distance = fromTheRay && L - tca * d is var D ? D2.Do(D * D, 0) : D2.Do(L * L, tca);
+        var thc = Thc.Do(Thc2.Do(s.Radius, distance));
+        return (!NeverPassesBy && PassesBy.Do(s.Radius, distance)) || double.IsNaN(thc) ? SlideFormulas.None : Roots.Do(tca, thc);
     }
 
     /// <summary>a, b, c, the discriminant.</summary>
@@ -108,6 +116,27 @@ internal sealed partial class Lab
         var (x, y, z) = (Slab.Do(0, box, d), Slab.Do(1, box, d), Slab.Do(2, box, d));
         var (tMin, tMax) = (LastIn.Do(x.In, y.In, z.In), FirstOut.Do(x.Out, y.Out, z.Out));
         return Overlap.Do(tMin, tMax) ? new(tMin, tMax) : SlideFormulas.None;
+    }
+
+    /// <summary>Has each of the six faces asked by itself.</summary>
+    /// <param name="asked">Which of the other two coordinates of X are asked: bit 0 is the next of x, y, z, x, y, bit 1 the one after it.</param>
+    public void AskFaces(int asked = 3) => facesAsked = (facesAsked ?? 3) & asked;
+
+    /// <summary>The ray hits a face where the other two coordinates of X = P + t d lie between those of the corners.</summary>
+    private Crossed ByFaces(Aabb box, Vector3 d)
+    {
+        var (near, far) = (double.PositiveInfinity, double.NegativeInfinity);
+        for (var face = 0; face < 6; face++)
+        {
+            var (axis, (t0, t1)) = (face / 2, Faces.Do(face / 2, box, d));
+            var t = face % 2 == 0 ? t0 : t1;
+            var X = P + t * d; // no number along a slab
+            if (IsBetween(1) && IsBetween(2)) (near, far) = (Math.Min(near, t), Math.Max(far, t));
+
+            bool IsBetween(int next) => (facesAsked & next) == 0
+                || ((axis + next) % 3 is var k && box.Min.At(k) <= X.At(k) && X.At(k) <= box.Max.At(k));
+        }
+        return near <= far ? new(near, far) : SlideFormulas.None;
     }
 
     /// <summary>Where a ray crosses the faces of a slab; of a ray parallel to it, all is in it or none, on its face too.</summary>

@@ -61,7 +61,8 @@ internal sealed partial class Lab
     public Step<Func<Sphere, Vector3, Crossed>> Sphere => field ??= new(SphereBySteps);
 
     /// <summary>(box, d) → its crossings.</summary>
-    public Step<Func<Aabb, Vector3, Crossed>> Box => field ??= new((box, d) => slabs ? Slabs(box, d) : box.Intersect(RayOf(d)));
+    public Step<Func<Aabb, Vector3, Crossed>> Box => field ??= new((box, d) =>
+        facesAsked is not null ? ByFaces(box, d) : slabs ? Slabs(box, d) : box.Intersect(RayOf(d)));
 
     /// <summary>(circle, d) → its crossing.</summary>
     public Step<Func<Circle, Vector3, Crossed>> Circle => field ??= new((circle, d) => circle.Intersect(RayOf(d)));
@@ -75,13 +76,15 @@ internal sealed partial class Lab
     public Step<Func<double, Vector3, double>> Depth => field ??= new((t, d) => t * -(d * W));
 
     /// <summary>t → whether it is ahead: t &gt; bias.</summary>
-    public Step<Func<double, bool>> Ahead => field ??= new(t => clip.IsAhead(t));
+    public Step<Func<double, bool>> Ahead => field ??= new(t => clip.IsAhead<Scalar>(t).Value != 0);
 
     /// <summary>(t, depth) → whether it is not nearer than zNear, which measures one of both.</summary>
-    public Step<Func<double, double, bool>> Near => field ??= new((t, depth) => clip.IsBeyondNear(Camera.Clip == Clip.Depth ? depth : t));
+    public Step<Func<double, double, bool>> Near => field ??= new(
+        (t, depth) => clip.IsBeyondNear<Scalar>(Camera.Clip == Clip.Depth ? depth : t).Value != 0);
 
     /// <summary>(t, depth) → whether it is not beyond zFar, which measures one of both.</summary>
-    public Step<Func<double, double, bool>> Far => field ??= new((t, depth) => clip.IsWithinFar(Camera.Clip == Clip.Depth ? depth : t));
+    public Step<Func<double, double, bool>> Far => field ??= new(
+        (t, depth) => clip.IsWithinFar<Scalar>(Camera.Clip == Clip.Depth ? depth : t).Value != 0);
 
     /// <summary>(t, depth) → whether it is between both.</summary>
     public Step<Func<double, double, bool>> Clipped => field ??= new((t, depth) => Near.Do(t, depth) && Far.Do(t, depth));

@@ -33,7 +33,11 @@ internal static class OriginMistakes
             .Or("sphere: b = 2 d·P, without C", SphereMistakes.Quadratic(inB: (P, C) => P))
             .Or("sphere: c = C² − R², without P", SphereMistakes.Quadratic(inC: (P, C) => C))
             .Or("sphere: c = P² − R², without C", SphereMistakes.Quadratic(inC: (P, C) => P))
+            .Or("sphere: tca = C·d, without P, and D = L − tca d",
+                lab => lab.Sphere.Is((s, d) => lab.Geometric(s, d, fromTheRay: true, inTca: s.Center)))
             .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))
+            .Or("box: face by face, B0 / d and B1 / d without P, and X = P + t d",
+                BoxMistakes.Crossed("xyz", (lo, hi, _, d) => (lo / d, hi / d)) + (lab => lab.AskFaces()))
             .Or("box: B0 / d, without P", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => (lo / d, (hi - origin) / d)))
             .Or("box: B1 / d, without P", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => ((lo - origin) / d, hi / d)))
             .Or(from axis in (string[])["x", "y", "z"]

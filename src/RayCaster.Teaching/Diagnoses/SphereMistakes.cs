@@ -15,9 +15,9 @@ internal static class SphereMistakes
             .Or("sphere: 2 R where R² is meant", SphereRadius(R => Math.Sqrt(2 * R)))
             .Or("sphere: R⁴ where R² is meant", SphereRadius(R => R * R))
             .Or("sphere: D² > R asked where D² > R² is meant", lab => lab.PassesBy.Is((R, D2) => D2 > R))
-            .Or("sphere: thc = √(R − D²), and D² > R² asked rightly", lab => lab.Thc.Is((R, D2) => Math.Sqrt(R - D2)))
-            .Or("sphere: thc = √|R − D²|", lab => lab.Thc.Is((R, D2) => Math.Sqrt(Math.Abs(R - D2))))
-            .Or("sphere: thc = √(2 R − D²), D² > R² asked rightly", lab => lab.Thc.Is((R, D2) => Math.Sqrt(2 * R - D2)))
+            .Or("sphere: thc = √(R − D²), and D² > R² asked rightly", lab => lab.Thc2.Is((R, D2) => R - D2))
+            .Or("sphere: thc = √|R − D²|", lab => lab.Thc2.Is((R, D2) => Math.Abs(R - D2)))
+            .Or("sphere: thc = √(2 R − D²), D² > R² asked rightly", lab => lab.Thc2.Is((R, D2) => 2 * R - D2))
             .Or("sphere: D > R² asked where D > R is meant", lab => lab.PassesBy.Is((R, D2) => D2 > R * R * R * R)),
         new Mistake("disc-nan", Concerns.Spheres, Slides.Sphere, "sphere: the root of a negative number is taken, and NaN passes for a hit",
             NoNumberHits((t, best) => !(t >= best)), // the same for numbers
@@ -26,7 +26,7 @@ internal static class SphereMistakes
             "Return no hit where R² − D² < 0, before the root.")
             .Or("sphere: NaN passes for the first hit, and no t is less than that",
                 NoNumberHits((t, best) => double.IsPositiveInfinity(best) || t < best))
-            .Or("sphere: thc = √|R² − D²|, and every ray hits", Unasked((R, D2) => Math.Sqrt(Math.Abs(R * R - D2)))),
+            .Or("sphere: thc = √|R² − D²|, and every ray hits", Unasked((R, D2) => Math.Abs(R * R - D2))),
         new Mistake("far-root", Concerns.Spheres, Slides.Sphere, "sphere: the far root t = tca + thc is taken",
             lab => lab.Sphere.Becomes(cross => (s, d) => new(cross(s, d).Far)),
             "Spheres look hollow: you see the inside of their far half.",
@@ -62,31 +62,31 @@ internal static class SphereMistakes
             "You are inside a sphere, its centre is behind you. What is the sign of tca, and is there a wall before you?",
             "tca < 0 says only that the centre lies behind; ask t = tca + thc."),
         new Mistake("d-nosq", Concerns.Spheres, Slides.Sphere, "sphere: thc = √(R² − D), with the distance D where D² is meant",
-            lab => lab.Thc.Is((R, D2) => Math.Sqrt(R * R - Math.Sqrt(D2))),
+            lab => lab.Thc2.Is((R, D2) => R * R - Math.Sqrt(D2)),
             "Spheres have a wrong size, or are dented: too flat or too deep.",
             "D is a length. What is it taken from?",
             "thc = √(R² − D²), D² = L² − tca².")
-            .Or("sphere: thc = √|R² − D|", lab => lab.Thc.Is((R, D2) => Math.Sqrt(Math.Abs(R * R - Math.Sqrt(D2)))))
+            .Or("sphere: thc = √|R² − D|", lab => lab.Thc2.Is((R, D2) => Math.Abs(R * R - Math.Sqrt(D2))))
             .Or("sphere: D > R² asked too", lab => lab.D2.Becomes(D2 => (L2, tca) => Math.Sqrt(D2(L2, tca))))
-            .Or("sphere: thc = √(R² − D⁴)", Unasked((R, D2) => Math.Sqrt(R * R - D2 * D2)))
+            .Or("sphere: thc = √(R² − D⁴)", Unasked((R, D2) => R * R - D2 * D2))
             .Or("sphere: D² = |L| − tca²", Distance((L2, tca) => Math.Sqrt(L2) - tca * tca))
             .Or("sphere: D² = L² − tca", Distance((L2, tca) => L2 - tca))
             .Or("sphere: D = |L| − tca", Distance((L2, tca) => (Math.Sqrt(L2) - tca) * (Math.Sqrt(L2) - tca)))
             .Or("sphere: D² = |L| − tca", Distance((L2, tca) => Math.Sqrt(L2) - tca))
             .Or("sphere: D² = L² + tca²", Distance((L2, tca) => L2 + tca * tca))
             .Or("sphere: D² = tca² − L²", Distance((L2, tca) => tca * tca - L2))
-            .Or("sphere: thc = √(R² + D²)", lab => lab.Thc.Is((R, D2) => Math.Sqrt(R * R + D2))),
+            .Or("sphere: thc = √(R² + D²)", lab => lab.Thc2.Is((R, D2) => R * R + D2)),
         new Mistake("thc-nosqrt", Concerns.Spheres, Slides.Sphere, "sphere: thc = R² − D² without the root",
-            lab => lab.Thc.Is((R, D2) => R * R - D2),
+            lab => lab.Thc.Is(thc2 => thc2),
             "Spheres have the right outline, but bulge or are too flat: their light is wrong, and so is what covers them.",
             "In which unit is R² − D²: metres, or square metres?",
             "thc = √(R² − D²).")
-            .Or("sphere: thc = R", lab => lab.Thc.Is((R, _) => R))
-            .Or("sphere: thc halved", lab => lab.Thc.Becomes(thc => (R, D2) => thc(R, D2) / 2))
-            .Or("sphere: thc doubled", lab => lab.Thc.Becomes(thc => (R, D2) => thc(R, D2) * 2))
-            .Or("sphere: thc = R − D", lab => lab.Thc.Is((R, D2) => R - Math.Sqrt(D2)))
+            .Or("sphere: thc = R", lab => lab.Thc2.Is((R, _) => R * R))
+            .Or("sphere: thc halved", lab => lab.Thc.Becomes(thc => thc2 => thc(thc2) / 2))
+            .Or("sphere: thc doubled", lab => lab.Thc.Becomes(thc => thc2 => thc(thc2) * 2))
+            .Or("sphere: thc = R − D", lab => lab.Thc2.Is((R, D2) => (R - Math.Sqrt(D2)) * (R - Math.Sqrt(D2))))
             .Or("sphere: (−b ∓ (b² − 4ac)) / 2a",
-                lab => lab.Solution.Is((a, b, D) => D < 0 ? None : Around(-b / (2 * a), D / (2 * a)))),
+                lab => lab.Solution.Is((a, b, D) => D < 0 && !lab.NeverPassesBy ? None : Around(-b / (2 * a), D / (2 * a)))),
         new Mistake("tca-only", Concerns.Spheres, Slides.Sphere, "sphere: t = tca, where the ray is nearest to the centre",
             lab => lab.Roots.Is((tca, _) => new(tca)),
             "Spheres look like flat discs, and stand too deep in what they touch.",
@@ -113,16 +113,17 @@ internal static class SphereMistakes
     /// <summary>A ray that passes by a sphere hits it at NaN.</summary>
     private static Action<Lab> NoNumberHits(Func<double, double, bool> better) => lab =>
     {
+        lab.NeverPassesBy = true;
         lab.Hit.Becomes(hit => (model, d) =>
             model is Model<Sphere> s && double.IsNaN(lab.Sphere.Do(s.Primitive, d).Near) ? double.NaN : hit(model, d));
         lab.Better.Is(better);
     };
 
-    /// <summary>Another thc, without a question whether the ray passes by.</summary>
-    private static Action<Lab> Unasked(Func<double, double, double> thc) => lab =>
+    /// <summary>Another thc², without a question whether the ray passes by.</summary>
+    private static Action<Lab> Unasked(Func<double, double, double> thc2) => lab =>
     {
-        lab.PassesBy.Is((_, _) => false);
-        lab.Thc.Is(thc);
+        lab.NeverPassesBy = true;
+        lab.Thc2.Is(thc2);
     };
 
     /// <summary>Another D², from L² and tca.</summary>

@@ -19,7 +19,7 @@ public static class ExplanationJson
             Steps = Steps(pixel.RaySteps),
         },
         Models = pixel.Models.Select(Model),
-        Others = pixel.Others is { } others ? Others(others) : null,
+        pixel.Others,
         Hit = pixel.Winner is { } index ? Hit(pixel, index) : JsonText.Null,
         Color = Color(pixel),
         pixel.Notes,
@@ -84,9 +84,6 @@ public static class ExplanationJson
         mesh.BeyondFar,
         mesh.Counting,
     };
-
-    private static object Others(OtherModels models) =>
-        new { models.Count, models.Hidden, models.Behind, models.UnderBias, models.BeforeNear, models.BeyondFar, models.Missed };
 
     private static object Hit(PixelExplanation pixel, int index) => new
     {

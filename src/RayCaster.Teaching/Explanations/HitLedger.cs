@@ -15,15 +15,13 @@ public sealed class HitLedger
     /// <summary>So many models and triangles are judged within a few seconds, mostly within one.</summary>
     private const long MostPartsOfQuick = 500_000;
 
-    private readonly LedgerEntry[] entries;
-
-    private HitLedger(Scene scene, LedgerEntry[] entries) => (Scene, this.entries) = (scene, entries);
+    private HitLedger(Scene scene, LedgerEntry[] models) => (Scene, Models) = (scene, models);
 
     /// <summary>The scene.</summary>
     public Scene Scene { get; }
 
     /// <summary>The models in the order of the scene.</summary>
-    public IReadOnlyList<LedgerEntry> Models => entries;
+    public IReadOnlyList<LedgerEntry> Models { get; }
 
     /// <summary>How many rays were judged.</summary>
     public long Rays { get; private set; }
@@ -82,9 +80,9 @@ public sealed class HitLedger
         {
             var outcome = witnesses[i].Judge(ray, out var t);
             if (outcome == Outcome.Shows && !(t < nearest)) outcome = Outcome.Hidden;
-            entries[i].Count(outcome, t * ray.ZPerT);
+            Models[i].Count(outcome, t * ray.ZPerT);
             if (outcome != Outcome.Shows) continue;
-            if (shown >= 0) entries[shown].Hide();
+            if (shown >= 0) Models[shown].Hide();
             (nearest, shown) = (t, i);
         }
         Rays++;

@@ -11,27 +11,20 @@ internal static class LedgerVerdict
     public static IEnumerable<string> Of(HitLedger ledger)
     {
         if (ledger.Models.Count == 0) return ["The scene holds no models: every pixel shows the background."];
-        var sentences = new List<string>();
-        if (ledger.Hits == 0) OfNoHits(ledger, sentences);
-        else
-        {
-            OfLight(ledger, sentences);
-            OfHiddenModels(ledger, sentences);
-        }
-        OfNoNumbers(ledger, sentences);
-        if (sentences.Count == 0) sentences.Add("Nothing odd: every model shows.");
-        return sentences;
+        string[] sentences =
+            [.. ledger.Hits == 0 ? OfNoHits(ledger) : OfLight(ledger).Concat(OfHiddenModels(ledger)), .. OfNoNumbers(ledger)];
+        return sentences.Length > 0 ? sentences : ["Nothing odd: every model shows."];
     }
 
-    private static void OfNoHits(HitLedger ledger, List<string> sentences)
+    private static IEnumerable<string> OfNoHits(HitLedger ledger)
     {
         var groups = ledger.Models.GroupBy(entry => entry.Reason == Outcome.PassesBy ? Outcome.Outside : entry.Reason) // they look the same
             .OrderBy(group => group.Key).Select(group => (Reason: group.Key, Entries: group.ToList())).ToList();
         var parts = groups.Select(group => group.Entries is [var only]
             ? $"{only.Label} {Phrase(group.Reason, true)}"
             : Invariant($"{group.Entries.Count:N0} models {Phrase(group.Reason, false)}"));
-        sentences.Add(Invariant($"0 of {ledger.Rays:N0} rays hit anything: {string.Join(", ", parts)}."));
-        sentences.AddRange(groups.Select(group => Remedy(ledger, group.Reason, group.Entries)).OfType<string>());
+        return groups.Select(group => Remedy(ledger, group.Reason, group.Entries)).OfType<string>()
+            .Prepend(Invariant($"0 of {ledger.Rays:N0} rays hit anything: {string.Join(", ", parts)}."));
     }
 
     /// <summary>What to change if some models do not show for this reason.</summary>
@@ -84,48 +77,48 @@ internal static class LedgerVerdict
         return new Renderer(scene with { Camera = camera }, 1).CastHits().Model.Count(model => model >= 0);
     }
 
-    private static void OfLight(HitLedger ledger, List<string> sentences)
+    private static IEnumerable<string> OfLight(HitLedger ledger)
     {
         var (camera, color) = (ledger.Scene.Camera, ledger.OnlyColor);
         if (ledger.Unlit > ledger.Hits / 2)
         {
             var share = Invariant($"{(ledger.Unlit == ledger.Hits ? "All" : Invariant($"{ledger.Unlit:N0} of"))} {ledger.Hits:N0} hits");
-            sentences.Add(Invariant($"{share} are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, ") +
-                Invariant($"and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}."));
-            sentences.Add("target sets the light, which ends at twice its distance: move it away along the line of sight.");
+            yield return Invariant($"{share} are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, ") +
+                Invariant($"and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}.");
+            yield return "target sets the light, which ends at twice its distance: move it away along the line of sight.";
         }
-        else if (color is (0, 0, 0)) sentences.Add("All that is hit is black: the models' own color is [0, 0, 0], or nearly so.");
+        else if (color is (0, 0, 0)) yield return "All that is hit is black: the models' own color is [0, 0, 0], or nearly so.";
         else if (color is (255, 255, 255))
-            sentences.Add("All that is hit is white: color times attenuation is 1 or more in each channel, and is clamped.");
+            yield return "All that is hit is white: color times attenuation is 1 or more in each channel, and is clamped.";
         else if (color is not null && ledger.Hits == ledger.Rays && camera.FovY < 3)
-            sentences.Add(Invariant($"All pixels have one colour: fovY is {camera.FovY:G7} degrees, so all rays go nearly the same way. ") +
-                Invariant($"In radians it would be {camera.FovY * 180 / Math.PI:0.##} degrees."));
+            yield return Invariant($"All pixels have one colour: fovY is {camera.FovY:G7} degrees, so all rays go nearly the same way. ") +
+                Invariant($"In radians it would be {camera.FovY * 180 / Math.PI:0.##} degrees.");
         else if (color is { } only && ledger.Hits == ledger.Rays)
-            sentences.Add($"All pixels have the colour {only}: the camera sees a single surface, and from so near that its light does not change.");
+            yield return $"All pixels have the colour {only}: the camera sees a single surface, and from so near that its light does not change.";
         if (color is { } shown && ledger.Hits < ledger.Rays && shown == ledger.Scene.Background.ToBytes())
-            sentences.Add("The background has the same colour: choose another one, and the models' outline shows.");
+            yield return "The background has the same colour: choose another one, and the models' outline shows.";
     }
 
-    private static void OfHiddenModels(HitLedger ledger, List<string> sentences)
+    private static IEnumerable<string> OfHiddenModels(HitLedger ledger)
     {
         var missing = 0;
         foreach (var entry in ledger.Models)
         {
             if (entry[Outcome.Shows] > 0 || missing++ >= MostNamed) continue;
-            sentences.Add(entry.Hits > 0
+            yield return entry.Hits > 0
                 ? Invariant($"{entry.Label} does not show: it is hit by {entry.Hits:N0} {(entry.Hits == 1 ? "ray" : "rays")}, ") +
                     "but something nearer hides it there."
-                : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}.");
+                : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}.";
         }
-        if (missing > MostNamed) sentences.Add(Invariant($"Nor do {missing - MostNamed:N0} more."));
+        if (missing > MostNamed) yield return Invariant($"Nor do {missing - MostNamed:N0} more.");
     }
 
-    private static void OfNoNumbers(HitLedger ledger, List<string> sentences)
+    private static IEnumerable<string> OfNoNumbers(HitLedger ledger)
     {
         foreach (var entry in ledger.Models)
             if (entry[Outcome.NoNumber] > ledger.Rays / 2)
-                sentences.Add(Invariant($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of ") +
-                    Invariant($"{ledger.Rays:N0} rays: are its numbers far out of range, or is infinity taken from infinity?"));
+                yield return Invariant($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of ") +
+                    Invariant($"{ledger.Rays:N0} rays: are its numbers far out of range, or is infinity taken from infinity?");
     }
 
     private static string Phrase(Outcome reason, bool isOne)

@@ -40,9 +40,6 @@ public sealed record MeshExplanation(
     int Triangles, int? Triangle, int Missed, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Counting);
 
 /// <summary>The outcomes of the models that are not explained one by one.</summary>
+/// <param name="Count">How many there are in all.</param>
 /// <param name="UnderBias">How many are crossed at 0 ≤ t ≤ bias only.</param>
-public sealed record OtherModels(int Hidden, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Missed)
-{
-    /// <summary>How many there are in all.</summary>
-    public int Count => Hidden + Behind + UnderBias + BeforeNear + BeyondFar + Missed;
-}
+public sealed record OtherModels(int Count, int Hidden, int Behind, int UnderBias, int BeforeNear, int BeyondFar, int Missed);

@@ -53,9 +53,9 @@ internal static class Outcomes
     public static Outcome Of(double t, ClipRange clip, double zPerT) =>
         !double.IsFinite(t) ? Outcome.NoNumber
         : t < 0 ? Outcome.Behind
-        : !clip.IsAhead(t) ? Outcome.UnderBias
-        : !clip.IsBeyondNear(t * zPerT) ? Outcome.BeforeNear
-        : clip.IsWithinFar(t * zPerT) ? Outcome.Shows
+        : clip.IsAhead<Scalar>(t).Value == 0 ? Outcome.UnderBias
+        : clip.IsBeyondNear<Scalar>(t * zPerT).Value == 0 ? Outcome.BeforeNear
+        : clip.IsWithinFar<Scalar>(t * zPerT).Value != 0 ? Outcome.Shows
         : Outcome.BeyondFar;
 
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;

@@ -15,7 +15,7 @@ public sealed class PixelExplanation
         Ray = ScalarRenderer.Cast(scene, column, Row);
         Trials = [.. scene.Models.Select((model, i) => new Trial(model, i, Ray))];
         Winner = Ray.HitModel is { } hit ? IndexOf(hit) : null;
-        Neighbours = FindNeighbours();
+        Neighbours = [.. FindNeighbours()];
         Models = Explain();
         Others = Count(Trials.Where(trial => Models.All(model => model.Index != trial.Index)));
         (CameraSteps, RaySteps) = (CameraExplanation.Axes(scene.Camera), CameraExplanation.RaySteps(scene.Camera, column, Row));
@@ -92,17 +92,15 @@ public sealed class PixelExplanation
 
     private int IndexOf(Model hit) => Scene.Models.Index().First(model => ReferenceEquals(model.Item, hit)).Index;
 
-    private List<Neighbour> FindNeighbours()
+    private IEnumerable<Neighbour> FindNeighbours()
     {
-        var neighbours = new List<Neighbour>();
-        foreach (var (where, column, line) in (ReadOnlySpan<(string, int, int)>)
+        foreach (var (where, column, line) in ((string, int, int)[])
             [("left", Column - 1, Line), ("right", Column + 1, Line), ("above", Column, Line - 1), ("below", Column, Line + 1)])
         {
             if (column < 0 || line < 0 || column >= Scene.Camera.Width || line >= Scene.Camera.Height) continue;
             var ray = ScalarRenderer.Cast(Scene, column, Scene.Camera.Height - 1 - line);
-            neighbours.Add(new(where, column, line, ray.HitModel is { } hit ? IndexOf(hit) : null, ray.HitParameter));
+            yield return new(where, column, line, ray.HitModel is { } hit ? IndexOf(hit) : null, ray.HitParameter);
         }
-        return neighbours;
     }
 
     private List<ModelExplanation> Explain()
@@ -123,8 +121,8 @@ public sealed class PixelExplanation
     {
         var counts = new int[Outcomes.Count];
         foreach (var trial in trials) counts[(int)trial.Outcome]++;
-        return new(counts[(int)Outcome.Shows], counts[(int)Outcome.Behind], counts[(int)Outcome.UnderBias], counts[(int)Outcome.BeforeNear],
-            counts[(int)Outcome.BeyondFar], counts[(int)Outcome.NoNumber]);
+        return new(counts.Sum(), counts[(int)Outcome.Shows], counts[(int)Outcome.Behind], counts[(int)Outcome.UnderBias],
+            counts[(int)Outcome.BeforeNear], counts[(int)Outcome.BeyondFar], counts[(int)Outcome.NoNumber]);
     }
 }
 

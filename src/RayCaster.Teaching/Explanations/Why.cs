@@ -4,61 +4,27 @@ namespace RayCaster.Teaching;
 internal static class Why
 {
     /// <summary>The reasons, from the derivation of a crossing that is NaN.</summary>
-    public static string IsNoNumber(Term term)
-    {
-        var reasons = new List<string>();
-        Find(term, reasons);
-        return string.Join("; ", reasons.Distinct());
-    }
+    public static string IsNoNumber(Term term) => string.Join("; ", Find(term).Distinct());
 
-    private static void Find(Term term, List<string> reasons)
+    private static IEnumerable<string> Find(Term term) => !RuntimeHelpers.TryEnsureSufficientExecutionStack() ? [] : term.Operation switch
     {
-        if (!RuntimeHelpers.TryEnsureSufficientExecutionStack()) return;
-        switch (term.Operation)
-        {
-            case Operation.If when term.A.Value == 0:
-                FindFailure(term.A, null, reasons);
-                return;
-            case Operation.If or Operation.Name or Operation.Instead:
-                Find(term.Operation == Operation.Name ? term.A : term.B, reasons);
-                return;
-            case Operation.Select:
-                Find(term.A.Value != 0 ? term.B : term.C, reasons);
-                return;
-            case Operation.Constant:
-                reasons.Add("the formula says NaN");
-                return;
-        }
-        foreach (var part in term.Parts)
-        {
-            if (!double.IsNaN(part.Value)) continue;
-            Find(part, reasons);
-            return;
-        }
-        reasons.Add($"{new TermText().Of(term)} is no number");
-    }
+        Operation.If when term.A.Value == 0 => FindFailure(term.A),
+        Operation.If or Operation.Instead => Find(term.B),
+        Operation.Name => Find(term.A),
+        Operation.Select => Find(term.A.Value != 0 ? term.B : term.C),
+        Operation.Constant => ["the formula says NaN"],
+        _ => term.Parts.FirstOrDefault(part => double.IsNaN(part.Value)) is { } part ? Find(part)
+            : [$"{new TermText().Of(term)} is no number"],
+    };
 
-    private static void FindFailure(Term mask, string? formula, List<string> reasons)
+    private static IEnumerable<string> FindFailure(Term mask, string? formula = null) => mask.Operation switch
     {
-        switch (mask.Operation)
-        {
-            case Operation.Name:
-                FindFailure(mask.A, mask.Step!.Formula, reasons);
-                return;
-            case Operation.And or Operation.Or:
-                foreach (var part in mask.Parts)
-                    if (part.Value == 0) FindFailure(part, null, reasons);
-                return;
-            case Operation.Less or Operation.Greater or Operation.LessOrEqual or Operation.GreaterOrEqual:
-                if (double.IsNaN(mask.A.Value)) Find(mask.A, reasons);
-                else if (double.IsNaN(mask.B.Value)) Find(mask.B, reasons);
-                else reasons.Add(Failure(mask, formula));
-                return;
-            default:
-                reasons.Add(formula is null ? "a test of the formula fails" : $"{formula} is false");
-                return;
-        }
-    }
+        Operation.Name => FindFailure(mask.A, mask.Step!.Formula),
+        Operation.And or Operation.Or => mask.Parts.Where(part => part.Value == 0).SelectMany(part => FindFailure(part)),
+        Operation.Less or Operation.Greater or Operation.LessOrEqual or Operation.GreaterOrEqual =>
+            double.IsNaN(mask.A.Value) ? Find(mask.A) : double.IsNaN(mask.B.Value) ? Find(mask.B) : [Failure(mask, formula)],
+        _ => [formula is null ? "a test of the formula fails" : $"{formula} is false"],
+    };
 
     private static string Failure(Term comparison, string? formula)
     {

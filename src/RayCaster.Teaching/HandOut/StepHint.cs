@@ -23,9 +23,9 @@ public static class StepHint
     private static IEnumerable<string> Lines(Scene scene, Diagnosis diagnosis, int step, HintLevel level)
     {
         if (diagnosis is not { Finding: Finding.Mistake, Suspects: [var suspect, ..] }) return OfPicture(scene, diagnosis, step, level);
-        // at the step of the first picture there need be no light yet
-        Mistake[] mistakes = [.. suspect.Mistakes.Where(mistake => step != LabSteps.FirstPicture || mistake.Id != "att-none")];
-        if (mistakes.Length == 0) return OfPicture(scene, diagnosis, step, level);
+        // light, zNear and zFar may not be written yet
+        Mistake[] mistakes = [.. suspect.Mistakes.Where(mistake => step == 0 || LabSteps.StepOf(mistake.Slide) <= step)];
+        if (mistakes.Length == 0) return ["Only a few pixels are wrong: too few to name a mistake.", .. OfStep(step, level)];
         var twins = suspect.Twins.Where(twin => LabSteps.IsOf(twin, step)).Take(MostTwins);
         return mistakes.SelectMany(mistake => OfMistake(mistake, suspect.HasSymptoms, level))
             .Concat(level == HintLevel.Symptom ? [] : twins.SelectMany(twin => OfMistake(twin, false, level)));
@@ -52,8 +52,11 @@ public static class StepHint
         var isOfTheShape = missing.Length > 0 && diagnosis.Finding == Finding.TellsNothing && step > LabSteps.Clipping;
         if (!isOfTheShape) foreach (var sentence in diagnosis.Likely) yield return sentence;
         if (missing.Length == 0 && diagnosis.Likely.Count == 0) yield return "None of the known mistakes makes this picture.";
-        if (level > HintLevel.Symptom && QuestionOf(step) is { } question) yield return $"Ask yourself: {question}";
+        foreach (var question in OfStep(step, level)) yield return question;
     }
+
+    private static IEnumerable<string> OfStep(int step, HintLevel level) =>
+        level > HintLevel.Symptom && QuestionOf(step) is { } question ? [$"Ask yourself: {question}"] : [];
 
     /// <summary>What to ask oneself where no single mistake can be named.</summary>
     private static string? QuestionOf(int step) => step switch

@@ -34,7 +34,9 @@ public sealed class ClassMarks
     /// <param name="Resume">Whether to keep finished marks if neither rubric nor submission has changed.</param>
     /// <param name="JUnit">A file for the marks as JUnit XML, which continuous integration reads; null for none.</param>
     /// <param name="Progress">Called with the number of finished submissions and the number of all.</param>
-    public sealed record Options(int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null);
+    /// <param name="Edited">Called with the path of a copy of the last run's table if it was edited by hand.</param>
+    public sealed record Options(
+        int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null, Action<string>? Edited = null);
 
     /// <summary>Marks all submissions in a folder.</summary>
     /// <param name="submissions">A folder that contains a folder for each student.</param>
@@ -62,7 +64,10 @@ public sealed class ClassMarks
             ExceptionDispatchInfo.Throw(several.InnerExceptions[0]);
         }
         StudentMarks[] inOrder = [.. all.Select(submission => done[submission.Student])];
-        Write(Path.Combine(output, TableFile), MarksTable.Of(rubric, inOrder));
+        if (KeepEditedTable(output) is { } copy) options.Edited?.Invoke(copy);
+        var table = MarksTable.Of(rubric, inOrder);
+        Write(Path.Combine(output, TableFile), table);
+        Write(Path.Combine(output, Kept, TableFile), table);
         Write(Path.Combine(output, PageFile), ClassPage.Of(rubric, inOrder));
         if (options.JUnit is { } file) Write(file, JUnitReport.Of(rubric, inOrder));
         return inOrder;
@@ -78,6 +83,21 @@ public sealed class ClassMarks
         foreach (var submission in all)
             if (submission.Student.ToLowerInvariant() is TableFile or PageFile)
                 throw new PictureFileException($"the submission '{submission.Student}' is named like a file of the marks: rename the folder");
+    }
+
+    /// <summary>Copies the table of the last run if it is no longer the one that was written: it may hold points that the teacher has
+    /// decided.</summary>
+    /// <returns>The copy's path; null if the table was not edited.</returns>
+    private static string? KeepEditedTable(string output)
+    {
+        var (table, written) = (Path.Combine(output, TableFile), Path.Combine(output, Kept, TableFile));
+        if (!File.Exists(table)) return null;
+        var bytes = File.ReadAllBytes(table); // in whatever encoding a spreadsheet has saved it
+        if (File.Exists(written) && File.ReadAllBytes(written).AsSpan().SequenceEqual(bytes)) return null;
+        var places = from number in Enumerable.Range(1, int.MaxValue - 1) select Path.Combine(output, $"marks-edited-{number}.csv");
+        var place = places.First(place => !File.Exists(place));
+        Write(place, bytes);
+        return place;
     }
 
     private StudentMarks MarkOne(Submission submission, bool resume, CancellationToken cancellation)
@@ -115,12 +135,14 @@ public sealed class ClassMarks
         }
     }
 
+    private static void Write(string path, string text) => Write(path, System.Text.Encoding.UTF8.GetBytes(text));
+
     /// <summary>Writes a file, and makes its folder: a student's program may have deleted it.</summary>
-    private static void Write(string path, string text)
+    private static void Write(string path, byte[] bytes)
     {
         WorkFolder.Make(Path.GetDirectoryName(Path.GetFullPath(path))!);
         using var file = new ReplacedFile(path);
-        file.Write(System.Text.Encoding.UTF8.GetBytes(text));
+        file.Write(bytes);
         file.Commit();
     }
 }

@@ -32,10 +32,11 @@ internal sealed record Containment(bool HasOwnTree, bool HasLimits)
     public static Containment Here => here.Value;
 
     /// <summary>The limits in words, for the teacher.</summary>
-    public string InWords =>
-        !HasOwnTree && !HasLimits ? "limits of time, output, memory and processes only"
-        : $"limits of time, output, memory and processes{(HasLimits ? ", of a file's size" : "")}" +
-            $"{(HasOwnTree ? "; processes of their own, no network" : "")}";
+    /// <param name="network">Whether the rubric allows the network.</param>
+    public string InWords(bool network) =>
+        $"Students' programs run with your rights. Their time, output, memory{(HasLimits ? ", file sizes" : "")} and processes are limited" +
+        (!HasOwnTree ? "; some processes may go on after them, and they can use the network."
+            : network ? "; the rubric allows the network." : "; they have no network.");
 
     /// <summary>The command, with the commands in front of it that set the limits.</summary>
     public IReadOnlyList<string> Wrap(IReadOnlyList<string> command, ProgramLimits limits, TimeSpan time) =>

@@ -7,18 +7,18 @@ internal static class MarksTable
     /// <summary>A header line, and a line for each student. Items that are not decided have a question mark.</summary>
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
-        var text = new StringBuilder("\uFEFF");
-        Append(text,
-            ["student", "points", "open", "of", .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes",
-                "right pictures"]);
-        foreach (var student in marks)
-            Append(text,
-            [
-                student.Student, Number(student.Points), Number(student.Open), Number(rubric.Points), .. student.Items.Select(Item),
-                string.Join("; ", student.LookYourself), string.Join(" ", student.NotDrawn), string.Join(" ", student.Mistakes),
-                $"{student.Scenes.Count(scene => scene.Verdict == SceneVerdict.Right)} of {student.Scenes.Count}",
-            ]);
-        return text.ToString();
+        string[] head =
+        [
+            "student", "points", "open", "of", .. rubric.Items.Select(item => item.Name), "look yourself", "not drawn yet", "mistakes",
+            "right pictures",
+        ];
+        var lines = marks.Select(student => (string[])
+        [
+            student.Student, Number(student.Points), Number(student.Open), Number(rubric.Points), .. student.Items.Select(Item),
+            string.Join("; ", student.LookYourself), string.Join(" ", student.NotDrawn), string.Join(" ", student.Mistakes),
+            $"{student.Scenes.Count(scene => scene.Verdict == SceneVerdict.Right)} of {student.Scenes.Count}",
+        ]);
+        return "\uFEFF" + string.Concat(lines.Prepend(head).Select(cells => string.Join(',', cells.Select(Cell)) + "\r\n"));
     }
 
     /// <summary>Points, with at most two decimals.</summary>
@@ -26,8 +26,6 @@ internal static class MarksTable
 
     /// <summary>An item's certain points, with a question mark if more are not decided.</summary>
     public static string Item(ItemMarks item) => item.Open > 0 ? $"{Number(item.Points)}?" : Number(item.Points);
-
-    private static void Append(StringBuilder text, IEnumerable<string> cells) => text.AppendJoin(',', cells.Select(Cell)).Append("\r\n");
 
     /// <summary>
     /// A cell, in quotes if necessary. A text that begins with = + - @ gets an apostrophe, because a spreadsheet would run it as a formula, and

@@ -106,6 +106,8 @@ public static class RubricReader
                 if (!run.Any(word => word.Contains(needed))) o.Refuse("run", $" must say where {needed} goes");
         RefuseUnknownPlaces(o, "run", run);
         RefuseUnknownPlaces(o, "build", build);
+        WarnOfMissingProgram(o, "run", run);
+        WarnOfMissingProgram(o, "build", build);
         const double megabyte = 1e6;
         var limits = o.IsSound
             ? new ProgramLimits(
@@ -121,6 +123,15 @@ public static class RubricReader
             if (words[i] is ['{', .., '}'] && !places.Contains(words[i]))
                 o.Refuse(key,
                     $" must be one of {string.Join(", ", places)} or a word, but is \"{words[i]}\"{Spelling.DidYouMean(words[i], places)}", i);
+    }
+
+    private static void WarnOfMissingProgram(SceneObject o, string key, IReadOnlyList<string> words)
+    {
+        // A path may be different for each submission; Windows also tries names with endings.
+        if (OperatingSystem.IsWindows() || words is not [var program, ..] || program.AsSpan().ContainsAny('/', '{')) return;
+        var folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
+        if (!folders.Any(folder => File.Exists(Path.Combine(folder, program))))
+            o.Warn(key, $": no folder of PATH has a program {program}; is it installed?");
     }
 
     /// <summary>A path without "..", for messages: from the current folder, if it is not absolute.</summary>
@@ -149,6 +160,10 @@ public static class RubricReader
             else
                 scenes.Add(new(name, Path.GetFullPath(path), new(scene)));
         }
+        var unsure = ScalarRenderer.IsChanged ? scenes.FindAll(scene => !StoredReference.Exists(scene.Path)) : [];
+        if (unsure.Count > 0)
+            o.Warn("scenes", $": src/RayCaster was changed, and no reference shows whether it still draws these right: {string.Join(", ",
+                unsure.Select(scene => scene.Name))}");
         return scenes;
     }
 }

@@ -4,7 +4,7 @@ namespace RayCaster.Teaching;
 public static class RubricReport
 {
     /// <summary>The limits for students' programs on this machine.</summary>
-    public static string HeldBy => Containment.Here.InWords;
+    public static string LimitsOf(Rubric rubric) => Containment.Here.InWords(rubric.Source.Limits.Network);
 
     /// <summary>Lines of text: the items with their points, and the mistakes that no scene can show.</summary>
     public static string Text(Rubric rubric)

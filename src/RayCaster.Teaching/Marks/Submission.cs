@@ -50,10 +50,9 @@ internal sealed record Submission(string Folder)
     /// <summary>A hash of the names, lengths and times of the submission's files; files that building makes are left out.</summary>
     public string Digest()
     {
-        var text = new StringBuilder();
-        foreach (var (path, state) in State(Folder).Where(file => !IsLeftOut(file.Path)).OrderBy(file => file.Path, StringComparer.Ordinal))
-            text.Append(Path.GetRelativePath(Folder, path)).Append('|').Append(state.Length).Append(' ').Append(state.Time.Ticks).Append('\n');
-        return Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(text.ToString())));
+        var lines = State(Folder).Where(file => !IsLeftOut(file.Path)).OrderBy(file => file.Path, StringComparer.Ordinal)
+            .Select(file => $"{Path.GetRelativePath(Folder, file.Path)}|{file.State.Length} {file.State.Time.Ticks}\n");
+        return Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(string.Concat(lines))));
     }
 
     /// <summary>The files below a folder, each with its length and the time of its last change.</summary>

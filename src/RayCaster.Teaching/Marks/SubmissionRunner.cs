@@ -27,7 +27,7 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         {
             if (ended == Patience)
             {
-                pictures.Add(new(scene, null, "not run: the program was ended for the scenes before"));
+                pictures.Add(new(scene, null, "not run: the program had to be ended at the scenes before"));
                 continue;
             }
             pictures.Add(Draw(submission, scene, cancellation, out var isEnded));

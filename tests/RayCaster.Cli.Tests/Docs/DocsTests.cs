@@ -72,7 +72,7 @@ public class DocsTests
     public void TheShapesToAddAreThoseOfTheTests(string shape)
     {
         var code = Read($"tests/RayCaster.Testing/{shape}.cs");
-        Assert.Contains(code[code.IndexOf("internal ", StringComparison.Ordinal)..], Read("docs/adding-a-primitive.md"));
+        Assert.Contains(code[code.IndexOf("public ", StringComparison.Ordinal)..], Read("docs/adding-a-primitive.md"));
     }
 
     private static string Read(string file) => File.ReadAllText(ProjectFolder.PathOf(file)).ReplaceLineEndings("\n");

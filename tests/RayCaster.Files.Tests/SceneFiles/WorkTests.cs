@@ -24,12 +24,12 @@ public sealed class WorkTests : IDisposable
     }
 
     [Fact]
-    public void AFolderIsListedOnceForAThousandMissingFiles()
+    public void OnlyTheMissingFilesThatArePrintedAreComparedWithThoseOfAFolder()
     {
-        for (var i = 0; i < 50; i++) folder.Write($"{i}.obj", "x"u8);
+        folder.Write("a1.obj", "x"u8);
         var names = new FileNames();
-        for (var i = 0; i < 1000; i++) names.Hint(folder[$"missing{i}.obj"]);
-        Assert.Equal(50, names.NamesRead);
+        Assert.All(Enumerable.Range(0, SceneReading.Printed), _ => Assert.Contains("a1.obj", names.Hint(folder["a2.obj"])));
+        Assert.DoesNotContain("a1.obj", names.Hint(folder["a2.obj"]));
     }
 
     [Fact]

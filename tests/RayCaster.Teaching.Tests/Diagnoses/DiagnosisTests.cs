@@ -205,8 +205,20 @@ public class DiagnosisTests
         Assert.StartsWith("All that is drawn is white", Assert.Single(diagnosis.Likely));
     }
 
+    [Fact]
+    public void AMistakeIsFoundBesideOneThatChangesMostOfThePicture()
+    {
+        var portrait = SceneFolder.Small("mistakes/portrait", 4);
+        var picture = WrongPicture.Draw(portrait, [MistakeCatalog.Named("plane-no-p")!, MistakeCatalog.Named("clip-after")!]);
+        Assert.Equal(["clip-after", "plane-no-p"], Diagnosis.Of(portrait, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
+    }
+
     [Theory]
+    [Trait("kind", "campaign")] // the search through all pairs of a box takes seconds
     [InlineData("slab-2axes", "slab-minmin")]
+    public void TwoMistakesOfABoxAreBothNamed(string one, string other) => TwoMistakesOfOneShapeAreBothNamed(one, other);
+
+    [Theory]
     [InlineData("cross-y", "tri-uv")]
     public void TwoMistakesOfOneShapeAreBothNamed(string one, string other)
     {

@@ -56,6 +56,8 @@ public class LabTests
     [Theory]
     [InlineData("r-nosq", "disc-2")]
     [InlineData("oc-sign", "dir-unnorm-a1")]
+    [InlineData("thc-nosqrt", "d-nosq")]
+    [InlineData("thc-nosqrt", "disc-nan")]
     [InlineData("tri-neg", "circ-inf")]
     [InlineData("slab-tmax", "slab-minmin")]
     [InlineData("slab-minmin", "slab-noswap")]
@@ -107,6 +109,29 @@ public class LabTests
         var lab = new Lab(scene, MistakeCatalog.Named("bgr")!, MistakeCatalog.Named("att-none")!);
         Assert.Equal(((byte)0, (byte)128, (byte)255), lab[4, 4]);
     }
+
+    /// <summary>A ray at the box from (−1, −1, −1) to (1, 1, 1); P = (0, −5, 0).</summary>
+    [Theory]
+    [InlineData("plane-no-p", "B0 / d and B1 / d without P", 0, 1, 0, -1, 1)] // X = (0, −6, 0) and (0, −4, 0), x and z of which are in it
+    [InlineData("slab-2axes", "only the next", 0, 1, 0.5, -2, 2)] // z = −1 and z = 1 at x = 0
+    [InlineData("slab-2axes", "only the coordinate before", 0, 1, 0.5, 4, 6)] // y = −1 and y = 1 at x = 0
+    public void ABoxIsAskedFaceByFace(string id, string wording, double x, double y, double z, double near, double far)
+    {
+        var crossed = Worded(id, $"box: face by face, {wording}").Box.Do(new(new(-1, -1, -1), new(1, 1, 1)), new(x, y, z));
+        Assert.Equal((near, far), ((double)crossed.Near, (double)crossed.Far));
+    }
+
+    /// <summary>P = (0, −5, 0), C = (0, 0.5, 0), R = 6: tca = 0.5, so D = |(0, 5, 0)| and thc² = 36 − 25.</summary>
+    [Fact]
+    public void ASphereWithoutPInTcaIsMeasuredFromTheRay()
+    {
+        var crossed = Worded("plane-no-p", "sphere: tca = C·d, without P, and D = L − tca d").Sphere.Do(new(new(0, 0.5, 0), 6), new(0, 1, 0));
+        Assert.Equal(0.5 - Math.Sqrt(11), (double)crossed.Near, 12);
+        Assert.Equal(0.5 + Math.Sqrt(11), (double)crossed.Far, 12);
+    }
+
+    private static Lab Worded(string id, string cause) => new(new Scene(new(new(new(0, -5, 0), Vector3.Zero) { Width = 8, Height = 8 }), []),
+        MistakeCatalog.Named(id)!.Wordings.Single(wording => wording.Cause.StartsWith(cause, StringComparison.Ordinal)));
 
     private static Lab Of(params string[] ids) =>
         new(SceneFolder.Small("mistakes/generic"), [.. ids.Select(id => MistakeCatalog.Named(id)!)]);

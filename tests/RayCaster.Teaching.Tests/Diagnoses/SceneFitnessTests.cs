@@ -26,6 +26,15 @@ public class SceneFitnessTests
         Assert.Empty(fitness.Twins);
     }
 
+    [Theory]
+    [InlineData("The judge has been edited.")]
+    [InlineData(null)]
+    public void AWarningIsInTheJsonOnlyIfThereIsOne(string? warning)
+    {
+        var nothing = new Scene(new Camera(new(new(1, 0, 0), Vector3.Zero) { Width = 4, Height = 4 }), []);
+        Assert.Equal(warning is not null, FitnessReport.Json(SceneFitness.Of([nothing]), [], warning).Contains($"\"warning\": \"{warning}\""));
+    }
+
     [Fact]
     public void AnEmptyWorldShowsNothing()
     {

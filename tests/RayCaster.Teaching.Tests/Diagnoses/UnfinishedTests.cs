@@ -41,6 +41,24 @@ public class UnfinishedTests
         Assert.Equal([Diagnosis.Attenuation], diagnosis.NotYet);
     }
 
+    [Fact]
+    public void WhereOnlyAttenuationIsMissingTheRestIsCalledRight()
+    {
+        var text = DiagnosisReport.Text(Diagnosis.Of(scene, Drawn("", "att-none")), "mine.png", "scene.json");
+        Assert.Contains(
+            "Not drawn yet: attenuation. The rest is right.\nIf that is written already, most likely: att-none\n", text.ReplaceLineEndings("\n"));
+    }
+
+    [Fact]
+    public void WhatIsNotWrittenYetIsNotListedAsAMistakeBesideAnother()
+    {
+        var plane = SceneFolder.Small("plane", 4);
+        var picture = new Lab(plane, [.. new[] { "w-sign", "att-none", "no-znear", "no-zfar" }.Select(id => MistakeCatalog.Named(id)!)]).Render();
+        var text = DiagnosisReport.Text(Diagnosis.Of(plane, picture), "mine.png", "scene.json").ReplaceLineEndings("\n");
+        Assert.Contains("Not drawn yet: attenuation, clipping.\nMost likely: w-sign\n  Symptom:", text);
+        Assert.DoesNotContain("zNear", text);
+    }
+
     [Theory]
     [InlineData("circle,triangle", "rows")]
     [InlineData("aabb,circle,triangle", "far-root")]

@@ -131,7 +131,7 @@ public class PixelExplanationTests
         var pixel = PixelExplanation.Of(Scene(models), 0, 0);
         Assert.Equal(30, pixel.Winner); // the camera is in it
         Assert.Equal([27, 28, 29, 30, 31, 32, 33], pixel.Models.Select(model => model.Index));
-        Assert.Equal(new OtherModels(27, 6, 0, 0, 0, 40), pixel.Others);
+        Assert.Equal(new OtherModels(73, 27, 6, 0, 0, 0, 40), pixel.Others);
     }
 
     [Fact]

@@ -22,7 +22,6 @@ public class StepHintTests
     }
 
     [Theory]
-    [InlineData("aabb")]
     [InlineData("inside-box")]
     [InlineData("bias")]
     public void AShapeThatIsGoneIsNamedAndNoMistake(string file)
@@ -31,6 +30,27 @@ public class StepHintTests
         Assert.Equal(Finding.TellsNothing, finding);
         Assert.StartsWith("  Not to be seen where it should be: aabb.", hint);
         Assert.Contains("What if d is negative?", hint);
+    }
+
+    [Theory]
+    [InlineData("plane")]
+    [InlineData("mistakes/generic")]
+    public void WhatALaterStepWritesIsNoMistake(string file)
+    {
+        var plus = MistakeCatalog.Named("dir-plus-w")!;
+        var (hint, _) = Hint(file, 4, plus.Deviate + MistakeCatalog.Named("no-znear")!.Deviate + MistakeCatalog.Named("no-zfar")!.Deviate);
+        Assert.Contains(plus.Hint.Question, hint);
+        Assert.DoesNotContain("zNear", hint);
+        Assert.DoesNotContain("zFar", hint);
+    }
+
+    [Fact]
+    public void WhereOnlyAFewPixelsDifferNoMistakeIsRuledOut()
+    {
+        var scene = LabSteps.SceneAt(SceneFolder.Read(SceneFolder.FileOf("plane")), 4);
+        var picture = new Lab(scene, MistakeCatalog.Named("u-unnorm")!, MistakeCatalog.Named("att-none")!).Render();
+        Assert.StartsWith("  Only a few pixels are wrong: too few to name a mistake.\n  Ask yourself: Take the ray of one pixel",
+            StepHint.Of(scene, picture, 4, HintLevel.Question));
     }
 
     [Fact]
@@ -71,6 +91,7 @@ public class StepHintTests
     }
 
     [Theory]
+    [InlineData(7, "aabb", "slab-noswap")]
     [InlineData(7, "inside-box", "slab-inside")]
     [InlineData(8, "inside-sphere", "oc-sign")]
     public void TheMistakeOfTheStepIsNamedBeforeOthersThatDrawTheSame(int step, string file, string id)

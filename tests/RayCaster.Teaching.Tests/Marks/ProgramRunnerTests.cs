@@ -18,6 +18,14 @@ public sealed class ProgramRunnerTests : IDisposable
             .Run(["sh", "-c", script], folder.Path, folder.Path, other ?? limits, (other ?? limits).Time, default);
 
     [Theory]
+    [InlineData(true, true, true, ", file sizes and processes are limited; the rubric allows the network.")]
+    [InlineData(true, true, false, ", file sizes and processes are limited; they have no network.")]
+    [InlineData(true, false, false, " and processes are limited; they have no network.")]
+    [InlineData(false, true, false, ", file sizes and processes are limited; some processes may go on after them, and they can use the network.")]
+    public void TheLimitsAreTold(bool hasOwnTree, bool hasLimits, bool network, string end) => Assert.Equal(
+        $"Students' programs run with your rights. Their time, output, memory{end}", new Containment(hasOwnTree, hasLimits).InWords(network));
+
+    [Theory]
     [MemberData(nameof(Contained))]
     public void AnExitCodeAndWhatIsPrintedAreTold(bool isContained)
     {

@@ -25,6 +25,16 @@ public sealed class RubricReaderTests : IDisposable
     }
 
     [Fact]
+    public void AProgramThatIsNotInstalledIsAWarning()
+    {
+        if (OperatingSystem.IsWindows()) return; // names have endings there
+        Assert.NotNull(Read("""
+            { "scenes": ["room.json"], "run": ["pyhton3", "{dir}/draw.py", "{scene}", "{out}"], "items": [{ "name": "a", "points": 1 }] }
+            """, out var report));
+        Assert.Contains("warning: run: no folder of PATH has a program pyhton3; is it installed?", report);
+    }
+
+    [Fact]
     public void TheRubricOfTheTenStepsHasAnItemForEachMistakeBeyondRounding()
     {
         var rubric = RubricReader.Read(ProjectFolder.PathOf("docs/rubric.json"), out _)!;
