@@ -18,6 +18,7 @@ internal sealed class ReferenceComparison
         for (var y = 0; y < expected.Height; y++)
             for (var x = 0; x < expected.Width; x++)
             {
+                if (expected[x, y] == actual[x, y]) continue;
                 var difference = Difference(x, y);
                 if (difference == 0) continue;
                 largest = Math.Max(largest, difference);
