@@ -42,6 +42,7 @@ on("camera", message => {
   $("camera-json").textContent = `"position": ${JSON.stringify(position)}, "target": ${JSON.stringify(target)}, "fovY": ${JSON.stringify(fovY)}`;
   $("camera-write").disabled = $("camera-reset").disabled = !message.moved;
   remember("camera", message.moved ? { position, target } : null);
+  if (message.moved) $("camera-said").textContent = ""; // it was about another camera
 });
 
 on("written", message => {
