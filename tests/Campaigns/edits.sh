@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What is read is what draws: edits lines that README shows, one at a time, in a copy of the project, builds, draws scenes/room.json, and wants the picture
-# or a message to change. The JSON of diagnose, compare and check warns of an edit, too.
+# What is read is what draws: edits lines that README shows, one at a time, in a copy of the project, builds, draws scenes/room.json, and
+# wants the picture or a message to change. The JSON of diagnose, compare and check warns of an edit, too.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 export DOTNET_NOLOGO=1
@@ -42,12 +42,14 @@ course=src/RayCaster
 edit "upside down"               $course/Rendering/ScalarRenderer.cs 's/scene.Camera.Height - 1 - (top + y)/top + y/'
 edit "the last hit wins"         $course/Camera/Ray.cs               's/ || IsNearer<Scalar>(t, HitParameter).Value == 0//'
 edit "the farthest hit wins"     $course/Camera/Ray.cs               's/=> t < nearest;/=> t > nearest;/'
-edit "half the light"            $course/Rendering/Scene.cs          's/: Attenuation<Scalar>(t) \* model.Color/: 0.5 * Attenuation<Scalar>(t) * model.Color/'
+edit "half the light"            $course/Rendering/Scene.cs \
+    's/: Attenuation<Scalar>(t) \* model.Color/: 0.5 * Attenuation<Scalar>(t) * model.Color/'
 edit "attenuation"               $course/Rendering/Scene.cs          's|1 - t / Camera.Reach|1 - t / (2 * Camera.Reach)|'
 edit "red and blue swapped"      $course/Models/Color.cs             's/(ToByte(R), ToByte(G), ToByte(B))/(ToByte(B), ToByte(G), ToByte(R))/'
 edit "colour times number"       $course/Models/Color.cs             's/attenuation \* color.G/color.G/'
 edit "truncated, not rounded"    $course/Models/Color.cs             's/ \* 255 + 0.5/ * 255/'
-edit "the picture's indexer"     $course/Rendering/Picture.cs        's/(Rgb\[i\], Rgb\[i + 1\], Rgb\[i + 2\]) = value/(Rgb[i + 2], Rgb[i + 1], Rgb[i]) = value/'
+edit "the picture's indexer"     $course/Rendering/Picture.cs \
+    's/(Rgb\[i\], Rgb\[i + 1\], Rgb\[i + 2\]) = value/(Rgb[i + 2], Rgb[i + 1], Rgb[i]) = value/'
 edit "h without the 2"           $course/Camera/Camera.cs            's/PlaneHeight = 2 \* Math.Tan/PlaneHeight = Math.Tan/'
 edit "the ray of a pixel"        $course/Camera/Camera.cs            's/Direction<Scalar>(column, row);/Direction<Scalar>(column, row + 1);/'
 edit "the clip range"            $course/Camera/ClipRange.cs         's/z >= zNear;/z <= zNear;/'
@@ -58,7 +60,8 @@ edit "sphere"                    $course/Models/Sphere.cs            's/Radius \
 edit "box"                       $course/Models/Aabb.cs              's/var hit = tMin <= tMax/var hit = tMin >= tMax/'
 edit "circle"                    $course/Models/Circle.cs            's/Radius \* Radius/Radius/'
 edit "triangle"                  $course/Models/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
-edit "the models' first hit"     $course/Models/Model.cs             's/ray.Clip.First<Scalar>(crossings, ray.ZPerT)/0.5 * ray.Clip.First<Scalar>(crossings, ray.ZPerT)/'
+edit "the models' first hit"     $course/Models/Model.cs \
+    's/ray.Clip.First<Scalar>(crossings, ray.ZPerT)/0.5 * ray.Clip.First<Scalar>(crossings, ray.ZPerT)/'
 edit "the scene's reader"        src/RayCaster.Files/SceneFiles/SceneReader.cs 's/"width"/"wide"/'
 edit "the picture's writer"      src/RayCaster.Files/PictureFiles/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""Draws some frames, joins them into an animated PNG, and has headless Chromium decode it: every frame of the animation must be, pixel for pixel, the
-frame's own file, and must be shown for its time. Needs chromium and a built raycaster (RAYCASTER, or what "dotnet build src/RayCaster.Cli" leaves).
+"""Draws some frames, joins them into an animated PNG, and has headless Chromium decode it: every frame of the animation must be, pixel for
+pixel, the frame's own file, and must be shown for its time. Needs chromium and a built raycaster (RAYCASTER, or
+what "dotnet build src/RayCaster.Cli" leaves).
 Usage: browser.py [frames] [frames per second]"""
 import datetime, functools, http.server, os, pathlib, queue, subprocess, sys, tempfile, threading
 
@@ -22,7 +23,8 @@ async function decode(url) {
   return { pictures, animated: track.animated, repetitions: track.repetitionCount };
 }
 (async () => {
-  const film = await decode("film.png"), lines = [`animated ${film.animated} frames ${film.pictures.length} for ever ${film.repetitions === Infinity}`];
+  const film = await decode("film.png");
+  const lines = [`animated ${film.animated} frames ${film.pictures.length} for ever ${film.repetitions === Infinity}`];
   for (let i = 0; i < film.pictures.length; i++) {
     const own = (await decode(`film/mesh-${String(i).padStart(4, "0")}.png`)).pictures[0].data, mine = film.pictures[i].data;
     let differing = mine.length === own.length ? 0 : -1;

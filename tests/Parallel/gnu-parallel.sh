@@ -24,7 +24,8 @@ raycaster -q stitch parts -o no.png 2>no.log || code=$?
 check "and joins nothing" [ "$code" -eq 1 -a ! -e no.png ]
 
 draw second.log
-check "run again, parallel draws that part only" [ "$(grep -c 'there already' second.log)" -eq $((parts - 1)) -a "$(grep -c 'lines ' second.log)" -eq 1 ]
+check "run again, parallel draws that part only" \
+    [ "$(grep -c 'there already' second.log)" -eq $((parts - 1)) -a "$(grep -c 'lines ' second.log)" -eq 1 ]
 compare
 
 rm parts/3.png parts/5.png

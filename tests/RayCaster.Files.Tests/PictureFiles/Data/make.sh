@@ -2,7 +2,8 @@
 # Makes the pictures of this folder with ImageMagick and netpbm (Debian: apt-get install imagemagick netpbm pngcheck).
 #
 # NAME.expected.ppm holds the pixels of all NAME.VARIANT.*: 8 bits a sample, alpha dropped, as netpbm rounds them.
-# ImageMagick, which does not round, must read the same 16 bits a sample, or the script stops. Dates are left out, so a second run makes the same files.
+# ImageMagick, which does not round, must read the same 16 bits a sample, or the script stops. Dates are left out, so a second run makes the
+# same files.
 set -eu
 cd "$(dirname "$0")"
 rm -f ./*.png ./*.ppm ./*.pgm ./*.pbm

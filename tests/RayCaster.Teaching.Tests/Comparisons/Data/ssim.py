@@ -2,7 +2,8 @@
 """SSIM of two binary PPMs as its definition has it, without any short cut: python3 ssim.py MINE.ppm REFERENCE.ppm
 
 For each pixel and channel a window of 11 x 11 pixels under a Gaussian, sigma 1.5, pixels beyond the border being those on it;
-the mean over all pixels and channels. ImageMagick 6 has no SSIM to compare with; 7 takes the same windows, but its figures differ between versions."""
+the mean over all pixels and channels. ImageMagick 6 has no SSIM to compare with; 7 takes the same windows, but its figures differ between
+versions."""
 import math, sys
 
 
