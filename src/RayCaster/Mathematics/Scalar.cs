@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 namespace RayCaster;
 
 /// <summary>One double. With it a formula is the definition; every other kind of number must agree with it.</summary>
-/// <param name="Value">The number; as a mask 0 for false, and greater for true.</param>
+/// <param name="Value">The number; as a mask 1 for true and 0 for false.</param>
 public readonly record struct Scalar(double Value) : IReal<Scalar>
 {
     // Inlined by order: in a long formula the runtime would call the operators, which takes twice as long for a picture.
@@ -56,7 +56,7 @@ public readonly record struct Scalar(double Value) : IReal<Scalar>
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public static Scalar operator |(Scalar a, Scalar b) => new(a.Value + b.Value);
+    public static Scalar operator |(Scalar a, Scalar b) => new(a.Value + b.Value - a.Value * b.Value);
 
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
