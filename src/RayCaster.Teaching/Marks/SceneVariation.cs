@@ -38,7 +38,7 @@ public sealed class SceneVariation
         decimals = Math.Clamp(4 - (int)Math.Floor(Math.Log10(distance / 10)), 0, 15);
     }
 
-    /// <summary>Varies a scene. Tries until the new scene shows every mistake that the old one shows.</summary>
+    /// <summary>Varies a scene. Tries until the new scene shows every mistake that the old one shows in the catalogue's first wording.</summary>
     /// <param name="utf8">The text of a scene without errors.</param>
     /// <param name="folder">The folder where the paths of mesh files start.</param>
     /// <param name="seed">For example a student's name: the same seed gives the same scene.</param>
@@ -48,7 +48,7 @@ public sealed class SceneVariation
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
         if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
-        var hidden = HiddenIn(scene);
+        var mayHide = MayHide(scene);
         var distance = (scene.Camera.Target - scene.Camera.Position).Length;
         for (var attempt = 0; attempt < MostTries; attempt++)
         {
@@ -56,13 +56,16 @@ public sealed class SceneVariation
             var variation = new SceneVariation(tree, distance, $"{seed}\n{attempt}", amplitude);
             if (newFolder is not null) variation.MoveSchema(folder, newFolder);
             var text = variation.Text();
-            if (SceneReader.Parse(text, "", folder) is { Scene: { } varied, Problems.Count: 0 } && HiddenIn(varied).IsSubsetOf(hidden)) return text;
+            if (SceneReader.Parse(text, "", folder) is { Scene: { } varied, Problems.Count: 0 } && Hides(varied).IsSubsetOf(mayHide)) return text;
         }
         return null;
     }
 
-    private static HashSet<string> HiddenIn(Scene scene) =>
-        SceneFitness.CanJudge(scene) ? [.. SceneFitness.HiddenIn(scene, null).Select(mistake => mistake.Id)] : [];
+    private static HashSet<Mistake> Hides(Scene scene) => SceneFitness.CanJudge(scene) ? [.. SceneFitness.HiddenIn(scene, null)] : [];
+
+    /// <summary>What the scene hides, and what it shows only in some wordings: a symmetric scene may owe that to the last bits.</summary>
+    private static HashSet<Mistake> MayHide(Scene scene) =>
+        SceneFitness.CanJudge(scene) && SceneFitness.Of([scene]) is var fitness ? [.. fitness.Hidden, .. fitness.HiddenAtFirst] : [];
 
     private void MoveSchema(string folder, string newFolder)
     {
