@@ -238,6 +238,17 @@ public sealed class MarkTests : IDisposable
         Assert.Contains("2.5 of 5 points on average, 2.5 more are open. To look at yourself: 2.", page);
     }
 
+    [Fact] // several small mistakes were one group, as their pictures are nearly the right one
+    public void PicturesThatAreNearlyRightAreNotCalledAlikeForThat()
+    {
+        WriteRubric("");
+        foreach (var (student, mistake) in ((string, string)[])[("anna", "far-root"), ("boris", "wm1"), ("clara", "far-root")])
+            raycaster.Run("ball.json", "-q", "--mistake", mistake, "-o", Folder(student) + "ball.png");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
+        Assert.Contains("ball, 2 students<br><span class=\"small\"><a href=\"anna/feedback.html\">anna</a>, <a href=\"clara/",
+            File.ReadAllText(raycaster.PathOf("marks/class.html")));
+    }
+
     [Fact]
     public void APictureOfAnotherSizeIsCalledThatAndStandsBesideTheRightOne()
     {

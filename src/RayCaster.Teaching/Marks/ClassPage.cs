@@ -8,6 +8,9 @@ internal static class ClassPage
     /// <summary>Pictures look alike if the channels of their tiny copies differ by fewer levels than this on average.</summary>
     private const double AlikeLevels = 4;
 
+    /// <summary>They are wrong in the same way if they also differ less from each other than from the right picture, by this factor.</summary>
+    private const double AlikeShare = 0.25;
+
     /// <summary>The page as HTML. It names the mistakes, so it is not for students.</summary>
     public static string Of(Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
@@ -19,7 +22,7 @@ internal static class ClassPage
             $"To look at yourself: {marks.Count(student => student.LookYourself.Count > 0)}.");
         AddMistakes(page, marks);
         AddLookYourself(page, marks);
-        AddGroups(page, marks);
+        AddGroups(page, rubric, marks);
         AddEmpty(page, marks);
         AddTable(page, rubric, marks);
         return page.ToString();
@@ -67,14 +70,16 @@ internal static class ClassPage
         page.Html("</table>");
     }
 
-    private static void AddGroups(Page page, IReadOnlyList<StudentMarks> marks)
+    private static void AddGroups(Page page, Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
+        var right = rubric.Scenes.ToDictionary(scene => scene.Name, scene => Thumbnail.Of(scene.Right, Thumbnail.Tiny).Rgb);
         var groups = new List<(SceneMarks First, List<StudentMarks> Students)>();
         foreach (var student in marks)
         {
             foreach (var scene in student.Scenes.Where(scene => scene.Likeness.Length > 0 && !IsOfOneColor(scene)))
             {
-                var group = groups.Find(other => other.First.Name == scene.Name && AreAlike(other.First.Likeness, scene.Likeness));
+                var group = groups.Find(other =>
+                    other.First.Name == scene.Name && AreAlike(other.First.Likeness, scene.Likeness, right[scene.Name]));
                 if (group.Students is null) groups.Add((scene, [student]));
                 else group.Students.Add(student);
             }
@@ -103,13 +108,14 @@ internal static class ClassPage
     private static bool IsOfOneColor(SceneMarks scene) =>
         scene.Likeness is { Length: > 0 } rgb && rgb.AsSpan(3).SequenceEqual(rgb.AsSpan(0, rgb.Length - 3));
 
-    private static bool AreAlike(byte[] a, byte[] b)
+    private static bool AreAlike(byte[] a, byte[] b, byte[] right)
     {
-        if (a.Length != b.Length) return false;
-        var sum = 0L;
-        for (var i = 0; i < a.Length; i++) sum += Math.Abs(a[i] - b[i]);
-        return sum < AlikeLevels * a.Length;
+        var apart = Apart(a, b);
+        return apart < AlikeLevels * a.Length && apart < AlikeShare * Math.Min(Apart(a, right), Apart(b, right));
     }
+
+    private static double Apart(byte[] a, byte[] b) =>
+        a.Length == b.Length ? a.Zip(b, (channel, other) => Math.Abs(channel - other)).Sum() : double.PositiveInfinity;
 
     private static void AddTable(Page page, Rubric rubric, IReadOnlyList<StudentMarks> marks)
     {
