@@ -113,6 +113,7 @@ public sealed class MarkTests : IDisposable
         Write("jpeg", @"printf '\377\330\377\340JFIF' > ""$2""");
         Write("link", "ln -s /dev/zero \"$2\"");
         Write("nothing", "echo I cannot");
+        Write("other", "echo P3 1 1 1 0 0 0 > room.ppm");
         Write("pipe", "mkfifo \"$2\"");
         Write("prints", "while :; do echo aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa; done");
         Write("right", $"'{RayCasterProcess.App}' \"$1\" -q -o \"$2\"");
@@ -121,15 +122,28 @@ public sealed class MarkTests : IDisposable
 
         Assert.Equal(("", 0), (raycaster.Error, raycaster.ExitCode));
         string[] rows = Table();
-        Assert.Equal(9, rows.Length);
+        Assert.Equal(10, rows.Length);
         Assert.Contains("crashed", rows[1]);
         Assert.Contains("it is a JPEG", rows[2]);
         Assert.Contains("a link to another file", rows[3]);
         Assert.Contains("it wrote no picture; it printed: I cannot", rows[4]);
-        Assert.Contains("the picture file is empty", rows[5]);
-        Assert.Contains("printed more than 1 MB", rows[6]);
-        Assert.Contains("right,5,0,5", rows[7]);
-        Assert.Contains("the picture is 7 x 5, not 60 x 40 pixels", rows[8]);
+        Assert.Contains("ball: it wrote room.ppm, not the picture that it was told", rows[5]);
+        Assert.Contains("the picture file is empty", rows[6]);
+        Assert.Contains("printed more than 1 MB", rows[7]);
+        Assert.Contains("right,5,0,5", rows[8]);
+        Assert.Contains("the picture is 7 x 5, not 60 x 40 pixels", rows[9]);
+    }
+
+    [Fact] // the pictures of other scenes do not help
+    public void WhereAPictureIsMissingPicturesOfOtherNamesAreTold()
+    {
+        WriteRubric("");
+        raycaster.Write("balls.json", File.ReadAllText(raycaster.PathOf("ball.json")));
+        raycaster.Write("rubric.json", File.ReadAllText(raycaster.PathOf("rubric.json")).Replace("[\"ball.json\"]", "[\"ball.json\", \"balls.json\"]"));
+        raycaster.Run("ball.json", "-q", "-o", Folder("anna") + "ball.png");
+        raycaster.Run("ball.json", "-q", "-o", Folder("anna") + "b a l l s.png");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks");
+        Assert.Contains("balls: no picture balls.png; there is b a l l s.png,", Table()[1].Replace("\"", ""));
     }
 
     [Fact]

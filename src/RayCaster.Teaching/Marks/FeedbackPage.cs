@@ -66,7 +66,7 @@ internal static class FeedbackPage
         {
             page.Element("p",
                 FormattableString.Invariant($"{100 * scene.WrongShare:0.##} % of the pixels differ. ") +
-                "Your picture is left of the line, the right picture right of it. Move the line:", "small");
+                "Your picture is left of the line, the right picture right of it:", "small");
             page.Html($"""
                 <div class="slid"><div class="pair">
                 {mine}{Right()}</div>

@@ -21,6 +21,7 @@ internal sealed class Page(string title)
         .pair::after { content: ""; position: absolute; top: 0; bottom: 0; left: var(--at, 50%);
           border-left: 2px solid #fff; mix-blend-mode: difference; }
         input[type=range] { display: block; width: 100%; margin: 0; }
+        @media (scripting: none) { .pair img + img { position: static; clip-path: none; } input[type=range] { display: none; } }
         .tile { display: inline-block; margin: 0 1rem 1rem 0; vertical-align: top; max-width: 20rem; }
         """;
 

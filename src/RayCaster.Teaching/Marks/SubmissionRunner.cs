@@ -40,22 +40,23 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
 
     private SubmittedPicture Find(Submission submission, MarkedScene scene)
     {
-        var path = Path.Combine(submission.Folder, rubric.Source.Pictures.Replace("{name}", scene.Name));
-        if (!File.Exists(path) && Path.ChangeExtension(path, ".ppm") is var other && File.Exists(other)) path = other;
-        return SubmittedPicture.Read(scene, path, File.Exists(path) ? null
-            : $"no picture {Path.GetRelativePath(submission.Folder, path)}{Others(submission)}");
+        var path = PathOf(submission, scene);
+        if (File.Exists(path)) return SubmittedPicture.Read(scene, path);
+        var others = Others(submission.Folder, rubric.Scenes.Select(other => PathOf(submission, other)));
+        return new(scene, null, $"no picture {Path.GetRelativePath(submission.Folder, path)}{(others == "" ? "" : $"; there is {others}")}");
     }
 
-    /// <summary>Some pictures that the submission has: their names may differ from the rubric's.</summary>
-    private static string Others(Submission submission)
+    private string PathOf(Submission submission, MarkedScene scene)
     {
-        string[] others =
-        [
-            .. Submission.State(submission.Folder).Select(file => Path.GetRelativePath(submission.Folder, file.Path))
-                .Where(path => Path.GetExtension(path).ToLowerInvariant() is ".png" or ".ppm").Order(StringComparer.Ordinal).Take(MostPictures),
-        ];
-        return others.Length == 0 ? "" : $"; there is {string.Join(", ", others)}";
+        var path = Path.Combine(submission.Folder, rubric.Source.Pictures.Replace("{name}", scene.Name));
+        return !File.Exists(path) && Path.ChangeExtension(path, ".ppm") is var other && File.Exists(other) ? other : path;
     }
+
+    /// <summary>Some pictures that a folder has besides the scenes': they may be called otherwise than the rubric says.</summary>
+    private static string Others(string folder, params IEnumerable<string> scenes) => string.Join(", ",
+        Submission.State(folder).Select(file => file.Path).Except(scenes)
+            .Where(path => Path.GetExtension(path).ToLowerInvariant() is ".png" or ".ppm")
+            .Select(path => Path.GetRelativePath(folder, path)).Order(StringComparer.Ordinal).Take(MostPictures));
 
     private string? Build(Submission submission, CancellationToken cancellation)
     {
@@ -89,7 +90,10 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         if (!File.Exists(output) && Path.ChangeExtension(output, ".ppm") is var other && File.Exists(other)) output = other;
         var note = run.IsDone ? null : run.InWords(limits, limits.Time) + Quote(run, submission);
         if (run.End != ProgramEnd.Exited) return new(scene, null, note); // the picture may be incomplete
-        return SubmittedPicture.Read(scene, output, note ?? (File.Exists(output) ? null : "it wrote no picture" + Quote(run, submission)));
+        if (note is null && !File.Exists(output))
+            note = (Others(folder.Path) is { Length: > 0 } others ? $"it wrote {others}, not the picture that it was told" : "it wrote no picture")
+                + Quote(run, submission);
+        return SubmittedPicture.Read(scene, output, note);
     }
 
     private static string[] Words(IReadOnlyList<string> command, Submission submission, MarkedScene? scene, string output) =>
