@@ -34,10 +34,7 @@ internal static class PictureOutput
             return;
         }
         InputFiles.Keep(output);
-        using var file = new ReplacedFile(output);
-        write(file);
-        cancellation.ThrowIfCancellationRequested();
-        file.Commit();
+        WrittenFiles.Write(output, write, cancellation);
     }
 
     public static void Write(string output, Picture picture, PictureFormat format, CancellationToken cancellation) =>

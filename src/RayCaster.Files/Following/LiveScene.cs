@@ -76,9 +76,8 @@ public sealed class LiveScene : IDisposable
         if (!state.IsGood) return "the scene file has a mistake: correct it first";
         if (state.Version != version || !File.ReadAllBytes(FullPath).AsSpan().SequenceEqual(state.Text.Span))
             return "the scene file was changed at the same time: look at it, then try again";
-        using var file = new ReplacedFile(File.ResolveLinkTarget(FullPath, returnFinalTarget: true)?.FullName ?? FullPath);
-        file.Write(CameraEdit.Write(state.Text, camera));
-        file.Commit();
+        var target = File.ResolveLinkTarget(FullPath, returnFinalTarget: true)?.FullName ?? FullPath;
+        WrittenFiles.Write(target, file => file.Write(CameraEdit.Write(state.Text, camera)));
         return null;
     }
 

@@ -61,20 +61,15 @@ internal sealed class MeshSource(string path, Stream stream, int blockSize = Mes
 
     private int LineAt(long offset)
     {
-        var buffer = new byte[UsualBlockSize];
+        var buffer = new byte[UsualBlockSize + 1]; // one more: CR or CRLF?
         var line = 1;
-        var previous = (byte)0;
-        for (var start = 0L; start <= offset && start < Length; start += buffer.Length)
+        for (var start = 0L; start < offset; start += UsualBlockSize)
         {
-            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Math.Min(offset + 1, Length) - start)); // one more: CR or CRLF?
+            var bytes = buffer.AsSpan(0, (int)Math.Min(buffer.Length, Math.Min(offset + 1, Length) - start));
             Read(start, bytes);
-            for (var i = 0; i < bytes.Length; i++)
-            {
-                if (previous == '\r' && bytes[i] != '\n') line++;
-                if (bytes[i] == '\n' && start + i < offset) line++;
-                previous = bytes[i];
-            }
+            var counted = bytes[..(int)Math.Min(UsualBlockSize, offset - start)];
+            line += counted.Count((byte)'\n') + counted.Count((byte)'\r') - bytes.Count("\r\n"u8);
         }
-        return previous == '\r' && offset == Length ? line + 1 : line;
+        return line;
     }
 }

@@ -17,8 +17,7 @@ public sealed class NewFolder : IDisposable
     {
         target = System.IO.Path.TrimEndingDirectorySeparator(System.IO.Path.GetFullPath(path));
         Directory.CreateDirectory(System.IO.Path.GetDirectoryName(target)!);
-        sign = WrittenFiles.Begin(() => TemporaryFile.Create(target));
-        TemporaryFile.DeleteOrphans(target, sign.Name);
+        sign = WrittenFiles.Begin(target);
         Path = TemporaryFile.FolderOf(sign.Name);
         Directory.CreateDirectory(Path);
     }

@@ -47,15 +47,12 @@ public static class PictureFile
         }
     }
 
-    /// <summary>Writes a picture. An old file is replaced at the end, and stays if anything fails.</summary>
-    /// <param name="format">The format; the extension's if left out.</param>
+    /// <summary>Writes a picture in the format of the path's extension. An old file is replaced at the end, and stays if anything fails.</summary>
     /// <exception cref="PictureFileException">The extension names no format, or the file cannot be written.</exception>
-    public static void Write(string path, Picture picture, PictureFormat? format = null)
+    public static void Write(string path, Picture picture)
     {
-        format ??= PictureFormats.ByExtension(path);
-        using var file = new ReplacedFile(path);
-        Write(file, picture, format.Value);
-        file.Commit();
+        var format = PictureFormats.ByExtension(path);
+        WrittenFiles.Write(path, file => Write(file, picture, format));
     }
 
     /// <summary>Writes a picture to a stream, which is left open.</summary>

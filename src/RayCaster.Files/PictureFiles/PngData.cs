@@ -1,21 +1,9 @@
 namespace RayCaster.Files;
 
 /// <summary>The compressed data of a PNG: the data of all its chunks IDAT as one stream, which can be read once.</summary>
-internal sealed class PngData(PngChunkReader chunks) : Stream
+internal sealed class PngData(PngChunkReader chunks) : ForwardStream
 {
     public override bool CanRead => true;
-
-    public override bool CanSeek => false;
-
-    public override bool CanWrite => false;
-
-    public override long Length => throw new NotSupportedException();
-
-    public override long Position
-    {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
-    }
 
     /// <exception cref="PictureFileException">A checksum is wrong.</exception>
     public override int Read(Span<byte> buffer)
@@ -28,16 +16,4 @@ internal sealed class PngData(PngChunkReader chunks) : Stream
         }
         return chunks.Read(buffer);
     }
-
-    public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));
-
-    public override void Flush()
-    {
-    }
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void SetLength(long value) => throw new NotSupportedException();
-
-    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 }

@@ -4,9 +4,9 @@ namespace RayCaster.Files;
 /// Writes a file completely or not at all. The bytes go to a temporary file beside it (<see cref="TemporaryFile"/>), and only
 /// <see cref="Commit"/> puts that in the place of the old file. A symbolic link is replaced, not followed.
 /// </summary>
-public sealed class ReplacedFile : Stream
+internal sealed class ReplacedFile : ForwardStream
 {
-    private readonly string path, target, temporary;
+    private readonly string path, target;
     private readonly FileStream file;
     private bool closed;
 
@@ -30,9 +30,7 @@ public sealed class ReplacedFile : Stream
                 throw Failure("it is a device, a pipe or a socket, or a link to something else than a file; name a file");
             if (File.Exists(target) && File.GetAttributes(target).HasFlag(FileAttributes.ReadOnly))
                 throw Failure("the old file is read-only");
-            file = WrittenFiles.Begin(() => TemporaryFile.Create(target));
-            temporary = file.Name;
-            TemporaryFile.DeleteOrphans(target, temporary);
+            file = WrittenFiles.Begin(target);
         }
         catch (Exception e) when (e is UnauthorizedAccessException or FileNotFoundException) // the latter in a folder like /proc
         {
@@ -44,24 +42,7 @@ public sealed class ReplacedFile : Stream
         }
     }
 
-    /// <summary>True until the file is committed or given up.</summary>
     public override bool CanWrite => !closed;
-
-    /// <summary>Always false: nothing is read back.</summary>
-    public override bool CanRead => false;
-
-    /// <summary>Always false: bytes are written in order.</summary>
-    public override bool CanSeek => false;
-
-    /// <summary>Not supported.</summary>
-    public override long Length => throw new NotSupportedException();
-
-    /// <summary>Not supported.</summary>
-    public override long Position
-    {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
-    }
 
     /// <summary>Writes the file to the disk and puts it in the place of the old one, which is there until then.</summary>
     /// <exception cref="PictureFileException">The disk is full, or the file cannot be put there. The old one stays.</exception>
@@ -72,7 +53,7 @@ public sealed class ReplacedFile : Stream
             // A network drive reports only now that the quota is used up, and then the old picture must still be there.
             file.Flush(flushToDisk: true);
             // It is moved while it is locked: another writer would delete an unlocked one as an orphan.
-            WrittenFiles.Finish(temporary, path, () => File.Move(temporary, target, overwrite: true));
+            WrittenFiles.Finish(file.Name, path, () => File.Move(file.Name, target, overwrite: true));
             closed = true;
             file.Dispose();
         }
@@ -82,7 +63,6 @@ public sealed class ReplacedFile : Stream
         }
     }
 
-    /// <summary>Writes bytes.</summary>
     /// <exception cref="PictureFileException">The disk is full or gone.</exception>
     public override void Write(ReadOnlySpan<byte> buffer)
     {
@@ -95,23 +75,6 @@ public sealed class ReplacedFile : Stream
             throw Failure(e);
         }
     }
-
-    /// <inheritdoc cref="Write(ReadOnlySpan{byte})"/>
-    public override void Write(byte[] buffer, int offset, int count) => Write(buffer.AsSpan(offset, count));
-
-    /// <summary>Does nothing: <see cref="Commit"/> flushes.</summary>
-    public override void Flush()
-    {
-    }
-
-    /// <summary>Not supported.</summary>
-    public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
-
-    /// <summary>Not supported.</summary>
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    /// <summary>Not supported.</summary>
-    public override void SetLength(long value) => throw new NotSupportedException();
 
     /// <summary>Deletes the temporary file unless it was committed; the old file stays.</summary>
     protected override void Dispose(bool disposing)
@@ -126,7 +89,7 @@ public sealed class ReplacedFile : Stream
         {
             // Buffered bytes may not fit on the disk. This must not hide the error that gave the file up.
         }
-        WrittenFiles.Delete(temporary);
+        WrittenFiles.Delete(file.Name);
         base.Dispose(disposing);
     }
 

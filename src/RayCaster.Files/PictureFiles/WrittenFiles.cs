@@ -26,17 +26,31 @@ public static class WrittenFiles
         }
     }
 
-    /// <summary>Creates a temporary file and remembers it as unfinished.</summary>
-    /// <exception cref="OperationCanceledException">The process ends.</exception>
-    internal static FileStream Begin(Func<FileStream> create)
+    /// <summary>Writes a file completely or not at all: an old one is replaced at the end, and stays if anything fails.</summary>
+    /// <exception cref="PictureFileException">The file cannot be written.</exception>
+    public static void Write(string path, Action<Stream> write, CancellationToken cancellation = default)
     {
+        using var file = new ReplacedFile(path);
+        write(file);
+        cancellation.ThrowIfCancellationRequested();
+        file.Commit();
+    }
+
+    /// <summary>Creates a temporary file for a target, remembers it as unfinished, and deletes what killed runs have left of the target.</summary>
+    /// <exception cref="OperationCanceledException">The process ends.</exception>
+    /// <exception cref="IOException">It cannot be created.</exception>
+    /// <exception cref="UnauthorizedAccessException">It may not be created.</exception>
+    internal static FileStream Begin(string target)
+    {
+        FileStream file;
         lock (access)
         {
             if (isOver) throw new OperationCanceledException();
-            var file = create();
+            file = TemporaryFile.Create(target);
             unfinished.Add(file.Name);
-            return file;
         }
+        TemporaryFile.DeleteOrphans(target, file.Name);
+        return file;
     }
 
     /// <summary>Puts a finished file in its place.</summary>

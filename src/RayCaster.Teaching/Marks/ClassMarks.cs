@@ -141,8 +141,6 @@ public sealed class ClassMarks
     private static void Write(string path, byte[] bytes)
     {
         WorkFolder.Make(Path.GetDirectoryName(Path.GetFullPath(path))!);
-        using var file = new ReplacedFile(path);
-        file.Write(bytes);
-        file.Commit();
+        WrittenFiles.Write(path, file => file.Write(bytes));
     }
 }

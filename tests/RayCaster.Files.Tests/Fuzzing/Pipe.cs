@@ -1,24 +1,12 @@
 namespace RayCaster.Files.Tests.Fuzzing;
 
 /// <summary>A stream without a length that cannot seek.</summary>
-internal class Pipe(byte[] bytes) : Stream
+internal class Pipe(byte[] bytes) : ForwardStream
 {
     /// <summary>How many bytes were read.</summary>
     public long Given { get; private set; }
 
     public override bool CanRead => true;
-
-    public override bool CanSeek => false;
-
-    public override bool CanWrite => false;
-
-    public override long Length => throw new NotSupportedException();
-
-    public override long Position
-    {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
-    }
 
     public override int Read(Span<byte> buffer)
     {
@@ -26,18 +14,6 @@ internal class Pipe(byte[] bytes) : Stream
         for (; count < buffer.Length && ByteAt(Given) is { } value; Given++) buffer[count++] = value;
         return count;
     }
-
-    public override int Read(byte[] buffer, int offset, int count) => Read(buffer.AsSpan(offset, count));
-
-    public override void Flush()
-    {
-    }
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void SetLength(long value) => throw new NotSupportedException();
-
-    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
     /// <summary>The byte at a place; null at the end.</summary>
     protected virtual byte? ByteAt(long place) => place < bytes.Length ? bytes[place] : null;
