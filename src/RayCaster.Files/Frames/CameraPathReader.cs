@@ -21,7 +21,7 @@ public static class CameraPathReader
         foreach (var element in o.Objects("keys", "Where the camera is and when, an array of at least two."))
         {
             var key = new CameraKey(
-                element.Number("time", "When; each key later than the one before."),
+                element.Number("time", "When; each key later than the one before.", Limits.None),
                 element.Vector("position", "P, where the camera is."),
                 element.Vector("target", "T, where it looks; the scene's target where it is left out.", camera.Target),
                 element.Number(

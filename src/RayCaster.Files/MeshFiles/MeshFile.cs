@@ -53,7 +53,7 @@ public static class MeshFile
         }
     }
 
-    private static MemoryStream Copy(Stream stream, string path) => StreamBytes.TryReadToEnd(stream, MostBytesAtOnce, out var bytes)
+    private static MemoryStream Copy(Stream stream, string path) => InputBytes.TryReadToEnd(stream, MostBytesAtOnce, out var bytes)
         ? new(bytes.Array!, 0, bytes.Count, writable: false)
         : throw new MeshFileException(path, FormattableString.Invariant(
             $"a pipe or device of more than {MostBytesAtOnce:N0} bytes is not read, but a file of any size is"));

@@ -6,6 +6,7 @@ public sealed class PartSet
 {
     private readonly List<(string Path, PartFacts Facts)> parts = [];
     private readonly List<string> problems = [];
+    private readonly List<LineRange> missing = [];
 
     /// <summary>Reads the facts of the files.</summary>
     /// <param name="isChosen">Whether the user named the file, so that it must be a part. Other PNGs, from a folder, are left out if they are
@@ -23,8 +24,7 @@ public sealed class PartSet
             (a, b) => a.Facts.Lines.First.CompareTo(b.Facts.Lines.First) is var order and not 0 ? order : string.CompareOrdinal(a.Path, b.Path));
         if (parts.Count == 0) return;
         FindStrangers();
-        if (problems.Count == 0) FindOverlaps();
-        Missing = [.. FindMissing()];
+        if (problems.Count == 0) FindGapsAndOverlaps();
     }
 
     /// <summary>How many parts there are.</summary>
@@ -36,8 +36,8 @@ public sealed class PartSet
     /// <summary>Why these files are not the parts of one picture, a line of text for each reason. Missing parts do not count here.</summary>
     public IReadOnlyList<string> Problems => problems;
 
-    /// <summary>The lines that no part holds, from the top.</summary>
-    public IReadOnlyList<LineRange> Missing { get; } = [];
+    /// <summary>The lines that no part holds, from the top; of parts without problems.</summary>
+    public IReadOnlyList<LineRange> Missing => missing;
 
     /// <summary>The whole picture's size.</summary>
     public (int Width, int Height) Size => (parts[0].Facts.Width, parts[0].Facts.Height);
@@ -81,27 +81,18 @@ public sealed class PartSet
         static string Short(PartFacts facts) => facts.Digest.Length > 12 ? facts.Digest[..12] + "…" : facts.Digest;
     }
 
-    /// <summary>Finds lines that two parts hold. That is a problem even where they are equal.</summary>
-    private void FindOverlaps()
+    /// <summary>Finds lines that no part holds, and lines that two parts hold. The latter is a problem even where they are equal.</summary>
+    private void FindGapsAndOverlaps()
     {
         var (path, reach) = ("", -1); // the part that reaches farthest down so far, and its last line
         foreach (var (next, facts) in parts)
         {
             var lines = facts.Lines;
+            if (lines.First > reach + 1) missing.Add(new(reach + 1, lines.First - 1));
             if (lines.First <= reach)
                 problems.Add($"the lines {new LineRange(lines.First, Math.Min(reach, lines.Last))} are in {path} and in {next}");
             if (lines.Last > reach) (path, reach) = (next, lines.Last);
         }
-    }
-
-    private IEnumerable<LineRange> FindMissing()
-    {
-        var next = 0; // the first line that is not yet found
-        foreach (var (_, facts) in parts)
-        {
-            if (facts.Lines.First > next) yield return new(next, facts.Lines.First - 1);
-            next = Math.Max(next, facts.Lines.Last + 1);
-        }
-        if (next < Size.Height) yield return new(next, Size.Height - 1);
+        if (reach < Size.Height - 1) missing.Add(new(reach + 1, Size.Height - 1));
     }
 }

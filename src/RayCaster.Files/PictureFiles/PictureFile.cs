@@ -116,7 +116,7 @@ public static class PictureFile
         string.Concat(bytes.ToArray().Select(value => value is >= 0x20 and < 0x7F ? $"{(char)value}" : $"\\x{value:X2}"));
 
     private static MemoryStream InMemory(ReadOnlySpan<byte> begun, Stream stream) =>
-        StreamBytes.TryReadToEnd(stream, MostBytes - 1, out var bytes, begun)
+        InputBytes.TryReadToEnd(stream, MostBytes - 1, out var bytes, begun)
             ? new(bytes.Array!, bytes.Offset, bytes.Count)
             : throw new PictureFileException($"the file is longer than {MostBytes:N0} bytes, which is the limit");
 

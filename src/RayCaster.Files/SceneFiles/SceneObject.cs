@@ -60,9 +60,7 @@ internal sealed class SceneObject
     private string LongPathOf(string key, int? element) =>
         (path.Length > 0 ? $"{path}{(index is { } place ? $"[{place}]" : "")}.{key}" : key) + (element is { } i ? $"[{i}]" : "");
 
-    public double Number(string key, string meaning, double? orElse = null) => Number(key, meaning, Limits.None, orElse);
-
-    public double Positive(string key, string meaning, double? orElse = null) => Number(key, meaning, Limits.Positive, orElse);
+    public double Positive(string key, string meaning) => Number(key, meaning, Limits.Positive);
 
     public double Number(string key, string meaning, Limits limits, double? orElse = null)
     {

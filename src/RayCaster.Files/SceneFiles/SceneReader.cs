@@ -6,22 +6,18 @@ public static class SceneReader
     /// <summary>The longest scene file, in bytes: some 400,000 models. More triangles belong in a mesh file.</summary>
     public const int MostBytes = 1 << 26;
 
+    private const string Kind = "scene file", Remedy = "; put large meshes into mesh files";
+
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
     /// <param name="path">The file; messages name it as it is given here.</param>
     /// <param name="threads">How many threads read a large mesh file; one per core if left out.</param>
     /// <param name="look">Receives the file's bytes before they are parsed, also if they contain mistakes.</param>
     public static SceneReading Read(string path, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
-        try
-        {
-            using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 0);
-            if (MeshFile.IsNamedLikeOne(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-            return Read(file, path, Path.GetDirectoryName(path) ?? "", threads, look);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException || (e is ArgumentException && !File.Exists(path)))
-        {
-            return Unreadable(path, File.Exists(path) ? $"the scene file cannot be read: {e.Message}" : NotFound(path));
-        }
+        if (MeshFile.IsNamedLikeOne(path) && File.Exists(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
+        if (InputBytes.WhyNot(path, Kind, MostBytes, Remedy, out var bytes) is { } problem) return Unreadable(path, problem);
+        look?.Invoke(bytes);
+        return Parse(bytes, path, Path.GetDirectoryName(path) ?? "", threads);
     }
 
     /// <summary>Reads the rest of a stream, which may be a pipe that never ends.</summary>
@@ -29,7 +25,7 @@ public static class SceneReader
     /// <exception cref="IOException">The stream fails.</exception>
     public static SceneReading Read(Stream stream, string displayName, string folder, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
-        if (!StreamBytes.TryReadToEnd(stream, MostBytes, out var bytes)) return TooLong(displayName);
+        if (!InputBytes.TryReadToEnd(stream, MostBytes, out var bytes)) return Unreadable(displayName, InputBytes.TooLong(Kind, MostBytes, Remedy));
         look?.Invoke(bytes);
         return Parse(bytes, displayName, folder, threads);
     }
@@ -95,7 +91,7 @@ public static class SceneReader
             Width = o.Whole("width", "Pixels in a row.", 1, Camera.MaxSide, orElse.Width),
             Height = o.Whole("height", "Rows of pixels.", 1, Camera.MaxSide, orElse.Height),
             ZNear = o.Number("zNear", "Nothing nearer is seen.", Limits.NotNegative, orElse.ZNear),
-            ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", orElse.ZFar),
+            ZFar = o.Number("zFar", "Nothing farther is seen; greater than zNear.", Limits.None, orElse.ZFar),
             Bias = o.Number("bias", "A hit counts if t > bias; with bias 0, if t >= 0.", Limits.NotNegative, orElse.Bias),
             Clip = o.OptionalChoice("clip", "What zNear and zFar measure: the depth along the view direction or the distance from the camera.",
                 "depth", "distance") == "distance" ? Clip.Distance : Clip.Depth,
@@ -164,16 +160,6 @@ public static class SceneReader
         model.Name = o.OptionalText("name", "A name for people; the picture does not depend on it.") is { } name ? PrintableText.Of(name) : null;
         return model;
     }
-
-    private static string NotFound(string path)
-    {
-        if (path.Length == 0) return "the name of the scene file is empty";
-        if (Directory.Exists(path)) return "this is a folder, not a scene file";
-        return $"file not found{new FileNames().Hint(path, ".json")}";
-    }
-
-    private static SceneReading TooLong(string path) => Unreadable(path, FormattableString.Invariant(
-        $"the scene file has more than {MostBytes:N0} bytes, which is the limit; put large meshes into mesh files"));
 
     private static SceneReading Unreadable(string path, string message) =>
         new(null, [new Problem(true, path, 0, 0, message, "")]);

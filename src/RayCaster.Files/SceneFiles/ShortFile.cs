@@ -12,7 +12,7 @@ internal static class ShortFile
     /// <param name="report">All errors and warnings, as text for people; empty if there are none.</param>
     public static T? Read<T>(string path, string name, Func<SceneObject, T?> read, out string report) where T : class
     {
-        if (WhyNot(path, out var utf8) is { } problem)
+        if (InputBytes.WhyNot(path, "file", MostBytes, "", out var utf8) is { } problem)
         {
             report = $"{path}: error: {problem}\n";
             return null;
@@ -20,23 +20,5 @@ internal static class ShortFile
         var result = SceneReader.Parse(utf8, path, "", name, read, out var document);
         report = new SceneReading(null, document.Problems()).Report();
         return result;
-    }
-
-    /// <summary>Reads the bytes; if that fails, returns the reason.</summary>
-    private static string? WhyNot(string path, out ArraySegment<byte> utf8)
-    {
-        utf8 = default;
-        if (Directory.Exists(path)) return "this is a folder; name a file";
-        if (!File.Exists(path)) return $"file not found{new FileNames().Hint(path, ".json")}";
-        try
-        {
-            using var file = File.OpenRead(path);
-            return StreamBytes.TryReadToEnd(file, MostBytes, out utf8) ? null
-                : FormattableString.Invariant($"the file is longer than {MostBytes:N0} bytes, which is the limit");
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            return $"the file cannot be read: {e.Message}";
-        }
     }
 }

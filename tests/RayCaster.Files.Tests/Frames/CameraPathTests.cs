@@ -105,7 +105,7 @@ public class CameraPathTests
         using var folder = new TemporaryFolder();
         var path = folder.Write("way.json", new string(' ', ShortFile.MostBytes + 1));
         Assert.Null(CameraPathReader.Read(path, Scene, out var report));
-        Assert.Equal($"{path}: error: the file is longer than 1,048,576 bytes, which is the limit\n", report);
+        Assert.Equal($"{path}: error: the file has more than 1,048,576 bytes, which is the limit\n", report);
     }
 
     [Theory]
