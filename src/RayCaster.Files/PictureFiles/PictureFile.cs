@@ -33,13 +33,15 @@ public static class PictureFile
         var mostBytes = limit ?? MostBytes;
         try
         {
-            // The first bytes show the format. A pipe cannot seek back, so they are passed on with the rest.
-            var start = new byte[8];
-            var begun = start.AsSpan(0, stream.Read(start));
-            if (begun.IsEmpty) throw new PictureFileException("the file is empty");
-            if (begun[0] == PngChunk.Signature[0]) return PngReader.Read(InMemory(begun, stream), mostBytes);
-            if (begun[0] == 'P') return PnmReader.Read(new PnmBytes(begun, stream), mostBytes);
-            throw new PictureFileException($"{Guess(begun)}; PNG, PBM, PGM and PPM can be read");
+            long? length = stream.CanSeek ? stream.Length - stream.Position : null;
+            var first = stream.ReadByte(); // shows the format; a pipe cannot seek back
+            if (first < 0) throw new PictureFileException("the file is empty");
+            if (first == 'P') return PnmReader.Read(new(stream, 1 << 16), length, mostBytes);
+            if (first == PngChunk.Signature[0]) return PngReader.Read(InMemory((byte)first, stream), mostBytes);
+            var begun = new byte[8];
+            begun[0] = (byte)first;
+            var count = 1 + stream.Read(begun.AsSpan(1));
+            throw new PictureFileException($"{Guess(begun.AsSpan(0, count))}; PNG, PBM, PGM and PPM can be read");
         }
         catch (OutOfMemoryException e)
         {
@@ -115,8 +117,8 @@ public static class PictureFile
     internal static string Printable(ReadOnlySpan<byte> bytes) =>
         string.Concat(bytes.ToArray().Select(value => value is >= 0x20 and < 0x7F ? $"{(char)value}" : $"\\x{value:X2}"));
 
-    private static MemoryStream InMemory(ReadOnlySpan<byte> begun, Stream stream) =>
-        InputBytes.TryReadToEnd(stream, MostBytes - 1, out var bytes, begun)
+    private static MemoryStream InMemory(byte first, Stream rest) =>
+        InputBytes.TryReadToEnd(rest, MostBytes - 1, out var bytes, [first])
             ? new(bytes.Array!, bytes.Offset, bytes.Count)
             : throw new PictureFileException($"the file is longer than {MostBytes:N0} bytes, which is the limit");
 
@@ -125,6 +127,6 @@ public static class PictureFile
         [0xFF, 0xD8, ..] => "it is a JPEG, whose colours are not exact",
         [(byte)'G', (byte)'I', (byte)'F', ..] => "it is a GIF",
         [(byte)'B', (byte)'M', ..] => "it is a BMP",
-        _ => $"it begins with '{Printable(file[..Math.Min(8, file.Length)])}', which is no known picture format",
+        _ => $"it begins with '{Printable(file)}', which is no known picture format",
     };
 }

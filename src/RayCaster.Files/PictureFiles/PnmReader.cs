@@ -9,17 +9,21 @@ internal sealed class PnmReader
     /// <summary>The first memory for a picture from a pipe. It grows with the data, because the header may promise too much.</summary>
     private const int FirstBytes = 1 << 16;
 
-    private readonly PnmBytes file;
+    private readonly BufferedStream file;
     private readonly int kind, width, height, maxval;
+    private int next; // in the header and in a text: the byte that is looked at; −1 at the end
+    private long place; // of that byte; later how many bytes were read
 
+    /// <param name="file">The file after its first byte, which is P.</param>
+    /// <param name="length">The bytes of the file with that byte; null for a pipe or device.</param>
     /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
-    public static Picture Read(PnmBytes file, long mostBytes) => new PnmReader(file, mostBytes).ReadPixels();
+    public static Picture Read(BufferedStream file, long? length, long mostBytes) => new PnmReader(file, mostBytes).ReadPixels(length);
 
-    private PnmReader(PnmBytes file, long mostBytes)
+    private PnmReader(BufferedStream file, long mostBytes)
     {
         this.file = file;
-        file.Next(); // P
-        var digit = file.Next();
+        Advance();
+        var digit = Advance();
         kind = digit - '0';
         if (kind is < 1 or > 6)
             throw new PictureFileException(
@@ -45,11 +49,11 @@ internal sealed class PnmReader
         _ => maxval > 255 ? 2 * Samples : Samples,
     };
 
-    private Picture ReadPixels()
+    private Picture ReadPixels(long? length)
     {
-        var dataAt = file.Place;
-        if (file.Length is { } length && length - dataAt < DataBytes) throw CutShort(length - dataAt);
-        var rgb = new byte[file.Length is null ? Math.Min(FirstBytes, 3L * width * height) : 3L * width * height];
+        var dataAt = place;
+        if (length - dataAt < DataBytes) throw CutShort(length.Value - dataAt);
+        var rgb = new byte[length is null ? Math.Min(FirstBytes, 3L * width * height) : 3L * width * height];
         for (var (y, at) = (0, 0); y < height; y++)
         {
             if (kind == 6 && maxval == 255)
@@ -58,7 +62,7 @@ internal sealed class PnmReader
                 {
                     MakeRoom(ref rgb, at + 1);
                     var count = file.Read(rgb.AsSpan(at, Math.Min(rgb.Length, end) - at));
-                    if (count == 0) throw CutShort(file.Place - dataAt);
+                    if (count == 0) throw CutShort(at);
                     at += count;
                 }
                 continue;
@@ -84,7 +88,7 @@ internal sealed class PnmReader
     /// <param name="bits">For P4: the sample is the highest of these eight bits.</param>
     private byte ReadSample(int bits, long dataAt)
     {
-        var start = file.Place;
+        var start = place;
         var value = kind switch
         {
             1 => 1 - ReadBit(), // in a bitmap 1 is ink: black
@@ -97,22 +101,37 @@ internal sealed class PnmReader
         return (byte)((value * 255 + maxval / 2) / maxval);
     }
 
-    private int Byte(long dataAt) => file.Next() is >= 0 and var value ? value : throw CutShort(file.Place - dataAt);
+    private int Byte(long dataAt)
+    {
+        var value = file.ReadByte();
+        if (value < 0) throw CutShort(place - dataAt);
+        place++;
+        return value;
+    }
+
+    /// <summary>Takes the byte that is looked at, and looks at the one after it.</summary>
+    private int Advance()
+    {
+        var taken = next;
+        next = file.ReadByte();
+        place++;
+        return taken;
+    }
 
     private int ReadBit()
     {
         SkipBlanks("a 0 or 1");
-        return file.Peek() is '0' or '1' ? file.Next() - '0' : throw Unexpected("a 0 or 1");
+        return next is '0' or '1' ? Advance() - '0' : throw Unexpected("a 0 or 1");
     }
 
     private int ReadNumber(string what)
     {
         SkipBlanks(what);
-        if (!IsDigit(file.Peek())) throw Unexpected(what);
-        var (number, start) = (0L, file.Place);
-        while (IsDigit(file.Peek()))
+        if (!IsDigit(next)) throw Unexpected(what);
+        var (number, start) = (0L, place);
+        while (IsDigit(next))
         {
-            number = number * 10 + file.Next() - '0';
+            number = number * 10 + Advance() - '0';
             if (number > int.MaxValue)
                 throw new PictureFileException($"{what} at byte {start} is greater than {int.MaxValue:N0}, which is the limit");
         }
@@ -122,24 +141,24 @@ internal sealed class PnmReader
     /// <summary>Skips blanks and comments. The file must go on after them.</summary>
     private void SkipBlanks(string what)
     {
-        while (IsBlank(file.Peek()) || file.Peek() == '#')
-            if (file.Next() == '#') SkipComment();
-        if (file.Peek() < 0) throw new PictureFileException($"the file is cut short: it ends where {what} should be");
+        while (IsBlank(next) || next == '#')
+            if (Advance() == '#') SkipComment();
+        if (next < 0) throw new PictureFileException($"the file is cut short: it ends where {what} should be");
     }
 
     /// <summary>Skips from # to the end of the line; the line end is left.</summary>
     private void SkipComment()
     {
-        while (file.Peek() is >= 0 and not ('\n' or '\r')) file.Next();
+        while (next is >= 0 and not ('\n' or '\r')) Advance();
     }
 
     /// <summary>Skips the one blank, or the comment with its line end, before the bytes. No more: the first bytes may look like blanks.</summary>
     private void SkipSeparator()
     {
-        if (file.Peek() == '#') SkipComment();
-        if (file.Peek() < 0) throw new PictureFileException("the file is cut short: it ends with its header");
-        if (!IsBlank(file.Peek())) throw Unexpected("a line end");
-        file.Next();
+        if (next == '#') SkipComment();
+        if (next < 0) throw new PictureFileException("the file is cut short: it ends with its header");
+        if (!IsBlank(next)) throw Unexpected("a line end");
+        place++;
     }
 
     private static bool IsBlank(int value) => value is ' ' or (>= '\t' and <= '\r');
@@ -151,5 +170,5 @@ internal sealed class PnmReader
         + $"{(kind < 4 ? "at least " : "")}{DataBytes:N0} bytes after the header, but there are {there:N0}");
 
     private PictureFileException Unexpected(string due) =>
-        new($"'{PictureFile.Printable([(byte)file.Peek()])}' at byte {file.Place}, where {due} should be");
+        new($"'{PictureFile.Printable([(byte)next])}' at byte {place}, where {due} should be");
 }
