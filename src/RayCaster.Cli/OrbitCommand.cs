@@ -60,7 +60,7 @@ internal sealed class OrbitCommand : Command
         for (var frame = only.First; frame <= only.Last; frame++)
         {
             cancellation.ThrowIfCancellationRequested();
-            var camera = way?.Frame(scene.Camera, frame, frames) ?? Orbit.Frame(scene.Camera, frame, frames);
+            var camera = way?.Frame(scene.Camera, frame, frames) ?? CameraMotion.Orbit(scene.Camera, frame, frames);
             if (camera.Flaw is { } flaw) throw new ProblemException($"raycaster: frame {frame} cannot be drawn: {flaw}");
             var view = scene with { Camera = camera };
             var whole = LineRange.Whole(camera.Height);

@@ -126,7 +126,7 @@ internal static class OwnWays
     {
         const int Frames = 16, OfOrbit = 720;
         var (kept, frame) = (new Lazy<Scene>(() => SpatialOrder.Of(scene.Create(width, height))), 0);
-        return () => kept.Value with { Camera = Orbit.Frame(kept.Value.Camera, frame++ % Frames, OfOrbit) };
+        return () => kept.Value with { Camera = CameraMotion.Orbit(kept.Value.Camera, frame++ % Frames, OfOrbit) };
     }
 
     /// <summary>The milliseconds that work takes: on one thread its processor time, which other work of the machine hardly changes.</summary>

@@ -1,12 +1,21 @@
 namespace RayCaster.Files;
 
-/// <summary>Moves a camera by hand: turns it about its target, brings it nearer, or shifts it together with its target.</summary>
+/// <summary>Moves a camera: turns it about its target, brings it nearer, or shifts it together with its target.</summary>
 public static class CameraMotion
 {
     /// <summary>The least angle between the view and up, in radians. At 0 the picture would turn over.</summary>
     private const double LeastAngle = 0.01;
 
-    /// <summary>Turns the camera about its target.</summary>
+    /// <summary>A frame of a full turn about the target. Frame 0 has the camera itself, and so would the frame after the last.</summary>
+    /// <param name="frames">How many frames make a full turn, counterclockwise seen from above.</param>
+    public static Camera Orbit(Camera camera, int frame, int frames)
+    {
+        if (frame == 0) return camera;
+        var turned = Rotate(camera.Position - camera.Target, camera.Up.Normalized, 2 * Math.PI * frame / frames);
+        return new(camera.Parameters with { Position = camera.Target + turned });
+    }
+
+    /// <summary>Turns the camera about its target by hand.</summary>
     /// <param name="around">The angle about the up direction in radians, counterclockwise seen from above.</param>
     /// <param name="over">The angle towards up in radians; limited so that the view never becomes parallel to up.</param>
     public static Camera Turn(Camera camera, double around, double over)
@@ -49,7 +58,7 @@ public static class CameraMotion
     }
 
     /// <summary>Turns v about an axis of length 1 (Rodrigues' formula).</summary>
-    internal static Vector3 Rotate(Vector3 v, Vector3 axis, double angle)
+    private static Vector3 Rotate(Vector3 v, Vector3 axis, double angle)
     {
         var (sin, cos) = Math.SinCos(angle);
         return cos * v + sin * (axis % v) + (1 - cos) * (axis * v) * axis;

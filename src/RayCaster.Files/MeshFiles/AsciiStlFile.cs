@@ -49,7 +49,7 @@ internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
             var word = scanner.NextInLine();
             if (!word.IsEmpty) return scanner.ToNumber(word, what);
             var lineEnd = scanner.WordAt;
-            return DecimalNumber.TryParse(scanner.Next(), out var number) ? number : throw scanner.ErrorAt(lineEnd, $"{what} is missing");
+            return TextScanner.TryParse(scanner.Next(), out var number) ? number : throw scanner.ErrorAt(lineEnd, $"{what} is missing");
         }
 
         // A solid's name is the rest of its line, unless the whole solid is written in one line.

@@ -1,3 +1,5 @@
+using System.Buffers.Text;
+
 namespace RayCaster.Files;
 
 /// <summary>Divides a text into words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>
@@ -84,9 +86,15 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
     /// <exception cref="MeshFileException">It is something else, NaN, or beyond the largest number.</exception>
     public double ToNumber(ReadOnlySpan<byte> word, string what)
     {
-        if (DecimalNumber.TryParse(word, out var number)) return number;
+        if (TryParse(word, out var number)) return number;
         throw Error(word.IsEmpty ? $"{what} is missing" : $"{what} must be a finite number, but is {Quoted}");
     }
+
+    /// <summary>Reads a whole word as the double nearest to it; false where the word is no number or beyond the largest double. Numbers are
+    /// as people and programs write them: <c>1</c>, <c>+1.5</c>, <c>.5</c>, <c>5.</c>, <c>-1.5E+3</c>.</summary>
+    /// <remarks>Takes half the time of <see cref="double.TryParse(ReadOnlySpan{byte}, out double)"/>, also for the first number.</remarks>
+    public static bool TryParse(ReadOnlySpan<byte> word, out double number) =>
+        Utf8Parser.TryParse(word, out number, out var length) && length == word.Length && double.IsFinite(number);
 
     public MeshFileException Error(string reason) => ErrorAt(WordAt, reason);
 

@@ -30,7 +30,7 @@ internal static class PrimitiveList
 
         new("triangle", "A triangle, visible from both sides.", Triangle),
 
-        new("mesh", "Triangles from a file.", SceneMesh.Read),
+        new("mesh", "Triangles from a file.", Mesh),
     ];
 
     public static readonly string[] Names = Array.ConvertAll(All, type => type.Name);
@@ -63,5 +63,35 @@ internal static class PrimitiveList
         if (RayCaster.Triangle.IsOnOneLine(a, b, c))
             o.Refuse("c", $" must not lie on one line with {o.PathOf("a")} and {o.PathOf("b")}: the triangle has no area");
         return Model.Of(new Triangle(a, b, c));
+    }
+
+    /// <summary>Triangles of a file, placed; after an error the mesh is empty.</summary>
+    private static Model Mesh(SceneObject o)
+    {
+        var nothing = new Mesh([], []);
+        var file = o.Text("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.");
+        var placement = new MeshPlacement(
+            o.Factors("scale", "A factor for all axes, or one for each; none is 0, negative mirrors.", 1),
+            o.Vector("rotate", "Turns about the x, y and z axis, in this order, in degrees.", Vector3.Zero),
+            o.Vector("translate", "Where the mesh's origin goes, at last.", Vector3.Zero));
+        if (file is null) return nothing;
+        if (file.Contains('\0')) // which no file system takes
+        {
+            o.Refuse("file", $" must name a mesh file");
+            return nothing;
+        }
+        try
+        {
+            var data = o.Document!.Mesh(file);
+            if (!o.IsSound) return nothing;
+            var mesh = placement.Place(data, out var dropped, o.Document.Threads);
+            if (dropped > 0) o.Warn("file", $": {dropped} of {data.Indices.Length / 3} triangles have no area and are dropped");
+            return mesh;
+        }
+        catch (Exception e) when (e is MeshFileException or OverflowException)
+        {
+            o.Refuse("file", $": {e.Message}");
+            return nothing;
+        }
     }
 }

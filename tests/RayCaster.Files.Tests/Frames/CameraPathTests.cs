@@ -5,7 +5,7 @@ public class CameraPathTests
     private static readonly Camera Scene = new(new(new(10, 0, 4), new(1, 2, 3)) { FovY = 40, Width = 30, Height = 20, ZNear = 0.5, ZFar = 90 });
 
     [Fact]
-    public void AnOrbitBeginsWithTheScenesOwnPicture() => Assert.Same(Scene, Orbit.Frame(Scene, 0, 7));
+    public void AnOrbitBeginsWithTheScenesOwnPicture() => Assert.Same(Scene, CameraMotion.Orbit(Scene, 0, 7));
 
     [Theory]
     [InlineData(1, 3, 11, 4)] // a quarter to the left, seen from the camera: counterclockwise from above
@@ -13,7 +13,7 @@ public class CameraPathTests
     [InlineData(3, -1, -7, 4)]
     public void AQuarterOfAnOrbitIsAQuarterTurnAboutTheTarget(int frame, double x, double y, double z)
     {
-        var camera = Orbit.Frame(Scene, frame, 4);
+        var camera = CameraMotion.Orbit(Scene, frame, 4);
         AssertNear(new(x, y, z), camera.Position);
         Assert.Equal((Scene.Target, Scene.FovY, Scene.Width, Scene.ZFar), (camera.Target, camera.FovY, camera.Width, camera.ZFar));
     }
@@ -24,7 +24,7 @@ public class CameraPathTests
         var scene = new Camera(new(new(0, 3, 5), Vector3.Zero) { Up = new(0, 7, 0) });
         for (var frame = 0; frame < 9; frame++)
         {
-            var camera = Orbit.Frame(scene, frame, 9);
+            var camera = CameraMotion.Orbit(scene, frame, 9);
             Assert.Equal(3, camera.Position.Y, 12);
             Assert.Equal(Math.Sqrt(34), camera.Position.Length, 12);
         }

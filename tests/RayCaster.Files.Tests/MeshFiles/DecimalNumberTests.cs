@@ -23,7 +23,7 @@ public class DecimalNumberTests
     [InlineData("1e-400", 0)]
     public void NumberIsTheNearestDouble(string word, double expected)
     {
-        Assert.True(DecimalNumber.TryParse(Encoding.ASCII.GetBytes(word), out var number));
+        Assert.True(TextScanner.TryParse(Encoding.ASCII.GetBytes(word), out var number));
         Assert.Equal(BitConverter.DoubleToInt64Bits(expected), BitConverter.DoubleToInt64Bits(number));
     }
 
@@ -37,7 +37,7 @@ public class DecimalNumberTests
             foreach (var format in new[] { "R", "F3", "F6", "F12", "F17", "E8", "G17" })
             {
                 var word = value.ToString(format, CultureInfo.InvariantCulture);
-                Assert.True(DecimalNumber.TryParse(Encoding.ASCII.GetBytes(word), out var number));
+                Assert.True(TextScanner.TryParse(Encoding.ASCII.GetBytes(word), out var number));
                 Assert.Equal(double.Parse(word, CultureInfo.InvariantCulture), number);
             }
         }
@@ -46,7 +46,7 @@ public class DecimalNumberTests
     [Fact]
     public void NumberOfAMillionDigitsIsRead()
     {
-        Assert.True(DecimalNumber.TryParse(Encoding.ASCII.GetBytes("0." + new string('0', 1_000_000) + "1e1000001"), out var number));
+        Assert.True(TextScanner.TryParse(Encoding.ASCII.GetBytes("0." + new string('0', 1_000_000) + "1e1000001"), out var number));
         Assert.Equal(1, number);
     }
 
@@ -72,5 +72,5 @@ public class DecimalNumberTests
     [InlineData("-∞")]
     [InlineData("1e400")]
     [InlineData("1e99999999999999999999")]
-    public void AnythingElseIsNoNumber(string word) => Assert.False(DecimalNumber.TryParse(Encoding.UTF8.GetBytes(word), out _));
+    public void AnythingElseIsNoNumber(string word) => Assert.False(TextScanner.TryParse(Encoding.UTF8.GetBytes(word), out _));
 }
