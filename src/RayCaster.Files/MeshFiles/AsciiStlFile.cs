@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>Ascii STL. Line ends separate words like blanks do, but the name of a solid ends with its line.</summary>
-internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
+internal sealed class AsciiStlFile(MeshSource source) : MeshFormat(source)
 {
     /// <summary>Blocks are cut after a facet, so each block but the first begins within a solid.</summary>
     public override void Read(MeshBlock block, MeshBuilder mesh)
@@ -80,10 +80,11 @@ internal sealed class AsciiStlFile(MeshSource source) : TextFormat(source)
     /// After the last line of a facet: a line of a vertex, then endloop, then endfacet. A name is one line, and a normal three words, so no name
     /// or normal can contain these three lines by chance.
     /// </summary>
-    protected override int LastCut(ReadOnlySpan<byte> text)
+    protected override int Cut(ReadOnlySpan<byte> text, bool isEnd)
     {
+        if (isEnd) return text.Length;
         var (cut, linesFound) = (0, 0);
-        for (var left = text; TryTakeLastLine(ref left, out var line);)
+        for (var left = text; TextScanner.TryTakeLastLine(ref left, out var line);)
         {
             var words = line.Trim(" \t\v\f"u8);
             if (words.IsEmpty) continue;

@@ -1,7 +1,7 @@
 namespace RayCaster.Files;
 
 /// <summary>Binary STL: after the header a normal, three vertices and two more bytes for each triangle.</summary>
-internal sealed class BinaryStlFile(MeshSource source) : MeshFormat
+internal sealed class BinaryStlFile(MeshSource source) : MeshFormat(source, Header)
 {
     /// <summary>The bytes before the first triangle.</summary>
     public const int Header = 84;
@@ -9,14 +9,6 @@ internal sealed class BinaryStlFile(MeshSource source) : MeshFormat
     public const int BytesPerTriangle = 50;
 
     private const int normal = 12;
-    private long position = Header;
-
-    public override bool Next(MeshBlock block)
-    {
-        if (position == source.Length) return false;
-        position = block.Load(position, (bytes, _) => bytes.Length / BytesPerTriangle * BytesPerTriangle).End;
-        return true;
-    }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     public override void Read(MeshBlock block, MeshBuilder mesh)
@@ -31,6 +23,8 @@ internal sealed class BinaryStlFile(MeshSource source) : MeshFormat
             }
         }
     }
+
+    protected override int Cut(ReadOnlySpan<byte> bytes, bool isEnd) => bytes.Length / BytesPerTriangle * BytesPerTriangle;
 
     private static double Float(MeshBlock block, int at)
     {

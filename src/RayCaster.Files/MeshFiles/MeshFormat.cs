@@ -1,13 +1,26 @@
 namespace RayCaster.Files;
 
 /// <summary>A format of mesh files: how a file is cut into blocks, and how a block is read.</summary>
-internal abstract class MeshFormat
+internal abstract class MeshFormat(MeshSource source, long bodyAt = 0)
 {
+    private bool hasBegun; // an empty text is a block, too
+
+    /// <summary>Where the next block begins.</summary>
+    protected long Position { get; set; } = bodyAt;
+
     /// <summary>Loads the next block; false at the end. Called by one thread at a time, in file order.</summary>
     /// <exception cref="MeshFileException">The file cannot be read or is broken.</exception>
-    public abstract bool Next(MeshBlock block);
+    public virtual bool Next(MeshBlock block)
+    {
+        if (hasBegun && Position == source.Length) return false;
+        (hasBegun, Position) = (true, block.Load(Position, Cut).End);
+        return true;
+    }
 
     /// <summary>Reads a block, while other threads may read other blocks.</summary>
     /// <exception cref="MeshFileException">The block is broken.</exception>
     public abstract void Read(MeshBlock block, MeshBuilder mesh);
+
+    /// <inheritdoc cref="MeshBlock.Cut"/>
+    protected abstract int Cut(ReadOnlySpan<byte> bytes, bool isEnd);
 }

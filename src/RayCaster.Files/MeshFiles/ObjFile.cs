@@ -3,7 +3,7 @@ using System.Buffers.Text;
 namespace RayCaster.Files;
 
 /// <summary>Wavefront OBJ: the statements <c>v x y z</c> and <c>f i j k …</c>; all others are skipped.</summary>
-internal sealed class ObjFile : TextFormat
+internal sealed class ObjFile : MeshFormat
 {
     private readonly long vertexCount;
 
@@ -49,9 +49,10 @@ internal sealed class ObjFile : TextFormat
     }
 
     /// <summary>After any line that no backslash continues.</summary>
-    protected override int LastCut(ReadOnlySpan<byte> text)
+    protected override int Cut(ReadOnlySpan<byte> text, bool isEnd)
     {
-        for (var left = text; TryTakeLastLine(ref left, out var line);)
+        if (isEnd) return text.Length;
+        for (var left = text; TextScanner.TryTakeLastLine(ref left, out var line);)
         {
             var isCrLf = line.IsEmpty && left is [.., (byte)'\r'];
             if ((isCrLf ? left[..^1] : line) is not [.., (byte)'\\']) return left.Length + 1;

@@ -1,11 +1,10 @@
 namespace RayCaster.Files;
 
 /// <summary>PLY, ascii or binary: x, y and z of the element vertex, vertex_indices of the element face; all else is skipped.</summary>
-internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
+internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat(source, header.BodyAt)
 {
     private readonly bool isAscii = header.Format == "ascii", isBigEndian = header.Format == "binary_big_endian";
-    private long position = header.BodyAt;
-    private long rowsLeft;      // of the last element that has begun
+    private long rowsLeft, rowCount; // of the last element that has begun, and in the last block
     private int elementsBegun;
 
     public static MeshData Read(MeshSource source)
@@ -27,18 +26,9 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
             Begin(header.Elements[elementsBegun]);
         }
 
-        var element = header.Elements[elementsBegun - 1];
-        var rowCount = 0L;
-        position = block.Load(position, (bytes, isEnd) =>
-        {
-            var length = isAscii ? PlyRows.MeasureLines(bytes, rowsLeft, out rowCount)
-                : PlyRows.MeasureBinary(bytes, element, isBigEndian, rowsLeft, out rowCount);
-            if (!isEnd || rowCount == rowsLeft) return length;
-            rowCount = rowsLeft; // in ascii the last line may have no end; rows that are missing are an error when they are read
-            return bytes.Length;
-        }).End;
+        Position = block.Load(Position, Cut).End;
         rowsLeft -= rowCount;
-        (block.Element, block.RowCount) = (element, rowCount);
+        (block.Element, block.RowCount) = (Element, rowCount);
         return true;
     }
 
@@ -53,10 +43,23 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
         }
     }
 
+    protected override int Cut(ReadOnlySpan<byte> bytes, bool isEnd)
+    {
+        var length = isAscii ? AsciiPlyValues.Measure(bytes, rowsLeft, out rowCount)
+            : BinaryPlyValues.Measure(bytes, Element, isBigEndian, rowsLeft, out rowCount);
+        if (!isEnd || rowCount == rowsLeft) return length;
+        rowCount = rowsLeft; // in ascii the last line may have no end; rows that are missing are an error when they are read
+        return bytes.Length;
+    }
+
+    private PlyElement Element => header.Elements[elementsBegun - 1];
+
     private void Begin(PlyElement element)
     {
         if (element.Properties.Count == 0) return; // its rows take no space
-        if (!PlyRows.CanHold(element, source.Length - position, isAscii))
+        var leastRow = element.Properties.Sum(property => isAscii ? 2L * property.LeastNumbers : property.LeastSize);
+        // In ascii each number has a digit, and a blank or line end; the last line may have no end.
+        if (element.Count > (source.Length - Position + (isAscii ? 1 : 0)) / leastRow)
             throw source.ErrorAtLine(element.At, $"the header promises {element.Count} rows, more than the rest of the file can hold");
         rowsLeft = element.Count;
     }
@@ -64,7 +67,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat
     /// <summary>After the last row there may be nothing but blanks: anything else was meant to be part of the mesh.</summary>
     private void CheckRest()
     {
-        if (source.FirstNotBlank(position) is not { } rest) return;
+        if (source.FirstNotBlank(Position) is not { } rest) return;
         const string reason = "there is more in the file than the rows that its header promises";
         throw isAscii ? source.ErrorAtLine(rest, reason) : source.ErrorAtByte(rest, reason);
     }

@@ -46,6 +46,30 @@ internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
         scanner.NextLine();
     }
 
+    /// <summary>The length of the rows that are whole, each of which is a line; blank lines do not count.</summary>
+    /// <param name="bytes">Some of the file, from the beginning of a row on.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public static int Measure(ReadOnlySpan<byte> bytes, long wanted, out long count)
+    {
+        var (rowsEnd, at) = (0, 0);
+        for (count = 0; count < wanted;)
+        {
+            var line = bytes[at..];
+            var end = line.IndexOfAny((byte)'\n', (byte)'\r');
+            if (end < 0) break;
+            at += end + 1;
+            if (line[end] == '\r')
+            {
+                if (at == bytes.Length) break; // the next byte may be an LF of the same line end
+                if (bytes[at] == '\n') at++;
+            }
+            if (!line[..end].ContainsAnyExcept(" \t\v\f"u8)) continue;
+            rowsEnd = at;
+            count++;
+        }
+        return rowsEnd;
+    }
+
     public override MeshFileException Error(string reason) => scanner.Error(reason);
 
     private ReadOnlySpan<byte> NextWord()
@@ -88,6 +112,32 @@ internal sealed class BinaryPlyValues(MeshBlock block, bool bigEndian) : PlyValu
         PlyType.Float32 => bigEndian ? BinaryPrimitives.ReadSingleBigEndian(at) : BinaryPrimitives.ReadSingleLittleEndian(at),
         _ => bigEndian ? BinaryPrimitives.ReadDoubleBigEndian(at) : BinaryPrimitives.ReadDoubleLittleEndian(at),
     };
+
+    /// <summary>The length of the rows that are whole: a row ends where the lists in it say.</summary>
+    /// <param name="bytes">Some of the file, from the beginning of a row on.</param>
+    [MethodImpl(MethodImplOptions.AggressiveOptimization)]
+    public static int Measure(ReadOnlySpan<byte> bytes, PlyElement element, bool bigEndian, long wanted, out long count)
+    {
+        var rowsEnd = 0L;
+        for (count = 0; count < wanted; count++)
+        {
+            var at = rowsEnd;
+            foreach (var property in element.Properties)
+            {
+                if (property.CountType is not { } type)
+                {
+                    at += property.Size;
+                    continue;
+                }
+                if (at + PlyProperty.SizeOf(type) > bytes.Length) return (int)rowsEnd;
+                // A count below 0 is refused when the row is read.
+                at += PlyProperty.SizeOf(type) + Math.Max(0, (long)Number(bytes[(int)at..], type, bigEndian)) * property.Size;
+            }
+            if (at > bytes.Length) break;
+            rowsEnd = at;
+        }
+        return (int)rowsEnd;
+    }
 
     public override void Skip(PlyProperty property, long count)
     {

@@ -96,6 +96,18 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
     public static bool TryParse(ReadOnlySpan<byte> word, out double number) =>
         Utf8Parser.TryParse(word, out number, out var length) && length == word.Length && double.IsFinite(number);
 
+    /// <summary>Takes the last line that has an end off a text.</summary>
+    /// <param name="line">The line without its end. A line that ends with CR and LF comes as an empty line first.</param>
+    public static bool TryTakeLastLine(ref ReadOnlySpan<byte> text, out ReadOnlySpan<byte> line)
+    {
+        var end = text.LastIndexOfAny((byte)'\n', (byte)'\r');
+        line = default;
+        if (end < 0) return false;
+        text = text[..end];
+        line = text[(text.LastIndexOfAny((byte)'\n', (byte)'\r') + 1)..];
+        return true;
+    }
+
     public MeshFileException Error(string reason) => ErrorAt(WordAt, reason);
 
     public MeshFileException ErrorAt(int position, string reason) => block.Source.ErrorAtLine(block.Start + position, reason);

@@ -48,23 +48,16 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
     /// <summary>The line in which a value starts, with the value underlined; of a long line only the part around the start.</summary>
     public string Excerpt(int start, int end)
     {
+        const int most = 4 * LongestExcerpt; // bytes: the line may be the whole file
         var line = LineOf(start);
-        var from = LineStarts[line - 1];
-        var ahead = Utf8.Slice(start, Math.Min(4 * LongestExcerpt, Utf8.Length - start)); // not the whole line, which may be the whole file
-        var to = start + (ahead.IndexOfAny((byte)'\r', (byte)'\n') is >= 0 and var length ? length : ahead.Length);
-        end = Math.Clamp(end, start, to);
-
-        var cutBefore = to - from > LongestExcerpt && start - from > LongestExcerpt / 2;
-        if (cutBefore) from = WholeCharacter(start - LongestExcerpt / 2);
-        var cutAfter = to - from > LongestExcerpt;
-        if (cutAfter) to = Math.Max(start, WholeCharacter(from + LongestExcerpt));
-        end = Math.Min(end, to);
-
-        var before = (cutBefore ? "…" : "") + PrintableText.Of(Encoding.UTF8.GetString(Utf8[from..start]));
-        var value = PrintableText.Of(Encoding.UTF8.GetString(Utf8[start..end]));
-        var after = PrintableText.Of(Encoding.UTF8.GetString(Utf8[end..to])) + (cutAfter ? "…" : "");
+        var before = Encoding.UTF8.GetString(Utf8[Math.Max(LineStarts[line - 1], start - most)..start]);
+        var after = Encoding.UTF8.GetString(Utf8[start..Math.Min(start + most, Utf8.Length)]).Split('\r', '\n')[0];
+        if (before.Length > LongestExcerpt / 2 && before.Length + after.Length > LongestExcerpt) before = "…" + before[^(LongestExcerpt / 2)..];
+        var room = Math.Min(after.Length, LongestExcerpt - Math.Min(before.Length, LongestExcerpt));
+        var value = Math.Min(room, Encoding.UTF8.GetCharCount(Utf8[start..Math.Min(end, start + most)]));
+        if (room < after.Length) after = after[..room] + "…";
         var indent = string.Concat(before.Select(c => c == '\t' ? c : ' '));
-        return $"{line,5} | {before}{value}{after}".TrimEnd() + $"\n      | {indent}^{new string('~', Math.Max(0, value.Length - 1))}";
+        return PrintableText.Of($"{line,5} | {before}{after}").TrimEnd() + $"\n      | {indent}^{new string('~', Math.Max(0, value - 1))}";
     }
 
     private int[] LineStarts => field ??= FindLineStarts();
@@ -79,14 +72,5 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
             starts.Add(i);
         }
         return [.. starts];
-    }
-
-    /// <summary>The place where the character of a byte starts, up to three bytes before. Bytes that are not UTF-8 have no such place.</summary>
-    private int WholeCharacter(int offset)
-    {
-        for (var back = 0; back <= 3; back++)
-            if ((Utf8[offset - back] & 0xC0) != 0x80)
-                return offset - back;
-        return offset;
     }
 }
