@@ -5,6 +5,13 @@ namespace RayCaster.Engine;
 /// <param name="threads">How many threads cast rays; one per core if left out.</param>
 public sealed class Renderer(Scene scene, int? threads = null)
 {
+    /// <summary>With more pixels, a second thread saves time also in a plain picture.</summary>
+    internal const long ManyPixels = 1 << 20;
+
+    /// <summary>With more rays times models, finding out which models show where saves time. Before the first ray, tiles and intervals cost as much
+    /// processor time as 30 million crossings; most of it is compilation.</summary>
+    private const long LargeWork = 32_000_000;
+
     private readonly Camera camera = scene.Camera;
     private readonly int threadCount = threads ?? Environment.ProcessorCount;
 
@@ -73,11 +80,16 @@ public sealed class Renderer(Scene scene, int? threads = null)
         var (first, end) = (lines.Start.GetOffset(camera.Height), lines.End.GetOffset(camera.Height));
         if (first < 0 || end > camera.Height || end <= first)
             throw new ArgumentOutOfRangeException(nameof(lines), lines, $"the picture has the lines 0..{camera.Height - 1}");
-        var isPlain = MayBeSmall && PlainWork.IsPlain(scene, end - first);
-        var threads = isPlain && PlainWork.IsSmall(scene, end - first) ? 1 : threadCount;
-        using var frame = Frame.Of(scene, threads, ManyFrames);
-        new BandQueue(frame, first, end, threads, isPlain, linesDone, cancellation).WriteAll(write);
+        var pixels = (long)camera.Width * (end - first);
+        var isPlain = MayBeSmall && IsPlain(scene, pixels);
+        var threads = isPlain && pixels < ManyPixels ? 1 : threadCount;
+        using var frame = Frame.Of(scene, threads, ManyFrames, isPlain);
+        new BandQueue(frame, first, end, threads, linesDone, cancellation).WriteAll(write);
     }
+
+    /// <summary>Whether each ray is simply intersected with each model near its pixel. A mesh is always prepared tile by tile.</summary>
+    internal static bool IsPlain(Scene scene, long pixels) =>
+        pixels * Math.Max(1, scene.Models.Count) < LargeWork && !scene.Models.Any(model => model is Mesh);
 
     /// <summary>Casts all rays, on this thread and others.</summary>
     private void Cast(Frame frame, Func<IHitConsumer> newConsumer)
@@ -87,7 +99,7 @@ public sealed class Renderer(Scene scene, int? threads = null)
         var next = -1;
         ThreadTeam.Each(workers, workers, _ =>
         {
-            var (caster, consumer) = (frame.NewCaster(isPlain: false), newConsumer());
+            var (caster, consumer) = (frame.NewCaster(), newConsumer());
             while (Interlocked.Increment(ref next) is var i && i < across * up)
             {
                 var (column, row) = (i % across * Tile.MaxStrip, i / across * Tile.MaxSide);

@@ -13,7 +13,6 @@ internal sealed class BandQueue
 
     private readonly Frame frame;
     private readonly Camera camera;
-    private readonly bool isPlain;
     private readonly Action<int>? linesDone;
     private readonly CancellationToken cancellation;
     private readonly int rowsOfBand, stripsAcross, threadCount;
@@ -26,11 +25,10 @@ internal sealed class BandQueue
     private long nextStrip, bandsWritten;
     private Exception? failure;
 
-    /// <param name="isPlain">Whether each ray is simply intersected with each model.</param>
     /// <param name="linesDone">Called from any thread with the number of further lines that are done.</param>
-    public BandQueue(Frame frame, int firstLine, int endLine, int threads, bool isPlain, Action<int>? linesDone, CancellationToken cancellation)
+    public BandQueue(Frame frame, int firstLine, int endLine, int threads, Action<int>? linesDone, CancellationToken cancellation)
     {
-        (this.frame, camera, this.isPlain) = (frame, frame.Scene.Camera, isPlain);
+        (this.frame, camera) = (frame, frame.Scene.Camera);
         (this.linesDone, this.cancellation) = (linesDone, cancellation);
 
         // A band is a row of tiles (in very wide pictures a half, a quarter … of one), so that no tile lies in two bands.
@@ -56,7 +54,7 @@ internal sealed class BandQueue
     {
         try
         {
-            var (caster, consumer) = (frame.NewCaster(isPlain), new PictureConsumer(shader, camera.Width));
+            var (caster, consumer) = (frame.NewCaster(), new PictureConsumer(shader, camera.Width));
             for (var band = 0L; band < bandCount; band++)
             {
                 while (NextFor(band) is >= 0 and var strip) Cast(strip, caster, consumer);
@@ -77,7 +75,7 @@ internal sealed class BandQueue
         try
         {
             var consumer = new PictureConsumer(shader, camera.Width);
-            for (IStripCaster? caster = null; Next() is >= 0 and var strip;) Cast(strip, caster ??= frame.NewCaster(isPlain), consumer);
+            for (IStripCaster? caster = null; Next() is >= 0 and var strip;) Cast(strip, caster ??= frame.NewCaster(), consumer);
         }
         catch (Exception e)
         {

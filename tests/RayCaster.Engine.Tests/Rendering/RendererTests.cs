@@ -66,7 +66,7 @@ public class RendererTests
     {
         var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
         var scene = room with { Camera = room.Camera.WithSize(1301, 901) };
-        Assert.True(PlainWork.IsPlain(scene, 901) && !PlainWork.IsSmall(scene, 901));
+        Assert.True(Renderer.IsPlain(scene, 901 * 1301) && 901 * 1301 >= Renderer.ManyPixels);
 
         var bytes = new List<byte>();
         new Renderer(scene, threads).Draw(.., part => bytes.AddRange(part));
