@@ -52,20 +52,15 @@ public sealed class Renderer(Scene scene, int? threads = null)
     }
 
     /// <summary>Finds out what each pixel hits, and at which t.</summary>
-    public HitMap CastHits()
+    /// <param name="map">An existing map of the picture's size, to write into; a new one if left out.</param>
+    public HitMap CastHits(HitMap? map = null)
     {
-        var hits = new HitMap(camera.Width, camera.Height);
-        CastHits(hits);
-        return hits;
-    }
-
-    /// <summary>Writes into an existing map of the picture's size.</summary>
-    public void CastHits(HitMap hits)
-    {
+        var hits = map ?? new(camera.Width, camera.Height);
         if ((hits.Width, hits.Height) != (camera.Width, camera.Height))
-            throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(hits));
+            throw new ArgumentException($"a map of {hits.Width} x {hits.Height} for a picture of {camera.Width} x {camera.Height}", nameof(map));
         using var frame = Frame.Of(scene, threadCount, ManyFrames);
         Cast(frame, () => frame.HitsInto(hits));
+        return hits;
     }
 
     /// <summary>Draws the picture from top to bottom, some lines at a time, so that memory does not grow with its height.</summary>

@@ -9,10 +9,6 @@ internal sealed class ShapeLists : IModelVisitor
     private readonly List<int> others = [];
     private int count;
 
-    private ShapeLists()
-    {
-    }
-
     public IReadOnlyList<ShapeList> Lists => lists;
 
     /// <summary>The indices of all other models.</summary>

@@ -14,7 +14,6 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// larger.)</summary>
     public const int MaxArea = 256;
 
-    private readonly Vector3 origin = camera.Position;
     private readonly Columns columns = new(camera, MaxLength);
     private readonly double[] x = new double[capacity], y = new double[capacity], z = new double[capacity];
     private readonly double[] zPerT = new double[capacity];
@@ -88,14 +87,14 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     /// <summary>Marks numbers outside the stream's columns and rows as hidden: nothing is nearer than −∞.</summary>
     public void Hide(int first, int count) => Array.Fill(t, double.NegativeInfinity, first, count);
 
-    public Vector3 Origin => origin;
+    public Vector3 Origin { get; } = camera.Position;
 
     public Vector3 DirectionAt(int pixel) => new(x[pixel], y[pixel], z[pixel]);
 
     /// <summary>The rays of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Ray<N> RaysAt<N>(int pixel) where N : struct, IPacket<N> =>
-        new(origin, new Vector3<N>(N.Load(x, pixel), N.Load(y, pixel), N.Load(z, pixel)));
+        new(Origin, new Vector3<N>(N.Load(x, pixel), N.Load(y, pixel), N.Load(z, pixel)));
 
     /// <summary>The t of the nearest hits so far of the packet that begins at a pixel.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -160,7 +159,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     {
         for (var i = 0; i < Length; i++)
         {
-            var ray = new Ray(origin, DirectionAt(i)) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
+            var ray = new Ray(Origin, DirectionAt(i)) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
             if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i])))
                 continue;
             t[i] = hit;

@@ -11,8 +11,6 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>The most columns of a strip, which is the row of tiles that a thread takes at once.</summary>
     public const int MaxStrip = EightParts.Count * MaxSide;
 
-    private const double Margin = 0.01;
-
     /// <summary>Larger than any picture.</summary>
     public static Tile Everywhere => new(0, 0, int.MaxValue, int.MaxValue);
 
@@ -40,7 +38,7 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// projection itself rounds by some 1e-15 of the picture's size, less than 1e-9 of a pixel, against a margin of a hundredth.</remarks>
     /// <param name="padded">The bounds relative to the camera, padded.</param>
     /// <param name="margin">Pixels to be added on each side.</param>
-    public static Tile Of(Bounds padded, Camera camera, double margin = Margin)
+    public static Tile Of(Bounds padded, Camera camera, double margin = 0.01)
     {
         if (camera.IsSkewed) return Everywhere; // the projection would be wrong
         var (center, half) = (0.5 * (padded.Min + padded.Max), 0.5 * (padded.Max - padded.Min));

@@ -50,8 +50,7 @@ internal sealed class PooledList<T> where T : struct
     {
         var larger = ArrayPool<T>.Shared.Rent(capacity);
         Items.CopyTo(larger);
-        var kept = count;
-        Free();
-        (items, count) = (larger, kept);
+        if (items.Length > 0) ArrayPool<T>.Shared.Return(items);
+        items = larger;
     }
 }
