@@ -3,9 +3,6 @@ namespace RayCaster.Files;
 /// <summary>Suggests names for files that are missing. Only the first missing files get a hint: a scene may name thousands.</summary>
 internal sealed class FileNames
 {
-    /// <summary>The number of problems of a scene that are printed.</summary>
-    private const int MostHints = SceneReading.Printed;
-
     /// <summary>In a larger folder only the first files are compared.</summary>
     private const int MostFiles = 20_000;
 
@@ -17,7 +14,7 @@ internal sealed class FileNames
     {
         var full = Path.GetFullPath(path);
         var sought = full == path ? "" : $"; looked for {PrintableText.Of(full)}";
-        if (++hints > MostHints) return sought;
+        if (++hints > SceneReading.Printed) return sought;
         try
         {
             var folder = Path.GetDirectoryName(full)!;

@@ -5,8 +5,6 @@ namespace RayCaster.Files;
 /// <summary>A value or a key in a JSON text.</summary>
 internal readonly struct JsonValue(JsonTree tree, int node)
 {
-    private const int FewKeys = 16; // up to here each key is compared with each other
-
     private readonly int node = node;
 
     public JsonTokenType Kind => tree[node].Kind;
@@ -53,18 +51,11 @@ internal readonly struct JsonValue(JsonTree tree, int node)
         return null;
     }
 
-    /// <summary>How many keys an object has; null if some may be repeated.</summary>
-    public int? CountKeys()
+    /// <summary>How many keys an object has, repeated ones included.</summary>
+    public int CountKeys()
     {
         var (count, end) = (0, tree[node].Next);
-        for (var key = node + 1; key < end; key = tree[key + 1].Next)
-        {
-            var written = tree.Written(key);
-            if (++count > FewKeys || written.IndexOf((byte)'\\') >= 0) return null;
-            for (var before = node + 1; before < key; before = tree[before + 1].Next)
-                if (tree[before].End - tree[before].Start == written.Length + 2 && tree.Written(before).SequenceEqual(written))
-                    return null;
-        }
+        for (var key = node + 1; key < end; key = tree[key + 1].Next) count++;
         return count;
     }
 

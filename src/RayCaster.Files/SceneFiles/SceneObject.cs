@@ -21,8 +21,7 @@ internal sealed class SceneObject
     private JsonValue json;
     private int? index;        // in the array at that path
     private int errorsBefore;
-    private int? keyCount;     // null where a key may be there twice
-    private int found;         // the number of keys read that exist
+    private int keyCount, found; // how many keys there are, and how many of them were read: fewer if one is there twice
 
     /// <param name="path">The object's path, empty for the scene itself; for the elements of an array, the array's path.</param>
     private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
@@ -175,13 +174,13 @@ internal sealed class SceneObject
     /// <summary>Warns of a value: <paramref name="message"/> follows the path.</summary>
     public void Warn(string key, FormattableString message) => Report(false, Place(key, null), key, FormattableString.Invariant(message));
 
-    /// <summary>Refuses the keys that were not read.</summary>
+    /// <summary>Refuses the keys that were not read, and those that are there twice.</summary>
     /// <param name="allowed">Keys that are right although they were not read.</param>
     public void Close(params IEnumerable<string> allowed)
     {
         if (document is null || found == keyCount) return;
         keysRead.AddRange(allowed);
-        new WrongKeys(this, document, json.Keys).RefuseUnknown(keysRead);
+        new WrongKeys(this, document).Refuse(json.Keys, keysRead);
     }
 
     /// <summary>Reports a problem at a value; at the object's opening brace where the value is null.</summary>
@@ -202,7 +201,6 @@ internal sealed class SceneObject
         }
         (json, index, errorsBefore, keyCount, found) = (value, place, document!.ErrorCount, value.CountKeys(), 0);
         keysRead.Clear();
-        if (keyCount is null) new WrongKeys(this, document, json.Keys).RefuseRepeated();
         return true;
     }
 

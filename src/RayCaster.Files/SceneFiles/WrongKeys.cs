@@ -1,25 +1,18 @@
 namespace RayCaster.Files;
 
 /// <summary>Refuses the keys of an object that are repeated or unknown.</summary>
-internal readonly struct WrongKeys(SceneObject o, SceneDocument document, IEnumerable<JsonValue> keys)
+internal readonly struct WrongKeys(SceneObject o, SceneDocument document)
 {
-    /// <summary>Refuses each key that the object has already; the first one counts.</summary>
-    public void RefuseRepeated()
+    /// <summary>Refuses each key that the object has already, the first one counts; and each that is not among the known ones.</summary>
+    public void Refuse(IEnumerable<JsonValue> keys, List<string> known)
     {
-        var lines = new Dictionary<string, int>();
+        var places = new Dictionary<string, JsonValue>(); // each key once, though it may be there twice
         foreach (var key in keys)
         {
             if (document.IsHopeless) return;
-            if (!lines.TryAdd(key.Text, document.Text.LineOf(key.Start)))
-                o.Report(true, key, Shown(key.Text), $" is given twice; the first is in line {lines[key.Text]}");
+            if (!places.TryAdd(key.Text, key))
+                o.Report(true, key, Shown(key.Text), $" is given twice; the first is in line {document.Text.LineOf(places[key.Text].Start)}");
         }
-    }
-
-    /// <summary>Refuses each key that is not among the known ones.</summary>
-    public void RefuseUnknown(List<string> known)
-    {
-        var places = new Dictionary<string, JsonValue>(); // each key once, though it may be there twice
-        foreach (var key in keys) places.TryAdd(key.Text, key);
         var free = known.FindAll(name => !places.ContainsKey(name)); // once for all unknown keys: there may be millions
         foreach (var (name, key) in places)
         {
