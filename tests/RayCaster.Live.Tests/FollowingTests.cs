@@ -181,6 +181,25 @@ public class FollowingTests
         await page.MessageAsync("comparison", message => message.GetProperty("verdict").GetString() == "identical");
     }
 
+    [Fact]
+    public void TrianglesInRandomOrderAreDrawnInAnotherOrderAndExplainedInTheFiles()
+    {
+        var ball = MeshGenerator.Icosphere(7);
+        var triangles = ball.Indices.Chunk(3).ToArray();
+        new Random(20261122).Shuffle(triangles);
+        int[] indices = [.. triangles.SelectMany(corners => corners)];
+        using var folder = new TemporaryFolder();
+        File.WriteAllBytes(folder["scan.ply"], MeshWriter.PlyBinary(new(ball.Vertices, indices), bigEndian: false));
+        File.WriteAllText(folder["scan.json"], """
+            { "camera": { "position": [0, 0, 3], "target": [0, 0, 0], "up": [0, 1, 0] }, "models": [{ "type": "mesh", "file": "scan.ply" }] }
+            """);
+        using var live = new LiveScene(folder["scan.json"]);
+        var inFile = live.InFileOrder(live.State);
+        Assert.Equal(indices, ((Mesh)inFile.Models[0]).Indices);
+        Assert.NotEqual(indices, ((Mesh)live.State.Scene!.Models[0]).Indices);
+        Assert.Equal(((Mesh)SpatialOrder.Of(inFile).Models[0]).Indices, ((Mesh)live.State.Scene.Models[0]).Indices);
+    }
+
     /// <remarks>The thread sleeps, because a task on a loaded machine goes on much later than it asked for: then the file is broken for long, and
     /// the page rightly says so.</remarks>
     private static void Save(LivePage page, string text, string how)

@@ -69,19 +69,6 @@ public class SpatialOrderTests
         Assert.Equal(("scan", new Color(0.1, 0.2, 0.3)), (sorted.Models[1].Name, sorted.Models[1].Color));
     }
 
-    [Fact]
-    public void ALiveSceneDrawsTheNewOrderAndExplainsTheFiles()
-    {
-        using var folder = new TemporaryFolder();
-        File.WriteAllBytes(folder["scan.ply"], MeshWriter.PlyBinary(new(shuffled.Vertices, shuffled.Indices), bigEndian: false));
-        File.WriteAllText(folder["scan.json"], """
-            { "camera": { "position": [0, 0, 3], "target": [0, 0, 0], "up": [0, 1, 0] }, "models": [{ "type": "mesh", "file": "scan.ply" }] }
-            """);
-        using var live = new LiveScene(folder["scan.json"]);
-        Assert.Equal(Sorted(shuffled).Indices, ((Mesh)live.State.Scene!.Models[0]).Indices);
-        Assert.Equal(shuffled.Indices, ((Mesh)live.InFileOrder(live.State).Models[0]).Indices);
-    }
-
     private static Mesh Sorted(Mesh mesh, int? threads = null) => (Mesh)SpatialOrder.Of(new(camera, [mesh]), threads).Models[0];
 
     private static HashSet<Triangle> TrianglesOf(Mesh mesh) => [.. Enumerable.Range(0, mesh.TriangleCount).Select(i => mesh[i])];

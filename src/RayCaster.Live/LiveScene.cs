@@ -1,4 +1,4 @@
-namespace RayCaster.Files;
+namespace RayCaster.Live;
 
 /// <summary>A scene file as it is now, and the last scene that it described without an error.</summary>
 /// <param name="Version">Counts the changes, from 1.</param>
@@ -6,11 +6,11 @@ namespace RayCaster.Files;
 /// <param name="Scene">The last good scene, its meshes in <see cref="SpatialOrder"/>; null if there was none.</param>
 /// <param name="IsGood">Whether the file describes that scene now.</param>
 /// <param name="InFileOrder">The text of that scene if the order of a mesh is another than in its file; otherwise null.</param>
-public sealed record SceneState(
+internal sealed record SceneState(
     int Version, ReadOnlyMemory<byte> Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood, ReadOnlyMemory<byte>? InFileOrder = null);
 
 /// <summary>Reads a scene file again whenever it, or a mesh that it names, is saved.</summary>
-public sealed class LiveScene : IDisposable
+internal sealed class LiveScene : IDisposable
 {
     /// <summary>
     /// How long a file must be broken before it is reported: an editor may be saving it. A file that is empty or missing is most likely about to
@@ -23,7 +23,6 @@ public sealed class LiveScene : IDisposable
     private CancellationTokenSource outdated = new();
     private (DateTime, long)[] stamps = []; // of the meshes that are shown
 
-    /// <summary>Reads the file for the first time.</summary>
     public LiveScene(string path)
     {
         (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));
@@ -43,10 +42,8 @@ public sealed class LiveScene : IDisposable
     /// <summary>Cancelled as soon as the file changes.</summary>
     public CancellationToken Outdated => outdated.Token;
 
-    /// <summary>Called after each change.</summary>
     public event Action? Changed;
 
-    /// <summary>Follows the file until the end.</summary>
     public async Task FollowAsync()
     {
         while (!end.IsCancellationRequested)
@@ -81,7 +78,6 @@ public sealed class LiveScene : IDisposable
         return null;
     }
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         end.Cancel();

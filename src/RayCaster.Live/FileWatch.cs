@@ -1,10 +1,10 @@
-namespace RayCaster.Files;
+namespace RayCaster.Live;
 
 /// <summary>
 /// Reports that one of some files may have changed. The system notifies within a millisecond. Where it does not, as on many network drives,
 /// times and lengths of the files are compared a few times a second.
 /// </summary>
-public sealed class FileWatch : IDisposable
+internal sealed class FileWatch : IDisposable
 {
     private const int PollMilliseconds = 250;
 
@@ -13,7 +13,6 @@ public sealed class FileWatch : IDisposable
     private readonly Timer poll;
     private Dictionary<string, (DateTime, long)> stamps = [];
 
-    /// <summary>Watches nothing yet.</summary>
     public FileWatch() => poll = new(_ => Poll(), null, PollMilliseconds, PollMilliseconds);
 
     /// <summary>Chooses the files to watch from now on, by their full paths.</summary>
@@ -37,7 +36,6 @@ public sealed class FileWatch : IDisposable
     /// <summary>Waits until a file may have changed, or until the time is over (−1 for no limit); false in that case.</summary>
     public Task<bool> WaitAsync(int milliseconds, CancellationToken cancellation) => changes.WaitAsync(milliseconds, cancellation);
 
-    /// <inheritdoc/>
     public void Dispose()
     {
         poll.Dispose();
