@@ -4,18 +4,17 @@ namespace RayCaster.Cli;
 /// Draws with the engine. If the course's library was changed, compares some pixels with the definition, and draws by the definition as soon as
 /// one differs. With <c>--plain</c>, draws by the definition from the start.
 /// </summary>
-internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
+/// <param name="manyFrames">Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</param>
+internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, bool manyFrames = false)
 {
     /// <summary>The definition draws a picture of up to so many pixels in one call. It draws a larger one in strips, which need less
     /// memory.</summary>
     private const long PixelsAtOnce = 1 << 22;
 
+    private readonly Renderer fast = new(scene, threads) { ManyFrames = manyFrames };
     private bool isByDefinition = plain;
 
     public Scene Scene => scene;
-
-    /// <summary>Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</summary>
-    public bool ManyFrames { get; init; }
 
     /// <param name="write">Receives whole lines of red, green and blue bytes.</param>
     /// <param name="linesDone">Called with the number of new finished lines, from any thread.</param>
@@ -25,7 +24,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
     {
         if (isByDefinition) DrawByDefinition(lines, write, linesDone, cancellation);
         else if (ScalarRenderer.IsChanged) DrawChecked(lines, write, linesDone, cancellation);
-        else new Renderer(scene, threads) { ManyFrames = ManyFrames }.Draw(lines, write, linesDone, cancellation);
+        else fast.Draw(lines, write, linesDone, cancellation);
     }
 
     /// <summary>Compares with the definition before any line is written.</summary>
@@ -45,7 +44,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain)
     private void DrawChecked(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
         var check = new DefinitionCheck(scene, lines);
-        new Renderer(scene, threads) { ManyFrames = ManyFrames }.Draw(lines, Take, linesDone, cancellation);
+        fast.Draw(lines, Take, linesDone, cancellation);
         if (check.FirstDifference() is not { } difference) return;
         StandardFile.WriteError($"The fast way no longer agrees with your change: {difference}; drawn by ScalarRenderer.{Environment.NewLine}");
         isByDefinition = true;

@@ -125,5 +125,5 @@ internal sealed class CommandLine
 
     private static ProblemException UnknownOption(string name) =>
         ProblemException.Usage($"unknown option '{name}'" +
-            (Spelling.Nearest(name, Array.ConvertAll(Option.All, option => option.Name)) is { } near ? $"; did you mean '{near}'?" : ""));
+            (Spelling.Nearest(name, Option.All.ConvertAll(option => option.Name)) is { } near ? $"; did you mean '{near}'?" : ""));
 }

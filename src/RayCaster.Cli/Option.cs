@@ -1,9 +1,11 @@
 namespace RayCaster.Cli;
 
 /// <summary>An option of the command line. It has the same meaning for all commands.</summary>
-/// <param name="shortName">With one dash; empty if there is none. Not -c, -f, -r, -a, -p, -v or -e: "dotnet run" uses these itself.</param>
-internal sealed class Option(string name, string shortName = "", bool takesValue = true)
+internal sealed class Option
 {
+    /// <summary>All options: each adds itself. A word can be parsed before the command is known.</summary>
+    public static readonly List<Option> All = [];
+
     public static readonly Option Output = new("--output", "-o");
     public static readonly Option Format = new("--format");
     public static readonly Option Size = new("--size", "-s");
@@ -42,18 +44,17 @@ internal sealed class Option(string name, string shortName = "", bool takesValue
     public static readonly Option Version = new("--version", takesValue: false);
     public static readonly Option Help = new("--help", "-h", takesValue: false);
 
-    /// <summary>All options. A word can be parsed before the command is known.</summary>
-    public static readonly Option[] All =
-    [
-        Output, Format, Size, Rows, Resume, Missing, Frames, Keys, Only, Fps, Columns,
-        Threads, Map, Color, Scene, Reference, Hint, Done, For, Require, Mistake, Open, Solution, JUnit, Seed, Mine, Port,
-        Ledger, Plain, Preview, Measures, Json, Quiet, NoProgress, NoBrowser, Version, Help,
-    ];
+    public readonly string Name, Short;
+    public readonly bool TakesValue;
 
-    public readonly string Name = name, Short = shortName;
-    public readonly bool TakesValue = takesValue;
+    /// <param name="shortName">With one dash; empty if there is none. Not -c, -f, -r, -a, -p, -v or -e: "dotnet run" uses these itself.</param>
+    private Option(string name, string shortName = "", bool takesValue = true)
+    {
+        (Name, Short, TakesValue) = (name, shortName, takesValue);
+        All.Add(this);
+    }
 
     /// <summary>The option with a long or a short name; null if there is none.</summary>
     public static Option? Named(string word) =>
-        word == "-?" ? Help : Array.Find(All, option => word == option.Name || (word == option.Short && word.Length > 0));
+        word == "-?" ? Help : All.Find(option => word == option.Name || (word == option.Short && word.Length > 0));
 }

@@ -69,7 +69,7 @@ internal sealed class OrbitCommand : Command
             // The reason to draw a frame again is printed for the first one only.
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue;
             PictureOutput.Draw(
-                output, PictureFormat.Png, new(view, threads, plain: false) { ManyFrames = true }, whole, part, line.ShowsProgress, cancellation);
+                output, PictureFormat.Png, new(view, threads, plain: false, manyFrames: true), whole, part, line.ShowsProgress, cancellation);
             drawn++;
         }
         var (pixels, seconds) = ($"{scene.Camera.Width} x {scene.Camera.Height} pixels", Stopwatch.GetElapsedTime(start).TotalSeconds);

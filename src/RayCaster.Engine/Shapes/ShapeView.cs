@@ -1,17 +1,12 @@
 namespace RayCaster.Engine;
 
 /// <summary>What views of all kinds of shape share; only a shape's formula is compiled for each kind.</summary>
-internal abstract class ShapeView<N> : ModelView where N : struct, IPacket<N>
+internal abstract class ShapeView<N>(Bounds? bounds, Camera camera) : ModelView where N : struct, IPacket<N>
 {
-    private readonly ClipRange clip;
+    private readonly ClipRange clip = camera.ClipRange;
 
-    protected ShapeView(Bounds? bounds, Camera camera)
-    {
-        (clip, Extent) = (camera.ClipRange, Tile.Everywhere);
-        if (bounds is { } tight) Extent = Tile.Of(tight.PaddedFrom(camera.Position), camera);
-    }
-
-    public sealed override Tile Extent { get; }
+    public sealed override Tile Extent { get; } =
+        bounds is { } tight ? Tile.Of(tight.PaddedFrom(camera.Position), camera) : Tile.Everywhere;
 
     public sealed override bool IsShape => true;
 

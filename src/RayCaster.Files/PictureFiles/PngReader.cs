@@ -125,8 +125,7 @@ internal sealed class PngReader
     /// <param name="isRead">Called after each line of a pass.</param>
     private void ReadLines(Func<int, Memory<byte>> lineAt, Action<int> isRead)
     {
-        chunks.Return(firstData);
-        using var data = new ZLibStream(new PngData(chunks), CompressionMode.Decompress);
+        using var data = new ZLibStream(OpenCompressed(), CompressionMode.Decompress);
         var (lines, passes) = (new PngLines(data, Header), Header.Passes);
         foreach (var pass in passes)
         {
