@@ -5,6 +5,8 @@ internal abstract class MeshFormat(MeshSource source, long bodyAt = 0)
 {
     private bool hasBegun; // an empty text is a block, too
 
+    protected MeshSource Source => source;
+
     /// <summary>Where the next block begins.</summary>
     protected long Position { get; set; } = bodyAt;
 

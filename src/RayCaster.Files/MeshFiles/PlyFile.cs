@@ -59,17 +59,17 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat(
         if (element.Properties.Count == 0) return; // its rows take no space
         var leastRow = element.Properties.Sum(property => isAscii ? 2L * property.LeastNumbers : property.LeastSize);
         // In ascii each number has a digit, and a blank or line end; the last line may have no end.
-        if (element.Count > (source.Length - Position + (isAscii ? 1 : 0)) / leastRow)
-            throw source.ErrorAtLine(element.At, $"the header promises {element.Count} rows, more than the rest of the file can hold");
+        if (element.Count > (Source.Length - Position + (isAscii ? 1 : 0)) / leastRow)
+            throw Source.ErrorAtLine(element.At, $"the header promises {element.Count} rows, more than the rest of the file can hold");
         rowsLeft = element.Count;
     }
 
     /// <summary>After the last row there may be nothing but blanks: anything else was meant to be part of the mesh.</summary>
     private void CheckRest()
     {
-        if (source.FirstNotBlank(Position) is not { } rest) return;
+        if (Source.FirstNotBlank(Position) is not { } rest) return;
         const string reason = "there is more in the file than the rows that its header promises";
-        throw isAscii ? source.ErrorAtLine(rest, reason) : source.ErrorAtByte(rest, reason);
+        throw isAscii ? Source.ErrorAtLine(rest, reason) : Source.ErrorAtByte(rest, reason);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]

@@ -52,7 +52,7 @@ internal sealed class PnmReader
     private Picture ReadPixels(long? length)
     {
         var dataAt = place;
-        if (length - dataAt < DataBytes) throw CutShort(length.Value - dataAt);
+        if (length is { } bytes && bytes - dataAt < DataBytes) throw CutShort(bytes - dataAt);
         var rgb = new byte[length is null ? Math.Min(FirstBytes, 3L * width * height) : 3L * width * height];
         for (var (y, at) = (0, 0); y < height; y++)
         {
