@@ -14,7 +14,7 @@ public static class Spelling
         ("path", "file"), ("filename", "file"), ("kind", "type"), ("id", "name"),
         ("objects", "models"), ("shapes", "models"), ("primitives", "models"), ("colour", "color"), ("backgroundcolor", "background"),
         ("box", "aabb"), ("cube", "aabb"), ("cuboid", "aabb"), ("ball", "sphere"), ("disc", "circle"), ("disk", "circle"), ("tri", "triangle"),
-        ("obj", "mesh"), ("centre", "center"), ("middle", "center"),
+        ("obj", "mesh"), ("middle", "center"),
     ];
 
     /// <summary>The most likely right word, or null.</summary>
