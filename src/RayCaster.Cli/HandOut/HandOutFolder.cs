@@ -16,17 +16,18 @@ internal static class HandOutFolder
         var files = HandOutFiles.With(isOpen);
         try
         {
-            using var made = new NewFolder(target);
-            foreach (var (path, content) in files)
+            WrittenFiles.WriteFolder(target, made =>
             {
-                cancellation.ThrowIfCancellationRequested();
-                var file = Path.Combine(made.Path, path);
-                Directory.CreateDirectory(Path.GetDirectoryName(file)!);
-                File.WriteAllBytes(file, content);
-            }
-            foreach (var library in libraries) CopyLibrary(library, Path.Combine(made.Path, "lib"));
-            WritePictures(Path.Combine(made.Path, "scenes"), cancellation);
-            made.Commit();
+                foreach (var (path, content) in files)
+                {
+                    cancellation.ThrowIfCancellationRequested();
+                    var file = Path.Combine(made, path);
+                    Directory.CreateDirectory(Path.GetDirectoryName(file)!);
+                    File.WriteAllBytes(file, content);
+                }
+                foreach (var library in libraries) CopyLibrary(library, Path.Combine(made, "lib"));
+                WritePictures(Path.Combine(made, "scenes"), cancellation);
+            });
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {

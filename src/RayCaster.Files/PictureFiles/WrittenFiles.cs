@@ -36,6 +36,33 @@ public static class WrittenFiles
         file.Commit();
     }
 
+    /// <summary>
+    /// Makes a folder completely or not at all. Files go to a temporary folder NAME.XXXXXXXX.dir beside it, which is renamed at the end. The locked
+    /// file NAME.XXXXXXXX.tmp (<see cref="TemporaryFile"/>) shows that the folder is in use.
+    /// </summary>
+    /// <param name="path">The folder; if it is there, it must be empty. The folders above it are made, too.</param>
+    /// <param name="fill">Fills the temporary folder, whose path it gets.</param>
+    /// <exception cref="IOException">It cannot be created, or a folder or file of this name came in between.</exception>
+    /// <exception cref="UnauthorizedAccessException">It may not be created.</exception>
+    public static void WriteFolder(string path, Action<string> fill)
+    {
+        var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
+        Directory.CreateDirectory(Path.GetDirectoryName(target)!);
+        using var sign = Begin(target);
+        try
+        {
+            var folder = TemporaryFile.FolderOf(sign.Name);
+            Directory.CreateDirectory(folder);
+            fill(folder);
+            if (Directory.Exists(target)) Directory.Delete(target); // fails unless it is empty
+            Finish(sign.Name, target, () => Directory.Move(folder, target));
+        }
+        finally
+        {
+            Delete(sign.Name);
+        }
+    }
+
     /// <summary>Creates a temporary file for a target, remembers it as unfinished, and deletes what killed runs have left of the target.</summary>
     /// <exception cref="OperationCanceledException">The process ends.</exception>
     /// <exception cref="IOException">It cannot be created.</exception>

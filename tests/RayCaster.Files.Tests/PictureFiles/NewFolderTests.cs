@@ -7,22 +7,25 @@ public sealed class NewFolderTests : IDisposable
     public void Dispose() => folder.Dispose();
 
     [Fact]
-    public void ItIsThereAfterCommitAndNotBefore()
+    public void ItIsThereAtTheEndAndNotBefore()
     {
-        using (var made = new NewFolder(folder["lab"]))
+        WrittenFiles.WriteFolder(folder["lab"], made =>
         {
-            File.WriteAllText(Path.Combine(made.Path, "a.txt"), "new");
+            File.WriteAllText(Path.Combine(made, "a.txt"), "new");
             Assert.False(Directory.Exists(folder["lab"]));
-            made.Commit();
-        }
+        });
         Assert.Equal("new", File.ReadAllText(folder["lab/a.txt"]));
         Assert.Equal(["lab"], folder.Names);
     }
 
     [Fact]
-    public void WithoutCommitNothingIsLeft()
+    public void AfterAnErrorNothingIsLeft()
     {
-        using (var made = new NewFolder(folder["lab"])) File.WriteAllText(Path.Combine(made.Path, "a.txt"), "new");
+        Assert.Throws<TimeoutException>(() => WrittenFiles.WriteFolder(folder["lab"], made =>
+        {
+            File.WriteAllText(Path.Combine(made, "a.txt"), "new");
+            throw new TimeoutException();
+        }));
         Assert.Empty(folder.Names);
     }
 
@@ -31,11 +34,16 @@ public sealed class NewFolderTests : IDisposable
     {
         folder.Write("lab.0123abcd.tmp", "");
         Directory.CreateDirectory(folder["lab.0123abcd.dir/scenes"]);
-        using var other = new NewFolder(folder["lab"]);
-        Assert.False(Directory.Exists(folder["lab.0123abcd.dir"]));
-        using (new NewFolder(folder["lab"])) Assert.True(Directory.Exists(other.Path));
-        Assert.True(Directory.Exists(other.Path));
-        other.Commit();
+        WrittenFiles.WriteFolder(folder["lab"], other =>
+        {
+            Assert.False(Directory.Exists(folder["lab.0123abcd.dir"]));
+            Assert.Throws<TimeoutException>(() => WrittenFiles.WriteFolder(folder["lab"], _ =>
+            {
+                Assert.True(Directory.Exists(other));
+                throw new TimeoutException();
+            }));
+            Assert.True(Directory.Exists(other));
+        });
     }
 
     [Fact]
@@ -46,19 +54,16 @@ public sealed class NewFolderTests : IDisposable
         Directory.CreateDirectory(folder["precious"]);
         folder.Write("precious/a.txt", "precious");
         File.CreateSymbolicLink(folder["lab.0123abcd.dir"], folder["precious"]);
-        new NewFolder(folder["lab"]).Dispose();
-        Assert.Equal(["precious"], folder.Names);
+        WrittenFiles.WriteFolder(folder["lab"], _ => { });
+        Assert.Equal(["lab", "precious"], folder.Names.Order());
         Assert.Equal("precious", File.ReadAllText(folder["precious/a.txt"]));
     }
 
     [Fact]
     public void AFolderThatIsNotEmptyStays()
     {
-        using (var made = new NewFolder(folder["lab"]))
-        {
-            Directory.CreateDirectory(folder["lab/mine"]); // comes in between
-            Assert.Throws<IOException>(made.Commit);
-        }
+        Assert.Throws<IOException>(() => WrittenFiles.WriteFolder(
+            folder["lab"], _ => Directory.CreateDirectory(folder["lab/mine"]))); // comes in between
         Assert.Equal(["lab"], folder.Names);
         Assert.True(Directory.Exists(folder["lab/mine"]));
     }
