@@ -76,7 +76,7 @@ internal sealed class CheckCommand : Command
     private static Mistake[] Asked(string? shapes)
     {
         if (shapes is null) return [.. MistakeCatalog.All];
-        var names = NameList.Of(shapes, ',', NameList.Shapes, "a kind of shape");
+        var names = NameList.Of(shapes, ',', SceneReader.ModelTypes, "a kind of shape");
         return [.. MistakeCatalog.All.Where(mistake => mistake.Touches(names))];
     }
 }

@@ -3,9 +3,6 @@ namespace RayCaster.Cli;
 /// <summary>Lists of names on the command line, such as "plane,sphere" or "rows+bgr".</summary>
 internal static class NameList
 {
-    /// <summary>The kinds of shape, by their names in scene files.</summary>
-    public static readonly string[] Shapes = ["plane", "sphere", "aabb", "circle", "triangle", "mesh"];
-
     /// <param name="what">What a name stands for, in messages: "a mistake".</param>
     /// <exception cref="ProblemException">A name is unknown.</exception>
     public static string[] Of(string text, char separator, IReadOnlyList<string> known, string what)

@@ -6,6 +6,9 @@ public static class SceneReader
     /// <summary>The longest scene file, in bytes: some 400,000 models. More triangles belong in a mesh file.</summary>
     public const int MostBytes = 1 << 26;
 
+    /// <summary>The types of models, as scene files name them.</summary>
+    public static IReadOnlyList<string> ModelTypes => PrimitiveList.Names;
+
     private const string Kind = "scene file", Remedy = "; put large meshes into mesh files";
 
     /// <summary>Reads a file. A file that cannot be read is a problem without a line.</summary>
