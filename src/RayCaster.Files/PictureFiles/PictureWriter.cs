@@ -29,8 +29,7 @@ public abstract class PictureWriter : IDisposable
     {
         PictureFormat.Png => new PngWriter(output, width, height, part),
         _ when part is not null => throw new ArgumentException("a part of a picture is a PNG", nameof(format)),
-        PictureFormat.Ppm => new PpmWriter(output, width, height),
-        PictureFormat.PpmText => new PpmTextWriter(output, width, height),
+        PictureFormat.Ppm or PictureFormat.PpmText => new PpmWriter(output, width, height, isText: format == PictureFormat.PpmText),
         _ => throw new ArgumentOutOfRangeException(nameof(format), format, null),
     };
 
