@@ -17,7 +17,8 @@ internal abstract class ForwardStream : Stream
         set => throw new NotSupportedException();
     }
 
-    public override int Read(byte[] buffer, int offset, int count) => CanRead ? Read(buffer.AsSpan(offset, count)) : throw new NotSupportedException();
+    public override int Read(byte[] buffer, int offset, int count) =>
+        CanRead ? Read(buffer.AsSpan(offset, count)) : throw new NotSupportedException();
 
     public override void Write(byte[] buffer, int offset, int count)
     {
