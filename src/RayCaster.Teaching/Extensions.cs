@@ -3,6 +3,14 @@ namespace RayCaster.Teaching;
 /// <summary>What scenes and pictures show.</summary>
 internal static class Extensions
 {
+    private static readonly ConditionalWeakTable<Mesh, TriangleTree> trees = [];
+
+    extension(Mesh mesh)
+    {
+        /// <summary>Its hierarchy, built at the first use.</summary>
+        public TriangleTree Tree => trees.GetValue(mesh, static mesh => new(mesh.Vertices, mesh.Indices));
+    }
+
     extension(Scene scene)
     {
         /// <summary>How many shapes there are; each triangle of a mesh counts.</summary>

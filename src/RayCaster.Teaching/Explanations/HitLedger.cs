@@ -12,6 +12,9 @@ public sealed class HitLedger
     /// <summary>So many evaluations of a formula take about a second. If more are needed, only a sample of the rays is judged.</summary>
     private const long MostFormulas = 8_000_000;
 
+    /// <summary>Finding the triangles of a mesh that a ray may cross takes about as long as so many formulas.</summary>
+    private const long FormulasOfTree = 32;
+
     /// <summary>So many models and triangles are judged within a few seconds, mostly within one.</summary>
     private const long MostPartsOfQuick = 500_000;
 
@@ -41,18 +44,9 @@ public sealed class HitLedger
     /// <summary>Judges all rays. In a large picture or a scene of many models, judges a grid of at most <see cref="MostSampled"/> rays.</summary>
     public static HitLedger Take(Scene scene, CancellationToken cancellation = default)
     {
-        var (camera, models) = (scene.Camera, scene.Models);
-        var entries = new LedgerEntry[models.Count];
-        var witnesses = new ModelWitness[models.Count];
-        var cost = 1L;
-        for (var i = 0; i < models.Count; i++)
-        {
-            cancellation.ThrowIfCancellationRequested();
-            (entries[i], witnesses[i]) = (new(ModelName.Typed(scene, i)), new(models[i], camera.Position));
-            cost += witnesses[i].Cost;
-        }
-        var ledger = new HitLedger(scene, entries);
-        var step = StepOf(camera, cost);
+        var camera = scene.Camera;
+        var ledger = new HitLedger(scene, [.. scene.Models.Select((_, i) => new LedgerEntry(ModelName.Typed(scene, i)))]);
+        var step = StepOf(camera, 1 + scene.Models.Sum(model => model is Mesh ? FormulasOfTree : 1L));
         // Starts in the middle of the first step; in a picture of one line that is the line.
         var (firstColumn, firstRow) = (Math.Min(step, camera.Width) / 2, Math.Min(step, camera.Height) / 2);
         for (var row = firstRow; row < camera.Height; row += step)
@@ -60,7 +54,7 @@ public sealed class HitLedger
             for (var column = firstColumn; column < camera.Width; column += step)
             {
                 cancellation.ThrowIfCancellationRequested();
-                ledger.Judge(witnesses, column, row);
+                ledger.Judge(column, row);
             }
         }
         return ledger;
@@ -72,13 +66,13 @@ public sealed class HitLedger
     /// <summary>The table, and in words what is unusual.</summary>
     public string Report() => LedgerTable.Of(this) + string.Concat(LedgerVerdict.Of(this).Select(sentence => sentence + "\n"));
 
-    private void Judge(ModelWitness[] witnesses, int column, int row)
+    private void Judge(int column, int row)
     {
         var ray = Scene.Camera.CastRay(column, row);
         var (nearest, shown) = (double.PositiveInfinity, -1);
-        for (var i = 0; i < witnesses.Length; i++)
+        for (var i = 0; i < Models.Count; i++)
         {
-            var outcome = witnesses[i].Judge(ray, out var t);
+            var outcome = ModelWitness.Judge(Scene.Models[i], ray, out var t);
             if (outcome == Outcome.Shows && !(t < nearest)) outcome = Outcome.Hidden;
             Models[i].Count(outcome, t * ray.ZPerT);
             if (outcome != Outcome.Shows) continue;

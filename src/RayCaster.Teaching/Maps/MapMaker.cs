@@ -22,7 +22,7 @@ public static class MapMaker
             var hits = new Renderer(scene, threads).CastHits();
             var map = new NumberMap(width, height, kind.Channels());
             var surfaces = kind.Channels() == 3 ? new SurfaceHits(scene, hits) : null;
-            for (var y = 0; y < height; y++)
+            Parallel.For(0, height, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, y =>
             {
                 for (var x = 0; x < width; x++)
                 {
@@ -30,7 +30,7 @@ public static class MapMaker
                     map[x, y][0] = ToFloat(numbers.X);
                     if (surfaces is not null) (map[x, y][1], map[x, y][2]) = (ToFloat(numbers.Y), ToFloat(numbers.Z));
                 }
-            }
+            });
             return map;
         }
         catch (OutOfMemoryException e)

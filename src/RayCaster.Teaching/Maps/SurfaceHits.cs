@@ -7,7 +7,6 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
     private const double Step = 1.0 / 64;
 
     private readonly Camera camera = scene.Camera;
-    private readonly int[]? parts = scene.Models.Any(model => model is Mesh) ? MeshParts.Find(scene, hits) : null;
     private readonly ISurface?[] surfaces = [.. scene.Models.Select(model => model.Surface)];
 
     /// <summary>The normal at a pixel's hit, of length 1 and towards the camera. Zero where nothing is hit, or where the shape has no known normal
@@ -19,7 +18,7 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
         var place = PlaceOf(column, row);
         if (hits.Model[place] < 0) return Vector3.Zero;
         var d = Direction(column, row);
-        var n = SurfaceAt(place) is { } surface ? surface.Normal(PointAt(place, d)) : FromNeighbours(column, row, hits.Model[place]);
+        var n = SurfaceAt(place, d) is { } surface ? surface.Normal(PointAt(place, d)) : FromNeighbours(column, row, hits.Model[place]);
         if (!double.IsFinite(n.Length) || n.Length == 0) return Vector3.Zero;
         n = n.Normalized;
         return n * d > 0 ? -n : n;
@@ -30,15 +29,30 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
     public Vector3 Parameters(int column, int row)
     {
         var place = PlaceOf(column, row);
-        if (hits.Model[place] < 0 || SurfaceAt(place) is not { } surface) return Vector3.Zero;
-        var (u, v) = surface.Parameters(PointAt(place, Direction(column, row)));
+        var d = Direction(column, row);
+        if (hits.Model[place] < 0 || SurfaceAt(place, d) is not { } surface) return Vector3.Zero;
+        var (u, v) = surface.Parameters(PointAt(place, d));
         return new(u, v, 0);
     }
 
     private int PlaceOf(int column, int row) => (camera.Height - 1 - row) * camera.Width + column;
 
-    private ISurface? SurfaceAt(int place) =>
-        scene.Models[hits.Model[place]] is Mesh mesh ? mesh[parts![place]] : surfaces[hits.Model[place]];
+    private ISurface? SurfaceAt(int place, Vector3 d) =>
+        scene.Models[hits.Model[place]] is Mesh mesh ? TriangleAt(mesh, hits.T[place], d) : surfaces[hits.Model[place]];
+
+    /// <summary>The renderer returns only which mesh is hit, and at which t: its triangle is the first whose formula gives that t to the bit.</summary>
+    private Triangle TriangleAt(Mesh mesh, double t, Vector3 d)
+    {
+        var along = new AlongRay<Scalar>(new Ray<Scalar>(camera.Position, d));
+        int? first = null;
+        mesh.Tree.Nearest(camera.Position, d, triangle =>
+        {
+            if (mesh[triangle].Intersect(along).Near != t) return null;
+            first = Math.Min(first ?? triangle, triangle);
+            return t;
+        });
+        return mesh[first ?? 0];
+    }
 
     private Vector3 PointAt(int place, Vector3 d) => camera.Position + hits.T[place] * d;
 
