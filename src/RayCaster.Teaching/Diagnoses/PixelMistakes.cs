@@ -6,42 +6,33 @@ internal static class PixelMistakes
     public static Mistake[] All =>
     [
         new Mistake("pix-int", Concerns.Camera, Slides.PixelTranslation, "w · (c / width), divided in integers: always 0",
-            WholeColumns(1) + WholeRows(1),
+            Both(Whole(1)),
             "The picture has one colour, or stripes: all rays of it, of a line or of a column are the same.",
             "What is c / width in C#, where both are int?",
             "uc = w · c / width − w / 2, from left to right: w is a double, so no integers are divided.")
-            .Or("only c / width is divided in integers", WholeColumns(1))
-            .Or("only r / height is divided in integers", WholeRows(1))
-            .Or("2 c / width − 1 and 2 r / height − 1, divided in integers", WholeColumns(2) + WholeRows(2))
-            .Or("2 c / width − 1, divided in integers", WholeColumns(2))
-            .Or("2 r / height − 1, divided in integers", WholeRows(2))
-            .Or("(2 c − width) / height and (2 r − height) / height, divided in integers", WholeUc + WholeUr)
-            .Or("(2 c − width) / height, divided in integers", WholeUc)
-            .Or("(2 r − height) / height, divided in integers", WholeUr),
+            .Or("only c / width is divided in integers", Columns(Whole(1)))
+            .Or("only r / height is divided in integers", Rows(Whole(1)))
+            .Or(Each("2 c / width − 1", "2 r / height − 1", ", divided in integers", Whole(2)))
+            .Or(Each("(2 c − width) / height", "(2 r − height) / height", ", divided in integers",
+                (side, u, x) => Math.Truncate(u(x) / side.Lab.HalfHeight) * side.Lab.HalfHeight)),
         new Mistake("no-center", Concerns.Camera, Slides.PixelTranslation, "uc and ur without − w / 2 and − h / 2",
-            lab => Shift(lab, 0, 0),
+            Both(Less(0)),
             "What should be in the middle is at a corner or at an edge.",
             "Which pixel has uc = 0 and ur = 0?",
             "uc = w c / width − w / 2, ur = h r / height − h / 2.")
-            .Or("uc without − w / 2", lab => Shift(lab, 0, 0.5))
-            .Or("ur without − h / 2", lab => Shift(lab, 0.5, 0))
-            .Or("− w and − h where their halves are meant", lab => Shift(lab, 1, 1))
-            .Or("+ w / 2 and + h / 2", lab => Shift(lab, -0.5, -0.5))
-            .Or("+ w / 2 for − w / 2", lab => Shift(lab, -0.5, 0.5))
-            .Or("+ h / 2 for − h / 2", lab => Shift(lab, 0.5, -0.5))
-            .Or("(w c / width − w) / 2 and (h r / height − h) / 2: wrong brackets", HalveC + HalveR)
-            .Or("(w c / width − w) / 2", HalveC)
-            .Or("(h r / height − h) / 2", HalveR)
-            .Or("w (c / width − w / 2) and h (r / height − h / 2)", BracketC + BracketR)
-            .Or("w (c / width − w / 2)", BracketC)
-            .Or("h (r / height − h / 2)", BracketR)
-            .Or("− w for − w / 2", lab => Shift(lab, 1, 0.5))
-            .Or("− h for − h / 2", lab => Shift(lab, 0.5, 1))
-            .Or("− 1/2 where w / 2 and h / 2 are meant", lab =>
-            {
-                lab.Uc.Becomes(uc => c => uc(c) - uc(0) - 0.5);
-                lab.Ur.Becomes(ur => r => ur(r) - ur(0) - 0.5);
-            }),
+            .Or("uc without − w / 2", Columns(Less(0)))
+            .Or("ur without − h / 2", Rows(Less(0)))
+            .Or("− w and − h where their halves are meant", Both(Less(1)))
+            .Or("+ w / 2 and + h / 2", Both(Less(-0.5)))
+            .Or("+ w / 2 for − w / 2", Columns(Less(-0.5)))
+            .Or("+ h / 2 for − h / 2", Rows(Less(-0.5)))
+            .Or("(w c / width − w) / 2 and (h r / height − h) / 2: wrong brackets", Both(Halved))
+            .Or("(w c / width − w) / 2", Columns(Halved))
+            .Or("(h r / height − h) / 2", Rows(Halved))
+            .Or(Each("w (c / width − w / 2)", "h (r / height − h / 2)", "", (_, u, x) => u(x) - u(0) - 2 * u(0) * u(0))) // u(0) = − w / 2
+            .Or("− w for − w / 2", Columns(Less(1)))
+            .Or("− h for − h / 2", Rows(Less(1)))
+            .Or("− 1/2 where w / 2 and h / 2 are meant", Both((_, u, x) => u(x) - u(0) - 0.5)),
         new Mistake("center", Concerns.Camera, Slides.PixelTranslation,
             "the ray passes the pixel's centre where its corner is meant (its corner where the centre is meant)",
             Sampled(1, 1),
@@ -51,12 +42,12 @@ internal static class PixelMistakes
             .Or("the same for columns alone", Sampled(1, 0))
             .Or("the same for rows alone", Sampled(0, 1)),
         new Mistake("wm1", Concerns.Camera, Slides.PixelTranslation, "c / (width − 1) and r / (height − 1)",
-            lab => Count(lab, -1, -1),
+            Both(OneLess),
             "Only outlines differ: not at the lower left, and ever more towards the right and the top, up to a pixel.",
             "By what does the slide divide c?",
             "uc = w c / width − w / 2, ur = h r / height − h / 2.")
-            .Or("only c / (width − 1)", lab => Count(lab, -1, 0))
-            .Or("only r / (height − 1)", lab => Count(lab, 0, -1)),
+            .Or("only c / (width − 1)", Columns(OneLess))
+            .Or("only r / (height − 1)", Rows(OneLess)),
         new Mistake("size-mixed", Concerns.Camera, Slides.PixelTranslation,
             "width and height swapped in the mapping: uc = w c / height − w / 2, ur = h r / width − h / 2",
             SidesMixed().First().Deviate,
@@ -66,17 +57,44 @@ internal static class PixelMistakes
             .Or(SidesMixed().Skip(1)),
     ];
 
-    /// <summary>Columns in so many steps, rows likewise.</summary>
-    private static Action<Lab> WholeColumns(int steps) =>
-        lab => lab.Uc.Becomes(uc => c => uc(lab.Camera.Width * Math.Floor(steps * c / lab.Camera.Width) / steps));
+    /// <summary>Another place in the plane, uc or ur: from the side, the right formula and the column or row.</summary>
+    private delegate double Place(Side side, Func<double, double> u, double x);
 
-    private static Action<Lab> WholeRows(int steps) =>
-        lab => lab.Ur.Becomes(ur => r => ur(lab.Camera.Height * Math.Floor(steps * r / lab.Camera.Height) / steps));
+    /// <summary>The picture's width, along which columns count, or its height, along which rows count.</summary>
+    private readonly record struct Side(Lab Lab, bool IsWidth)
+    {
+        public int Pixels => IsWidth ? Lab.Camera.Width : Lab.Camera.Height;
 
-    /// <summary>uc in whole halves of h.</summary>
-    private static Action<Lab> WholeUc => lab => lab.Uc.Becomes(uc => c => Math.Truncate(uc(c) / lab.HalfHeight) * lab.HalfHeight);
+        /// <summary>What makes this side of the other one: 1 in the picture, −1 in the plane; 0 leaves it.</summary>
+        public double Factor(int which) => (which, IsWidth) switch
+        {
+            (1, true) => Lab.Wide,
+            (1, false) => Lab.Tall,
+            (-1, true) => Lab.PlaneTall,
+            (-1, false) => 1 / Lab.PlaneTall,
+            _ => 1,
+        };
+    }
 
-    private static Action<Lab> WholeUr => lab => lab.Ur.Becomes(ur => r => Math.Truncate(ur(r) / lab.HalfHeight) * lab.HalfHeight);
+    private static Action<Lab> Columns(Place place) => lab => lab.Uc.Becomes(uc => c => place(new(lab, true), uc, c));
+
+    private static Action<Lab> Rows(Place place) => lab => lab.Ur.Becomes(ur => r => place(new(lab, false), ur, r));
+
+    private static Action<Lab> Both(Place place) => Columns(place) + Rows(place);
+
+    /// <summary>A mistake made in both formulas, in uc alone, and in ur alone.</summary>
+    private static (string, Action<Lab>)[] Each(string uc, string ur, string what, Place place) =>
+        [($"{uc} and {ur}{what}", Both(place)), ($"{uc}{what}", Columns(place)), ($"{ur}{what}", Rows(place))];
+
+    /// <summary>Columns or rows in so many steps.</summary>
+    private static Place Whole(int steps) => (side, u, x) => u(side.Pixels * Math.Floor(steps * x / side.Pixels) / steps);
+
+    /// <summary>Another share of w or h taken off than a half.</summary>
+    private static Place Less(double share) => (_, u, x) => u(x) + (2 * share - 1) * u(0);
+
+    private static Place Halved => (_, u, x) => (u(x) + u(0)) / 2;
+
+    private static Place OneLess => (side, u, x) => u(x * side.Pixels / (side.Pixels - 1));
 
     /// <summary>Each place where a letter of the picture's other side may stand in uc and in ur; first both divided by the other side.</summary>
     private static IEnumerable<(string Cause, Action<Lab> Deviate)> SidesMixed()
@@ -91,23 +109,14 @@ internal static class PixelMistakes
         ];
         foreach (var (ofUc, ofUr, step, start) in slips)
         {
-            var (mixUc, mixUr) = (MixUc(step, start), MixUr(step, start));
-            yield return ($"uc = {ofUc}, ur = {ofUr}", mixUc + mixUr);
-            yield return ($"only uc = {ofUc}", mixUc);
-            yield return ($"only ur = {ofUr}", mixUr);
-            yield return ($"only ur = {ofUr}, counted from the top", mixUr + (lab => lab.Ur.Becomes(ur => r => -ur(lab.Camera.Height - r))));
+            Place mixed = (side, u, x) => side.Factor(step) * (u(x) - u(0)) + side.Factor(start) * u(0);
+            yield return ($"uc = {ofUc}, ur = {ofUr}", Both(mixed));
+            yield return ($"only uc = {ofUc}", Columns(mixed));
+            yield return ($"only ur = {ofUr}", Rows(mixed));
+            yield return ($"only ur = {ofUr}, counted from the top",
+                Rows(mixed) + (lab => lab.Ur.Becomes(ur => r => -ur(lab.Camera.Height - r))));
         }
     }
-
-    /// <summary>uc = w c / width − w / 2 with factors of both parts: 1 for width / height of the picture, −1 for h / w.</summary>
-    private static Action<Lab> MixUc(int step, int start) => lab => lab.Uc.Becomes(uc => c =>
-        Factor(step, lab.Wide, lab.PlaneTall) * (uc(c) - uc(0)) + Factor(start, lab.Wide, lab.PlaneTall) * uc(0));
-
-    /// <summary>ur = h r / height − h / 2 with factors of both parts: 1 for height / width of the picture, −1 for w / h.</summary>
-    private static Action<Lab> MixUr(int step, int start) => lab => lab.Ur.Becomes(ur => r =>
-        Factor(step, lab.Tall, 1 / lab.PlaneTall) * (ur(r) - ur(0)) + Factor(start, lab.Tall, 1 / lab.PlaneTall) * ur(0));
-
-    private static double Factor(int which, double ofPicture, double ofPlane) => which > 0 ? ofPicture : which < 0 ? ofPlane : 1;
 
     /// <summary>Half a pixel farther or nearer than the scene says; 1 is from the corner to the centre, or from the centre to the corner.</summary>
     private static Action<Lab> Sampled(int columns, int rows) => lab => lab.Sample.Becomes(sample =>
@@ -115,27 +124,4 @@ internal static class PixelMistakes
         var half = lab.Camera.Sample == Sample.Corner ? 0.5 : -0.5;
         return (c, r) => sample(c + columns * half, r + rows * half);
     });
-
-    private static Action<Lab> HalveC => lab => lab.Uc.Becomes(uc => c => (uc(c) + uc(0)) / 2);
-
-    private static Action<Lab> HalveR => lab => lab.Ur.Becomes(ur => r => (ur(r) + ur(0)) / 2);
-
-    /// <summary>w² / 2 is taken off, which is twice the square of uc(0) = − w / 2.</summary>
-    private static Action<Lab> BracketC => lab => lab.Uc.Becomes(uc => c => uc(c) - uc(0) - 2 * uc(0) * uc(0));
-
-    private static Action<Lab> BracketR => lab => lab.Ur.Becomes(ur => r => ur(r) - ur(0) - 2 * ur(0) * ur(0));
-
-    /// <summary>uc and ur with other shares of w and h taken off than a half.</summary>
-    private static void Shift(Lab lab, double ofW, double ofH)
-    {
-        lab.Uc.Becomes(uc => c => uc(c) + (2 * ofW - 1) * uc(0));
-        lab.Ur.Becomes(ur => r => ur(r) + (2 * ofH - 1) * ur(0));
-    }
-
-    /// <summary>c / (width + i) and r / (height + k).</summary>
-    private static void Count(Lab lab, int i, int k)
-    {
-        if (i != 0) lab.Uc.Becomes(uc => c => uc(c * lab.Camera.Width / (lab.Camera.Width + i)));
-        if (k != 0) lab.Ur.Becomes(ur => r => ur(r * lab.Camera.Height / (lab.Camera.Height + k)));
-    }
 }
