@@ -14,7 +14,7 @@ internal static class MistakeOutput
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
         SceneInput.WarnOfEditedJudge(path, scene);
 
-        var picture = WrongPicture.Draw(scene, mistakes, line.ThreadCount());
+        var picture = MistakeCatalog.Draw(scene, mistakes, line.ThreadCount());
         PictureOutput.Write(output, picture, format, cancellation);
         line.Tell($"{PictureOutput.NameOf(output)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");
         return ExitCode.Done;

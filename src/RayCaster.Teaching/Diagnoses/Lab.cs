@@ -57,7 +57,7 @@ internal sealed partial class Lab
     /// <summary>The same beside another mistake: there are thousands of pairs.</summary>
     private const int MostTrianglesBeside = 1000;
 
-    private Model[] models;
+    private readonly Model[] models;
     private readonly ClipRange clip;
     private readonly double half;
     private double h, w, reach;
@@ -117,10 +117,6 @@ internal sealed partial class Lab
     /// the first that counts.</summary>
     public bool OffersBoth { get; set; }
 
-    /// <summary>Leaves out all models of a kind.</summary>
-    /// <param name="kind">As a scene file calls it.</param>
-    public void LeaveOut(string kind) => models = [.. models.Where(model => model.Kind != kind)];
-
     /// <summary>Swaps P and T.</summary>
     public void SwapEnds() => (P, T) = (T, P);
 
@@ -136,7 +132,15 @@ internal sealed partial class Lab
     public (byte R, byte G, byte B) this[int place] => Math.DivRem(place, Width) is var (y, x) ? this[x, y] : default;
 
     /// <summary>The whole file.</summary>
-    public Picture Render() => Picture.Of(Width, Height, (x, y) => this[x, y]);
+    public Picture Render(int? threads = null)
+    {
+        var picture = new Picture(Width, Height);
+        Parallel.For(0, Height, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, y =>
+        {
+            for (var x = 0; x < Width; x++) picture[x, y] = this[x, y];
+        });
+        return picture;
+    }
 
     /// <summary>Whether a crossing counts.</summary>
     public bool Counts(double t, Vector3 d) => Ahead.Do(t) && Clipped.Do(t, Depth.Do(t, d));

@@ -24,12 +24,9 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
         .. NotYet.Contains(Clipping) ? withoutClipping : [],
     ];
 
-    /// <summary>Removes from a lab what is not written yet.</summary>
-    public Lab In(Lab lab)
-    {
-        foreach (var kind in Kinds) lab.LeaveOut(kind);
-        return lab;
-    }
+    /// <summary>What is drawn of a scene.</summary>
+    public Scene PartOf(Scene scene) =>
+        Kinds.Any() ? scene with { Models = [.. scene.Models.Where(model => !NotYet.Contains(model.Kind))] } : scene;
 
     /// <summary>Every way to be unfinished: without each subset of the scene's kinds of shape, except the whole, with and without attenuation and
     /// clipping.</summary>

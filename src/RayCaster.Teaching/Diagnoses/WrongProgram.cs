@@ -32,7 +32,7 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>How many of its mistakes are not in their usual wording, the first.</summary>
     public int Unusual => Wordings.Count(wording => wording != MistakeCatalog.Named(wording.Id));
 
-    public Lab Draw(Scene scene) => Base.In(new(scene, [.. Base.AsMistakes, .. Mistakes]));
+    public Lab Draw(Scene scene) => new(Base.PartOf(scene), [.. Base.AsMistakes, .. Mistakes]);
 
     public IReadOnlyList<Mistake> Named => [.. Wordings, .. Base.Kinds.Any() ? [] : Base.AsMistakes];
 

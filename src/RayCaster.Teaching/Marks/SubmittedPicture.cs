@@ -1,5 +1,3 @@
-using System.Buffers.Binary;
-
 namespace RayCaster.Teaching;
 
 /// <summary>A submission's picture of a scene, or why there is none.</summary>
@@ -10,13 +8,13 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     /// <summary>A picture file may have so many bytes for each pixel of the scene's picture: a PPM of numbers takes twelve.</summary>
     private const long BytesPerPixel = 40;
 
-    /// <summary>A PNG may promise so many times the scene's pixels before it is read at all.</summary>
+    /// <summary>A picture that promises more than so many times the scene's pixels is not read.</summary>
     private const long SizeFactor = 16;
 
     private const int Pixels = 3000;
 
     /// <summary>Whether its size is the scene's, or the scene's with width and height swapped, as some mistakes do.</summary>
-    public bool CanBeJudged => Picture is not null && HasSizeOf(Scene, Picture.Width, Picture.Height);
+    public bool CanBeJudged => Picture is not null && HasSizeOf(Scene, Picture);
 
     /// <summary>What the picture tells, if it can be judged.</summary>
     public Evidence Evidence => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
@@ -39,10 +37,9 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
                 return new(scene, null,
                     FormattableString.Invariant($"the picture file has {file.Length:N0} bytes, too many for the scene's {pixels:N0} pixels"));
             using var stream = file.OpenRead();
-            if (PngSize(stream) is var (width, height) && (long)width * height > SizeFactor * pixels)
-                return new(scene, null, WrongSize(scene, width, height));
-            var picture = PictureFile.Read(stream);
-            return new(scene, picture, HasSizeOf(scene, picture.Width, picture.Height) ? note : WrongSize(scene, picture.Width, picture.Height));
+            var picture = PictureFile.Read(stream, 3 * SizeFactor * pixels);
+            return new(scene, picture, HasSizeOf(scene, picture) ? note
+                : $"the picture is {picture.Width} x {picture.Height}, not {scene.Right.Width} x {scene.Right.Height} pixels");
         }
         catch (PictureFileException e)
         {
@@ -54,18 +51,6 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
         }
     }
 
-    private static bool HasSizeOf(MarkedScene scene, int width, int height) =>
-        (width, height) == (scene.Right.Width, scene.Right.Height) || (height, width) == (scene.Right.Width, scene.Right.Height);
-
-    private static string WrongSize(MarkedScene scene, int width, int height) =>
-        $"the picture is {width} x {height}, not {scene.Right.Width} x {scene.Right.Height} pixels";
-
-    /// <summary>The size in a PNG's header; null for another format.</summary>
-    private static (int Width, int Height)? PngSize(Stream stream)
-    {
-        Span<byte> head = stackalloc byte[24]; // signature, the first chunk's length and name, width, height
-        var isPng = stream.ReadAtLeast(head, head.Length, throwOnEndOfStream: false) == head.Length && head.StartsWith(PngChunk.Signature);
-        stream.Position = 0;
-        return isPng ? (BinaryPrimitives.ReadInt32BigEndian(head[16..]), BinaryPrimitives.ReadInt32BigEndian(head[20..])) : null;
-    }
+    private static bool HasSizeOf(MarkedScene scene, Picture picture) => (picture.Width, picture.Height) is var (width, height)
+        && ((width, height) == (scene.Right.Width, scene.Right.Height) || (height, width) == (scene.Right.Width, scene.Right.Height));
 }

@@ -22,7 +22,7 @@ public class CatalogTests
         var mistake = MistakeCatalog.Named(id)!;
         IEnumerable<RayCaster.Teaching.Mistake> InManners(RayCaster.Teaching.Mistake wording) => mistake.InManners(wording).Prepend(wording);
         Assert.Contains(mistake.Wordings.SelectMany(InManners).SelectMany(InManners),
-            wording => expected.All(one => IsDrawnBy(one.Picture, WrongPicture.Draw(one.Scene, [wording]))));
+            wording => expected.All(one => IsDrawnBy(one.Picture, MistakeCatalog.Draw(one.Scene, [wording]))));
     }
 
     private static bool IsDrawnBy(Picture expected, Picture actual) =>
@@ -55,7 +55,7 @@ public class CatalogTests
         Assert.All(MistakeCatalog.All, mistake => Assert.All(mistake.Wordings, wording => Assert.Equal(mistake.Id, wording.Id)));
         var worded = MistakeCatalog.All.Where(mistake => mistake.Wordings.Count > 1); // SceneFitnessTests show it for the others
         Mistake[] hidden = [.. worded.SelectMany(mistake => mistake.Wordings)
-            .Where(wording => rights.All(scene => AreAlike(scene.Right, WrongPicture.Draw(scene.Scene, [wording]))))];
+            .Where(wording => rights.All(scene => AreAlike(scene.Right, MistakeCatalog.Draw(scene.Scene, [wording]))))];
         Assert.True(hidden.Length == 0, string.Join(Environment.NewLine, hidden.Select(wording => $"{wording}: {wording.Cause}")));
     }
 

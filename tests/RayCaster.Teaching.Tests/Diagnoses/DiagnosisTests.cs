@@ -67,7 +67,7 @@ public class DiagnosisTests
         var picture = ScalarRenderer.Render(open with { Models = [] });
         foreach (var model in open.Models) // each covers the ones before it, with its far side
         {
-            var alone = WrongPicture.Draw(open with { Models = [model] }, [MistakeCatalog.Named("far-root")!, MistakeCatalog.Named("slab-tmax")!]);
+            var alone = MistakeCatalog.Draw(open with { Models = [model] }, [MistakeCatalog.Named("far-root")!, MistakeCatalog.Named("slab-tmax")!]);
             for (var y = 0; y < alone.Height; y++)
                 for (var x = 0; x < alone.Width; x++)
                     if (alone[x, y] != open.Background.ToBytes()) picture[x, y] = alone[x, y];
@@ -78,7 +78,7 @@ public class DiagnosisTests
     [Fact]
     public void ASmallMistakeIsNamedBesideOneThatChangesEverything()
     {
-        var picture = WrongPicture.Draw(scene, [MistakeCatalog.Named("gamma")!, MistakeCatalog.Named("tri-uv")!]);
+        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("gamma")!, MistakeCatalog.Named("tri-uv")!]);
         Assert.Equal(["gamma", "tri-uv"], Diagnosis.Of(scene, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
     }
 
@@ -136,7 +136,7 @@ public class DiagnosisTests
     public void NamesAMistakeInAMeshsPicture(string id)
     {
         var mesh = SceneFolder.Small("mesh", 4);
-        Assert.Contains(id, Named(Diagnosis.Of(mesh, WrongPicture.Draw(mesh, [MistakeCatalog.Named(id)!])).Suspects[0]));
+        Assert.Contains(id, Named(Diagnosis.Of(mesh, MistakeCatalog.Draw(mesh, [MistakeCatalog.Named(id)!])).Suspects[0]));
     }
 
     [Fact]
@@ -170,7 +170,7 @@ public class DiagnosisTests
     {
         // zFar cuts nothing away in this scene.
         var near = SceneFolder.Small("near-plane", 4);
-        var suspect = Diagnosis.Of(near, WrongPicture.Draw(near, [MistakeCatalog.Named("znear-t")!])).Suspects[0];
+        var suspect = Diagnosis.Of(near, MistakeCatalog.Draw(near, [MistakeCatalog.Named("znear-t")!])).Suspects[0];
         Assert.Contains("znear-t", Named(suspect));
         Assert.Contains("zboth-t", Named(suspect));
     }
@@ -186,7 +186,7 @@ public class DiagnosisTests
         {
             Background = new(0.2, 0.4, 0.6),
         };
-        var diagnosis = Diagnosis.Of(wall, WrongPicture.Draw(wall, [MistakeCatalog.Named(id)!]));
+        var diagnosis = Diagnosis.Of(wall, MistakeCatalog.Draw(wall, [MistakeCatalog.Named(id)!]));
         Assert.Equal((Finding.TellsNothing, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
         Assert.StartsWith(says, Assert.Single(diagnosis.Likely));
         Assert.Contains("so none is named", DiagnosisReport.Text(diagnosis, "mine.png", "scene.json"));
@@ -209,7 +209,7 @@ public class DiagnosisTests
     public void AMistakeIsFoundBesideOneThatChangesMostOfThePicture()
     {
         var portrait = SceneFolder.Small("mistakes/portrait", 4);
-        var picture = WrongPicture.Draw(portrait, [MistakeCatalog.Named("plane-no-p")!, MistakeCatalog.Named("clip-after")!]);
+        var picture = MistakeCatalog.Draw(portrait, [MistakeCatalog.Named("plane-no-p")!, MistakeCatalog.Named("clip-after")!]);
         Assert.Equal(["clip-after", "plane-no-p"], Diagnosis.Of(portrait, picture).Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
     }
 
@@ -222,7 +222,7 @@ public class DiagnosisTests
     [InlineData("cross-y", "tri-uv")]
     public void TwoMistakesOfOneShapeAreBothNamed(string one, string other)
     {
-        var suspect = Diagnosis.Of(scene, WrongPicture.Draw(scene, [MistakeCatalog.Named(one)!, MistakeCatalog.Named(other)!])).Suspects[0];
+        var suspect = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [MistakeCatalog.Named(one)!, MistakeCatalog.Named(other)!])).Suspects[0];
         Assert.Equal([one, other], suspect.Mistakes.Select(mistake => mistake.Id).Order());
     }
 
@@ -241,9 +241,9 @@ public class DiagnosisTests
     {
         var mistake = MistakeCatalog.Named("zboth-t")!;
         var clipped = SceneFolder.Small("clip-depth", 5);
-        Assert.True(Diagnosis.Of(clipped, WrongPicture.Draw(clipped, [mistake])).Suspects[0].HasSymptoms);
+        Assert.True(Diagnosis.Of(clipped, MistakeCatalog.Draw(clipped, [mistake])).Suspects[0].HasSymptoms);
         var other = mistake.Wordings.First(wording => wording.Cause.StartsWith("z =", StringComparison.Ordinal));
-        var suspect = Diagnosis.Of(clipped, WrongPicture.Draw(clipped, [other])).Suspects[0];
+        var suspect = Diagnosis.Of(clipped, MistakeCatalog.Draw(clipped, [other])).Suspects[0];
         Assert.Equal((other, false), (suspect.Mistakes[0], suspect.HasSymptoms));
     }
 
@@ -262,7 +262,7 @@ public class DiagnosisTests
     [Trait("kind", "campaign")] // more of the same
     public void EqualPicturesOfTwoMistakesAreNamedOnceAndMarked()
     {
-        var picture = WrongPicture.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);
+        var picture = MistakeCatalog.Draw(scene, [MistakeCatalog.Named("dir-unnorm")!, MistakeCatalog.Named("att-no2")!]);
         var suspects = Diagnosis.Of(scene, picture).Suspects;
         var sets = suspects.Select(suspect => string.Join(' ', suspect.Mistakes.Select(mistake => mistake.Id).Order())).ToArray();
         Assert.Equal(sets.Distinct(), sets);

@@ -78,7 +78,7 @@ public class UnfinishedTests
     [Fact]
     public void AMistakeThatLosesAShapeIsListedBesideAnother()
     {
-        var diagnosis = Diagnosis.Of(scene, WrongPicture.Draw(scene, [Named("aspect-none"), Named("box-size")]));
+        var diagnosis = Diagnosis.Of(scene, MistakeCatalog.Draw(scene, [Named("aspect-none"), Named("box-size")]));
         Assert.Equal((Finding.Mistake, "aspect-none"), (diagnosis.Finding, diagnosis.Suspects[0].Mistakes[0].Id));
         Assert.Contains(diagnosis.Suspects, suspect => suspect.SamePicture
             && suspect.Mistakes.Select(mistake => mistake.Id).Order().SequenceEqual(["aspect-none", "box-size"]));
