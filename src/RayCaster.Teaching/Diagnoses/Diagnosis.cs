@@ -52,7 +52,7 @@ public sealed class Diagnosis
     public const string Clipping = "clipping";
 
     /// <summary>What <see cref="NotYet"/> may hold: the kinds of shape as a scene file calls them, then the rest.</summary>
-    public static IReadOnlyList<string> Parts { get; } = ["plane", "sphere", "aabb", "circle", "triangle", "mesh", Attenuation, Clipping];
+    public static IReadOnlyList<string> Parts { get; } = [.. ShapeKind.All.Select(kind => kind.Name), Attenuation, Clipping];
 
     /// <summary>How many pixels are drawn with each mistake, at most.</summary>
     private const int Pixels = 6000;

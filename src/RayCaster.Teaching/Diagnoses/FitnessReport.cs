@@ -122,9 +122,6 @@ public static class FitnessReport
         return "nothing in the picture depends on it";
     }
 
-    private static string Needs(Mistake mistake) => string.Join(" or ", new[]
-    {
-        (Concerns.Spheres, "sphere"), (Concerns.Planes, "plane"),
-        (Concerns.Boxes, "box"), (Concerns.Circles, "circle"), (Concerns.Triangles, "triangle"),
-    }.Where(shape => (mistake.Concerns & shape.Item1) != 0).Select(shape => shape.Item2));
+    private static string Needs(Mistake mistake) =>
+        string.Join(" or ", ShapeKind.WithFormula.Where(kind => (mistake.Concerns & kind.Formula) != 0).Select(kind => kind.One));
 }

@@ -10,7 +10,7 @@ internal static class HitMistakes
             "Things from behind the camera are in the picture, upside down and glaring.",
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
-            .Or(from kind in Kinds select ($"no least t for {kind.Name}", (Action<Lab>)(lab => BackToo(lab, kind.Shapes))))
+            .Or(from kind in ShapeKind.WithFormula select ($"no least t for {kind.Many}", (Action<Lab>)(lab => BackToo(lab, kind.Formula))))
             .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
             {
                 lab.Ahead.Is(t => t > double.NegativeInfinity);
@@ -105,13 +105,13 @@ internal static class HitMistakes
             "Something close to the camera is in the way.",
             "Which test uses zNear?",
             "A crossing counts only from zNear on.")
-            .Or(from kind in Kinds select ($"zNear ignored for {kind.Name}", Unclipped(kind.Shapes, near: true, far: false))),
+            .Or(from kind in ShapeKind.WithFormula select ($"zNear ignored for {kind.Many}", Unclipped(kind.Formula, near: true, far: false))),
         new Mistake("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
             "There is something where the background should be, far away.",
             "Which test uses zFar?",
             "A crossing counts only up to zFar.")
-            .Or(from kind in Kinds select ($"zFar ignored for {kind.Name}", Unclipped(kind.Shapes, near: false, far: true)))
-            .Or(from kind in Kinds select ($"zNear and zFar ignored for {kind.Name}", Unclipped(kind.Shapes, near: true, far: true)))
+            .Or(from kind in ShapeKind.WithFormula select ($"zFar ignored for {kind.Many}", Unclipped(kind.Formula, near: false, far: true)))
+            .Or(from kind in ShapeKind.WithFormula select ($"zNear and zFar ignored for {kind.Many}", Unclipped(kind.Formula, near: true, far: true)))
             .Or("zNear and zFar asked for planes alone", Unclipped(~Concerns.Planes, near: true, far: true)),
         new Mistake("bias-big", Concerns.Hit, Slides.Bias, "a bias of 1 in place of zNear",
             Bias(1),
@@ -125,12 +125,6 @@ internal static class HitMistakes
             "A sphere or a box that the near plane cuts has a hole through it.",
             "If the first crossing is cut away, what of the second?",
             "The first crossing that counts is the hit; ask both."),
-    ];
-
-    private static (string Name, Concerns Shapes)[] Kinds =>
-    [
-        ("planes", Concerns.Planes), ("spheres", Concerns.Spheres), ("boxes", Concerns.Boxes), ("circles", Concerns.Circles),
-        ("triangles", Concerns.Triangles),
     ];
 
     private static Action<Lab> Both => lab => lab.OffersBoth = true;

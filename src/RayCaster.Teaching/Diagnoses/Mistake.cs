@@ -109,13 +109,5 @@ public sealed class Mistake
     internal static Concerns KindOf(Model model) => KindOf(model.Kind);
 
     /// <summary>The formula of a kind of shape, by its name in scene files.</summary>
-    internal static Concerns KindOf(string kind) => kind switch
-    {
-        "plane" => Concerns.Planes,
-        "sphere" => Concerns.Spheres,
-        "aabb" => Concerns.Boxes,
-        "circle" => Concerns.Circles,
-        "triangle" or "mesh" => Concerns.Triangles,
-        _ => 0,
-    };
+    internal static Concerns KindOf(string kind) => ShapeKind.Of(kind)?.Formula ?? 0;
 }

@@ -19,15 +19,4 @@ internal static class Slides
     public const string SphereAnalytical = "Sphere – Analytical Solution";
     public const string Circle = "Circle";
     public const string Triangle = "Triangle";
-
-    /// <summary>The slide of a shape's formula, by what a scene file calls the shape; null for a shape of one's own.</summary>
-    public static string? OfShape(string type) => type switch
-    {
-        "plane" => RayPlane,
-        "circle" => Circle,
-        "sphere" => Sphere,
-        "aabb" => Box,
-        "triangle" or "mesh" => Triangle,
-        _ => null,
-    };
 }

@@ -55,7 +55,7 @@ public static class ExplanationJson
         model.Type,
         Verdict = model.Outcome.Verdict(),
         model.Reason,
-        Slide = Slides.OfShape(model.Type),
+        Slide = ShapeKind.Of(model.Type)?.Slide,
         model.Beside,
         Mesh = model.Mesh is { } mesh ? Triangles(mesh) : null,
         Steps = Steps(model.Steps),

@@ -32,7 +32,7 @@ public static class LabSteps
 
     /// <summary>Whether a mistake is one of the code of a step: of its slide or of the shape that is written in it.</summary>
     public static bool IsOf(Mistake mistake, int step) => StepOf(mistake.Slide) == step
-        || Diagnosis.Parts.Any(part => (mistake.Concerns & Mistake.KindOf(part)) != 0 && StepOfShape(part) == step);
+        || ShapeKind.All.Any(kind => (mistake.Concerns & kind.Formula) != 0 && kind.Step == step);
 
     /// <summary>
     /// The part of a scene that the lab can draw after a step: the models whose formulas are written. Before the step of zNear, zFar and bias,
@@ -72,16 +72,7 @@ public static class LabSteps
     internal static IEnumerable<string> KindsOf(Scene scene, int step) =>
         scene.Models.Where(model => StepOf(model) == step).Select(model => model.Kind).Distinct();
 
-    private static int StepOf(Model model) => StepOfShape(model.Kind);
-
-    private static int StepOfShape(string kind) => kind switch
-    {
-        "plane" => 3,
-        "aabb" => 7,
-        "sphere" => 8,
-        "circle" => 9,
-        _ => 10, // triangles and meshes
-    };
+    private static int StepOf(Model model) => ShapeKind.Of(model.Kind)?.Step ?? Count;
 
     /// <summary>Each model in its full colour, without attenuation.</summary>
     private static Picture Unshaded(Scene scene)

@@ -22,9 +22,7 @@ internal static class MarkWords
     {
         Diagnosis.Attenuation => "Colours do not get darker with the distance",
         Diagnosis.Clipping => "zNear and zFar cut nothing",
-        "aabb" => "No boxes are drawn",
-        "mesh" => "No meshes are drawn",
-        _ => $"No {part}s are drawn",
+        _ => $"No {ShapeKind.Of(part)?.Many ?? part} are drawn",
     };
 
     /// <summary>A verdict in words for the student.</summary>
