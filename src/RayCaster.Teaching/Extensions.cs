@@ -54,4 +54,25 @@ internal static class Extensions
             (x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > levels)
             || (y + 1 < picture.Height && PictureDifference.Levels(picture[x, y], picture[x, y + 1]) > levels);
     }
+
+    extension(StringBuilder text)
+    {
+        /// <summary>Appends words in lines that a terminal shows whole.</summary>
+        /// <param name="hang">How far all lines but the first are indented; as long as the head if left out.</param>
+        public void AppendWrapped(string head, string words, int? hang = null, int width = 96)
+        {
+            var (line, start) = (new StringBuilder(head), head.Length);
+            foreach (var word in words.Split(' '))
+            {
+                if (line.Length + word.Length > width && line.Length > start)
+                {
+                    text.Append(line.ToString().TrimEnd()).Append('\n');
+                    start = hang ?? head.Length;
+                    line.Clear().Append(' ', start);
+                }
+                line.Append(word).Append(' ');
+            }
+            text.Append(line.ToString().TrimEnd()).Append('\n');
+        }
+    }
 }

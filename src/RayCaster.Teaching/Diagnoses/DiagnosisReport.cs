@@ -3,8 +3,6 @@ namespace RayCaster.Teaching;
 /// <summary>A <see cref="Diagnosis"/> in words for students, and as JSON for other programs.</summary>
 public static class DiagnosisReport
 {
-    private const int Width = 96;
-
     /// <summary>Lines of text.</summary>
     public static string Text(Diagnosis diagnosis, string picture, string scene, HintLevel level = HintLevel.Question)
     {
@@ -17,13 +15,13 @@ public static class DiagnosisReport
         text.AppendLine($"{picture} is not the picture of {scene}: {ComparisonText.Part(diagnosis.WrongCount, diagnosis.PixelCount)} differ.");
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
-            Wrap(text, "", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(IsRestRight(diagnosis) ? " The rest is right." : "")}");
+            text.AppendWrapped("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(IsRestRight(diagnosis) ? " The rest is right." : "")}");
         else if (diagnosis.MissingModel is { } missing)
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
         AppendLost(text, diagnosis);
-        foreach (var likely in diagnosis.Likely) Wrap(text, "", likely);
+        foreach (var likely in diagnosis.Likely) text.AppendWrapped("", likely);
         if (diagnosis.Finding == Finding.TellsNothing)
-            Wrap(text, "", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
+            text.AppendWrapped("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
         else if (diagnosis.Finding == Finding.NoneOfThese) AppendNone(text, diagnosis);
         else if (diagnosis.Finding == Finding.Mistake) AppendSuspects(text, diagnosis, level);
         return text.ToString();
@@ -55,7 +53,7 @@ public static class DiagnosisReport
     {
         if (hidden.Count == 0) return "";
         var text = new StringBuilder();
-        Wrap(text, "",
+        text.AppendWrapped("",
             $"This scene cannot show {hidden.Count} of the {MistakeCatalog.All.Count} known mistakes: " +
             $"{string.Join(", ", hidden.Select(mistake => mistake.Id))}. \"check\" says why.");
         return text.ToString();
@@ -74,11 +72,11 @@ public static class DiagnosisReport
                 $"The known mistakes were not tried: the scene has more than {Lab.MostModels:N0} models. Make a smaller one."));
             return;
         }
-        Wrap(text, "", diagnosis.Likely.Count > 0
+        text.AppendWrapped("", diagnosis.Likely.Count > 0
             ? "None of the known mistakes makes this picture. Is it of this scene?"
             : "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
                 "not scaled, cropped or compressed on its way?");
-        Wrap(text, "", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
+        text.AppendWrapped("", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
             "colours; \"explain\" shows how a pixel should come about.");
         if (diagnosis.Nearest.Count > 0) text.AppendLine("The nearest mistakes, though none explains the picture:");
         foreach (var nearest in diagnosis.Nearest) text.AppendLine($"  {Names(nearest),-16} would leave {Rest(diagnosis, nearest)}");
@@ -89,9 +87,9 @@ public static class DiagnosisReport
     private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
     {
         if (diagnosis.Finding == Finding.Unfinished && diagnosis.Suspects.Count > 0)
-            Wrap(text, "", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
+            text.AppendWrapped("", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
         else if (diagnosis.NotYet.FirstOrDefault(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping)) is { } shape)
-            Wrap(text, "", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes lose it.");
+            text.AppendWrapped("", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes lose it.");
     }
 
     private static void AppendSuspects(StringBuilder text, Diagnosis diagnosis, HintLevel level)
@@ -181,18 +179,18 @@ public static class DiagnosisReport
         foreach (var mistake in shown)
         {
             if (shown.Count > 1) text.AppendLine($"  {mistake.Id}");
-            if (suspect.HasSymptoms) Wrap(text, "  Symptom:  ", mistake.Hint.Symptom);
-            if (level >= HintLevel.Question) Wrap(text, "  Question: ", mistake.Hint.Question);
+            if (suspect.HasSymptoms) text.AppendWrapped("  Symptom:  ", mistake.Hint.Symptom);
+            if (level >= HintLevel.Question) text.AppendWrapped("  Question: ", mistake.Hint.Question);
             if (level < HintLevel.Answer) continue;
-            Wrap(text, "  Cause:    ", mistake.Cause);
-            Wrap(text, "  Answer:   ", mistake.Hint.Answer);
-            Wrap(text, "  Slide:    ", mistake.Slide);
+            text.AppendWrapped("  Cause:    ", mistake.Cause);
+            text.AppendWrapped("  Answer:   ", mistake.Hint.Answer);
+            text.AppendWrapped("  Slide:    ", mistake.Slide);
         }
         text.AppendLine($"  It would leave {Rest(diagnosis, suspect)}.");
         if (suspect.OtherSample)
-            Wrap(text, "  Besides:  ", "the rays pass through another place of each pixel than the scene says (\"sample\": corner or center).");
+            text.AppendWrapped("  Besides:  ", "the rays pass through another place of each pixel than the scene says (\"sample\": corner or center).");
         if (suspect.Twins.Count > 0)
-            Wrap(text, "  Twins:    ",
+            text.AppendWrapped("  Twins:    ",
                 $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} " +
                 "the same picture; \"check\" tells which scene would tell them apart.");
     }
@@ -200,7 +198,7 @@ public static class DiagnosisReport
     private static void AppendNotTried(StringBuilder text, Diagnosis diagnosis)
     {
         if (diagnosis.NotTried.Count > 0)
-            Wrap(text, "",
+            text.AppendWrapped("",
                 $"Not tried, since the scene has too many triangles: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 
@@ -213,20 +211,4 @@ public static class DiagnosisReport
         : $"{Share(suspect.Unexplained, diagnosis)} of the pixels unexplained";
 
     private static string Share(double pixels, Diagnosis diagnosis) => ComparisonText.Share((int)Math.Round(pixels), diagnosis.PixelCount);
-
-    /// <summary>Appends words in lines that a terminal shows whole; all but the first are indented by the length of the head.</summary>
-    internal static void Wrap(StringBuilder text, string head, string words)
-    {
-        var line = new StringBuilder(head);
-        foreach (var word in words.Split(' '))
-        {
-            if (line.Length + word.Length > Width)
-            {
-                text.AppendLine(line.ToString().TrimEnd());
-                line.Clear().Append(' ', head.Length);
-            }
-            line.Append(word).Append(' ');
-        }
-        text.AppendLine(line.ToString().TrimEnd());
-    }
 }

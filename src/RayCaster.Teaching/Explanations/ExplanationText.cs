@@ -183,16 +183,5 @@ public sealed class ExplanationText
         Line(0, about.Length == 0 ? title : $"{title}: {about}");
     }
 
-    /// <summary>Adds a line; a long line is broken between words.</summary>
-    private void Line(int indent, string line)
-    {
-        var first = true;
-        for (var rest = line; rest.Length > 0; first = false)
-        {
-            var room = Width - indent - (first ? 0 : 4);
-            var cut = rest.Length <= room ? rest.Length : rest.LastIndexOf(' ', room) is var space and > 0 ? space : rest.Length;
-            text.Append(' ', first ? indent : indent + 4).Append(rest.AsSpan(0, cut)).Append('\n');
-            rest = rest[cut..].TrimStart();
-        }
-    }
+    private void Line(int indent, string line) => text.AppendWrapped(new(' ', indent), line, indent + 4, Width);
 }
