@@ -1,8 +1,8 @@
 namespace RayCaster.Teaching;
 
 /// <summary>
-/// Separates pixels on outlines from wrong pixels by the scene. A pixel may show what a ray a thousandth of a pixel beside it would show, and any
-/// of several models at the same distance. If that is too much work, <see cref="PictureOutlines"/> decides.
+/// Separates pixels on outlines from wrong pixels by the scene. A pixel may show what a ray a thousandth of a pixel beside it would show, and the
+/// last of several models at the same distance as well as the first: there the last bits of doubles or floats decide.
 /// </summary>
 /// <param name="scene">The scene in the pictures' size.</param>
 internal sealed class SceneOutlines(Scene scene)
@@ -16,47 +16,21 @@ internal sealed class SceneOutlines(Scene scene)
     /// <summary>Rays times shapes, about a second.</summary>
     private const long MostWork = 50_000_000;
 
+    private readonly Lab[] labs =
+    [
+        new(scene, Mistake.Unnamed(lab => lab.Better.Is((t, best) => t <= best * (1 + Tie)))),
+        .. from right in (double[])[-Nudge, Nudge]
+           from up in (double[])[-Nudge, Nudge]
+           select new Lab(scene, Mistake.Unnamed(lab => lab.Sample.Becomes(sample => (c, r) => sample(c + right, r + up)))),
+    ];
+
     /// <inheritdoc cref="PictureOutlines.HoldAllWrong"/>
-    public bool HoldAllWrong(PictureDifference difference)
-    {
-        if (!CanJudge(difference.Wrong)) return PictureOutlines.HoldAllWrong(difference);
-        var width = difference.Mine.Width;
-        for (var i = 0; i < difference.Pixels; i++)
-            if (difference.LevelsAt(i) > 1 && !MayShow(difference.Mine[i % width, i / width], i % width, i / width)) return false;
-        return true;
-    }
+    /// <remarks>If that is too much work, <see cref="PictureOutlines"/> decides.</remarks>
+    public bool HoldAllWrong(PictureDifference difference) =>
+        (1 + scene.ShapeCount) * labs.Length * difference.Wrong > MostWork ? PictureOutlines.HoldAllWrong(difference)
+        : Enumerable.Range(0, difference.Pixels).All(i => difference.LevelsAt(i) <= 1 || MayShow(difference.Mine.At(i), i, 1));
 
-    /// <summary>Whether the work for so many pixels is small enough.</summary>
-    public bool CanJudge(long pixels) => pixels * 9 * (1 + scene.ShapeCount) <= MostWork;
-
-    /// <summary>Whether another right program may show a colour in a pixel.</summary>
-    public bool MayShow((byte R, byte G, byte B) color, int x, int y)
-    {
-        var crossings = new double[scene.Models.Count];
-        for (var down = -1; down <= 1; down++)
-            for (var right = -1; right <= 1; right++)
-            {
-                var nearest = Cross(x + right * Nudge, scene.Camera.Height - 1 - y - down * Nudge, crossings);
-                if (double.IsPositiveInfinity(nearest) && IsNear(color, scene.Background)) return true;
-                for (var i = 0; i < crossings.Length; i++)
-                    if (crossings[i] <= nearest * (1 + Tie) && !double.IsPositiveInfinity(crossings[i])
-                        && IsNear(color, scene.Shade(crossings[i], scene.Models[i])))
-                        return true;
-            }
-        return false;
-    }
-
-    /// <summary>The t at which the ray through a place in the picture hits each model; +∞ for no hit.</summary>
-    /// <returns>The least of them.</returns>
-    private double Cross(double column, double row, double[] crossings)
-    {
-        var d = scene.Camera.Direction<Scalar>(column, row);
-        var ray = new Ray(scene.Camera.Position, new(d.X, d.Y, d.Z)) { Clip = scene.Camera.ClipRange, ZPerT = scene.Camera.ZPerT(d) };
-        var nearest = double.PositiveInfinity;
-        for (var i = 0; i < crossings.Length; i++)
-            nearest = Math.Min(nearest, crossings[i] = scene.Models[i].Intersect(ray) ?? double.PositiveInfinity);
-        return nearest;
-    }
-
-    private static bool IsNear((byte, byte, byte) bytes, Color color) => PictureDifference.Levels(bytes, color.ToBytes()) <= 1;
+    /// <summary>Whether another right program may show a colour in a pixel, by its place in reading order, but for so many levels.</summary>
+    public bool MayShow((byte R, byte G, byte B) color, int place, int levels) =>
+        Array.Exists(labs, lab => PictureDifference.Levels(color, lab[place]) <= levels);
 }

@@ -46,10 +46,8 @@ internal sealed class Evidence
         DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
         if (forgiveOutlines && sameSize && wrong.Count <= FewPixels * PixelCount)
         {
-            var nudged = Nudged(scene);
-            OutlineCount = wrong.RemoveAll(i => At(i) is var (x, y) && nudged.Any(lab => IsNear(lab[x, y], picture[x, y])));
-            var outlines = new SceneOutlines(scene); // of models at the same distance any may show
-            if (outlines.CanJudge(wrong.Count)) OutlineCount += wrong.RemoveAll(i => At(i) is var (x, y) && outlines.MayShow(picture[x, y], x, y));
+            var outlines = new SceneOutlines(scene);
+            OutlineCount = wrong.RemoveAll(i => outlines.MayShow(picture.At(i), i, Tolerance));
         }
         WrongCount = wrong.Count;
         IsOnlyOutlines = sameSize && WrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(ShowsNeighbour);
@@ -198,19 +196,6 @@ internal sealed class Evidence
     /// <summary>How many of some pixels are drawn: fewer if each ray must try every triangle of a mesh.</summary>
     private static int Affordable(int pixels, Lab lab, double share = 1) =>
         lab.RaysWithin(LeastTests + share * MostTests, pixels);
-
-    /// <summary>The definition with rays moved by a thousandth of a pixel towards each corner.</summary>
-    private static Lab[] Nudged(Scene scene)
-    {
-        const double nudge = 1e-3;
-        return
-        [
-            .. from dc in (double[])[-nudge, nudge]
-               from dr in (double[])[-nudge, nudge]
-               select new Lab(scene, new Mistake("nudge", Concerns.Camera, Slides.PixelTranslation, "rays a thousandth of a pixel off",
-                   lab => lab.Sample.Becomes(sample => (c, r) => sample(c + dc, r + dr)), "", "", "")),
-        ];
-    }
 
     private (int X, int Y) At(int pixel) => (pixel % Picture.Width, pixel / Picture.Width);
 

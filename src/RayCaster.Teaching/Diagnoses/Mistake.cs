@@ -40,6 +40,9 @@ public sealed class Mistake
         wordings.Add(this);
     }
 
+    /// <summary>A change of the definition that is no mistake.</summary>
+    internal static Mistake Unnamed(Action<Lab> deviate) => new("", Concerns.Camera, "", "", deviate, "", "", "");
+
     /// <summary>A short name without blanks, the same for ever.</summary>
     public string Id { get; }
 

@@ -78,7 +78,7 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
                     $"the scene says {Number(of(c.Target))}.");
         }
 
-        OtherNumber Of(Func<Lab, Action<double>> edit, Func<double, string> says) => new(x => new(scene, Changed(lab => edit(lab)(x))), times, says);
+        OtherNumber Of(Func<Lab, Action<double>> edit, Func<double, string> says) => new(x => new(scene, Mistake.Unnamed(lab => edit(lab)(x))), times, says);
 
         Scene With(Vector3 P, Vector3 T, double? zNear = null, double? zFar = null) => scene with
         {
@@ -125,8 +125,6 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
 
     private static (string Name, Vector3 Axis, Func<Vector3, double> Of)[] Axes =>
         [("x", new(1, 0, 0), a => a.X), ("y", new(0, 1, 0), a => a.Y), ("z", new(0, 0, 1), a => a.Z)];
-
-    private static Mistake Changed(Action<Lab> edit) => new("number", Concerns.Camera, Slides.Camera, "another number", edit, "", "", "");
 
     private static IEnumerable<double> Both(double[] values) => values.SelectMany<double, double>(x => [x, -x]);
 
