@@ -4,34 +4,25 @@ namespace RayCaster.Teaching;
 /// <param name="Description">What undoes it, in words that follow "when"; c is a channel of the right picture, 0 to 1.</param>
 /// <param name="Order">The letters of RGB in the order in which the changed colour has them.</param>
 /// <param name="Tones">The bytes from which a changed byte may come.</param>
-internal sealed record ColorChange(string Description, string Order, ToneTable Tones)
+/// <param name="Exponent">The power to which c is raised; null for another formula.</param>
+/// <param name="Factor">What c is multiplied by; null for another formula.</param>
+/// <param name="Offset">What is added to c · Factor, 1 being full intensity; null for another formula.</param>
+internal sealed record ColorChange(
+    string Description, string Order, ToneTable Tones, double? Exponent = null, double? Factor = null, double? Offset = null)
 {
-    private ColorChange(string description, Func<double, double> formula) : this(description, "RGB", new(formula))
-    {
-    }
-
     /// <summary>All orders of the channels but the right one.</summary>
     public static ColorChange[] Orders { get; } = [Ordered("BGR"), Ordered("GRB"), Ordered("RBG"), Ordered("GBR"), Ordered("BRG")];
 
-    public static ColorChange Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", c => 1 - c);
+    public static ColorChange Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", "RGB", new(c => 1 - c));
 
-    public static ColorChange Srgb { get; } = new("the gamma of sRGB is removed: the bytes must be linear",
-        c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055);
+    public static ColorChange Srgb { get; } = new("the gamma of sRGB is removed: the bytes must be linear", "RGB",
+        new(c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055));
 
     /// <summary>Whether the order of the channels changes, and not a formula.</summary>
     public bool IsOrder => Tones == ToneTable.Same;
 
     /// <summary>The places, from 0, at which the changed colour has the original's channels.</summary>
     public (int R, int G, int B) Places { get; } = (Order.IndexOf('R'), Order.IndexOf('G'), Order.IndexOf('B'));
-
-    /// <summary>The power to which c is raised; null for another formula.</summary>
-    public double? Exponent { get; private init; }
-
-    /// <summary>What c is multiplied by; null for another formula.</summary>
-    public double? Factor { get; private init; }
-
-    /// <summary>What is added to c · Factor, 1 being full intensity; null for another formula.</summary>
-    public double? Offset { get; private init; }
 
     public static ColorChange Ordered(string order) => new(order switch
     {
@@ -42,18 +33,13 @@ internal sealed record ColorChange(string Description, string Order, ToneTable T
     }, order, ToneTable.Same);
 
     public static ColorChange Power(double exponent) => new(
-        FormattableString.Invariant($"gamma is undone: it shows c^{exponent:0.###} instead of c{Gamma(exponent)}"), c => Math.Pow(c, exponent))
-    {
-        Exponent = exponent,
-    };
+        FormattableString.Invariant($"gamma is undone: it shows c^{exponent:0.###} instead of c{Gamma(exponent)}"),
+        "RGB", new(c => Math.Pow(c, exponent)), Exponent: exponent);
 
     /// <summary>c · factor + offset, clamped.</summary>
     public static ColorChange Linear(double factor, double offset) => new(
-        FormattableString.Invariant($"its brightness is corrected: it shows {Times(factor)}{Plus(offset)} instead of c"), c => factor * c + offset)
-    {
-        Factor = factor,
-        Offset = offset,
-    };
+        FormattableString.Invariant($"its brightness is corrected: it shows {Times(factor)}{Plus(offset)} instead of c"),
+        "RGB", new(c => factor * c + offset), Factor: factor, Offset: offset);
 
     private static string Gamma(double exponent) =>
         exponent < 1 ? FormattableString.Invariant($" (gamma {1 / exponent:0.##}; the bytes must be linear)") : "";

@@ -29,10 +29,10 @@ internal static class OriginMistakes
             .Or("triangle: the corners' volumes without P",
                 lab => lab.TriangleIs((triangle, d) => lab.TriangleByVolumes(triangle, d, from: Vector3.Zero)))
             .Or("sphere: L = C, without P", WithoutP(Concerns.Spheres))
-            .Or("sphere: b = −2 d·C, without P", SphereMistakes.Quadratic(inB: (P, C) => -C))
-            .Or("sphere: b = 2 d·P, without C", SphereMistakes.Quadratic(inB: (P, C) => P))
-            .Or("sphere: c = C² − R², without P", SphereMistakes.Quadratic(inC: (P, C) => C))
-            .Or("sphere: c = P² − R², without C", SphereMistakes.Quadratic(inC: (P, C) => P))
+            .Or("sphere: b = −2 d·C, without P", lab => lab.InB.Is((P, C) => -C))
+            .Or("sphere: b = 2 d·P, without C", lab => lab.InB.Is((P, C) => P))
+            .Or("sphere: c = C² − R², without P", lab => lab.InC.Is((P, C) => C))
+            .Or("sphere: c = P² − R², without C", lab => lab.InC.Is((P, C) => P))
             .Or("sphere: tca = C·d, without P, and D = L − tca d",
                 lab => lab.Sphere.Is((s, d) => lab.Geometric(s, d, fromTheRay: true, inTca: s.Center)))
             .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))

@@ -129,13 +129,6 @@ internal static class SphereMistakes
     /// <summary>Another D², from L² and tca.</summary>
     private static Action<Lab> Distance(Func<double, double, double> D2) => lab => lab.D2.Is(D2);
 
-    /// <summary>Other vectors, from P and C, in b = 2 d·(P − C) and in c = |P − C|² − R²; the right ones if null.</summary>
-    internal static Action<Lab> Quadratic(Func<Vector3, Vector3, Vector3>? inB = null, Func<Vector3, Vector3, Vector3>? inC = null) => lab =>
-    {
-        if (inB is not null) lab.InB.Is(inB);
-        if (inC is not null) lab.InC.Is(inC);
-    };
-
     /// <summary>Other numbers for the 2 in b, the 4 in b² − 4ac and the 2 in / 2a, at most two of them wrong.</summary>
     private static IEnumerable<(string, Action<Lab>)> OtherFactors() =>
         from inB in (int[])[1, 2, 4]

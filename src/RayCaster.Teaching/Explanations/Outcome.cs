@@ -46,16 +46,12 @@ internal static class Outcomes
 
     /// <summary>Why a crossing does not count; <see cref="Outcome.Shows"/> if it does, whatever else is in the scene.</summary>
     /// <param name="t">The crossing; where it is NaN or infinite, the outcome is <see cref="Outcome.NoNumber"/>.</param>
-    public static Outcome Of(double t, Ray ray) => Of(t, ray.Clip, ray.ZPerT);
-
-    /// <inheritdoc cref="Of(double, Ray)"/>
-    /// <param name="zPerT">The z of one unit of t.</param>
-    public static Outcome Of(double t, ClipRange clip, double zPerT) =>
+    public static Outcome Of(double t, Ray ray) =>
         !double.IsFinite(t) ? Outcome.NoNumber
         : t < 0 ? Outcome.Behind
-        : clip.IsAhead<Scalar>(t).Value == 0 ? Outcome.UnderBias
-        : clip.IsBeyondNear<Scalar>(t * zPerT).Value == 0 ? Outcome.BeforeNear
-        : clip.IsWithinFar<Scalar>(t * zPerT).Value != 0 ? Outcome.Shows
+        : ray.Clip.IsAhead<Scalar>(t).Value == 0 ? Outcome.UnderBias
+        : ray.Clip.IsBeyondNear<Scalar>(t * ray.ZPerT).Value == 0 ? Outcome.BeforeNear
+        : ray.Clip.IsWithinFar<Scalar>(t * ray.ZPerT).Value != 0 ? Outcome.Shows
         : Outcome.BeyondFar;
 
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;

@@ -13,7 +13,7 @@ public sealed class PixelExplanation
     {
         (Scene, Column, Line) = (scene, column, line);
         Ray = ScalarRenderer.Cast(scene, column, Row);
-        Trials = [.. scene.Models.Select((model, i) => new Trial(model, i, Ray))];
+        Trials = [.. scene.Models.Select((model, i) => Trial.Of(model, i, Ray))];
         Winner = Ray.HitModel is { } hit ? IndexOf(hit) : null;
         Neighbours = [.. FindNeighbours()];
         Models = Explain();

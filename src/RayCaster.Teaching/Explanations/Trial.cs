@@ -1,42 +1,28 @@
 namespace RayCaster.Teaching;
 
 /// <summary>The crossings of one model with a ray, in plain doubles. Quick enough to choose from thousands of models.</summary>
-internal readonly struct Trial
+/// <param name="Hit">The t of the first crossing that counts, or null.</param>
+/// <param name="Near">The first crossing; NaN for none.</param>
+/// <param name="Outcome">Why it is not hit, for the crossing that comes closer to counting; <see cref="Outcome.Shows"/> for a hit.</param>
+/// <param name="Mesh">The outcomes of a mesh's triangles; null for other shapes.</param>
+internal readonly record struct Trial(
+    Model Model, int Index, double? Hit, double Near, double Far, Outcome Outcome, MeshExplanation? Mesh = null)
 {
-    public Trial(Model model, int index, Ray ray)
+    public static Trial Of(Model model, int index, Ray ray)
     {
-        (Model, Index) = (model, index);
-        Hit = model.Intersect(ray);
-        if (model is RayCaster.Mesh mesh)
+        var hit = model.Intersect(ray);
+        if (model is Mesh mesh)
         {
-            Mesh = TryTriangles(mesh, ray, Hit);
-            Near = Far = double.NaN;
-            if (Mesh.Triangle is { } part) (Near, Far) = (mesh[part].Intersect(Plain(ray)).Near, double.NaN);
+            var tried = TryTriangles(mesh, ray, hit);
+            return Of(tried.Triangle is { } part ? mesh[part].Intersect(Plain(ray)).Near : double.NaN, double.NaN) with { Mesh = tried };
         }
-        else if (model.Intersect(Plain(ray)) is { } crossings)
-            (Near, Far) = (crossings.Near, crossings.Far);
-        else // a model in plain doubles and ifs: without clipping it returns where it would be hit
-            (Near, Far) = (Hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
-        Outcome = Hit is null ? Outcomes.Of(double.IsFinite(Far) ? Far : Near, ray) : Outcome.Shows;
+        return model.Intersect(Plain(ray)) is { } crossings ? Of(crossings.Near, crossings.Far)
+            // a model in plain doubles and ifs: without clipping it returns where it would be hit
+            : Of(hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
+
+        Trial Of(double near, double far) =>
+            new(model, index, hit, near, far, hit is null ? Outcomes.Of(double.IsFinite(far) ? far : near, ray) : Outcome.Shows);
     }
-
-    public Model Model { get; }
-
-    public int Index { get; }
-
-    /// <summary>The t of the first crossing that counts, or null.</summary>
-    public double? Hit { get; }
-
-    /// <summary>The crossings; NaN for none.</summary>
-    public double Near { get; }
-
-    public double Far { get; }
-
-    /// <summary>Why it is not hit, for the crossing that comes closer to counting; <see cref="Outcome.Shows"/> for a hit.</summary>
-    public Outcome Outcome { get; }
-
-    /// <summary>The outcomes of a mesh's triangles; null for other shapes.</summary>
-    public MeshExplanation? Mesh { get; }
 
     public static Ray<Scalar> Plain(Ray ray) => new(ray.Origin, ray.Direction);
 

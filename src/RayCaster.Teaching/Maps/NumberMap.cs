@@ -1,21 +1,12 @@
 namespace RayCaster.Teaching;
 
 /// <summary>One or three floats for each pixel. Line 0 is at the top.</summary>
-/// <param name="channels">1, or 3 for vectors.</param>
+/// <param name="Channels">1, or 3 for vectors.</param>
 /// <exception cref="OverflowException">The map would have 2³¹ numbers or more.</exception>
-public sealed class NumberMap(int width, int height, int channels)
+public sealed record NumberMap(int Width, int Height, int Channels)
 {
-    /// <summary>Pixels in a line.</summary>
-    public int Width { get; } = width;
-
-    /// <summary>Lines.</summary>
-    public int Height { get; } = height;
-
-    /// <summary>Numbers of a pixel: 1 or 3.</summary>
-    public int Channels { get; } = channels;
-
     /// <summary>Width · Height · Channels numbers; from left to right, then from top to bottom.</summary>
-    public float[] Values { get; } = new float[checked(width * height * channels)];
+    public float[] Values { get; } = new float[checked(Width * Height * Channels)];
 
     /// <summary>The numbers of a pixel.</summary>
     /// <param name="x">The column, from the left.</param>
