@@ -22,7 +22,7 @@ internal static class JsonText
 
     /// <summary>
     /// The text, indented, with a line end. Names of properties and of enum members begin with a small letter. NaN and the infinities, which JSON
-    /// has no numbers for, become texts.
+    /// has no numbers for, become texts. Vectors, colours and tuples become arrays.
     /// </summary>
     public static string Of(object value)
     {
@@ -45,11 +45,20 @@ internal static class JsonText
             case double number when double.IsFinite(number):
                 json.WriteNumberValue(number);
                 break;
-            case int or long:
+            case byte or int or long:
                 json.WriteNumberValue(Convert.ToInt64(value, CultureInfo.InvariantCulture));
                 break;
             case string or char or double:
                 json.WriteStringValue(Convert.ToString(value, CultureInfo.InvariantCulture));
+                break;
+            case Vector3 v:
+                Write(json, (v.X, v.Y, v.Z));
+                break;
+            case Color color:
+                Write(json, (color.R, color.G, color.B));
+                break;
+            case ITuple tuple:
+                Write(json, Enumerable.Range(0, tuple.Length).Select(i => tuple[i]));
                 break;
             case Enum name:
                 json.WriteStringValue(Name(name.ToString()));

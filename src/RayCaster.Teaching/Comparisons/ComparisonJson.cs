@@ -43,8 +43,8 @@ public static class ComparisonJson
         Column = x,
         Line = y,
         Row = d.Mine.Height - 1 - y,
-        Mine = Bytes(d.Mine[x, y]),
-        Reference = Bytes(d.Reference[x, y]),
+        Mine = d.Mine[x, y],
+        Reference = d.Reference[x, y],
     };
 
     private static object Measures(Measures m) => new
@@ -92,8 +92,8 @@ public static class ComparisonJson
             model.Wrong,
             model.Share,
             Missing = model.IsMissing,
-            Color = Channels(model.Color),
-            OtherColor = model.OtherColor is { } other ? Channels(other) : null,
+            model.Color,
+            model.OtherColor,
             Shows = model.Shows.Select(shown =>
                 new { shown.Model, Name = NameOf(scene, shown.Model), Type = TypeOf(scene, shown.Model), shown.Pixels }),
         }),
@@ -102,8 +102,4 @@ public static class ComparisonJson
     private static object NameOf(Scene scene, int model) => model < 0 ? "background" : scene.Models[model].Name ?? JsonText.Null;
 
     private static string? TypeOf(Scene scene, int model) => model < 0 ? null : scene.Models[model].Kind;
-
-    private static double[] Channels(Color color) => [color.R, color.G, color.B];
-
-    private static int[] Bytes((byte R, byte G, byte B) color) => [color.R, color.G, color.B];
 }

@@ -10,7 +10,8 @@ internal static class HitMistakes
             "Things from behind the camera are in the picture, upside down and glaring.",
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
-            .Or(from kind in ShapeKind.WithFormula select ($"no least t for {kind.Many}", (Action<Lab>)(lab => BackToo(lab, kind.Formula))))
+            .Or(from kind in ShapeKind.WithFormula
+                select ($"no least t for {kind.Many}", Counted(kind.Formula, (lab, t, d) => lab.Far.Do(t, lab.Depth.Do(t, d)))))
             .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
             {
                 lab.Ahead.Is(t => t > double.NegativeInfinity);
@@ -146,23 +147,15 @@ internal static class HitMistakes
         [(what, deviate), (what + "; both crossings of a sphere or a box are hits", Both + deviate)];
 
     /// <summary>zNear or zFar or both not asked where such shapes are hit.</summary>
-    private static Action<Lab> Unclipped(Concerns kinds, bool near, bool far) => lab =>
-    {
-        lab.Hit.Becomes(hit => (model, d) =>
-        {
-            if ((Mistake.KindOf(model) & kinds) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);
-            return Counts(crossed.Near, d) ? crossed.Near : Counts(crossed.Far, d) ? crossed.Far : null;
-        });
+    private static Action<Lab> Unclipped(Concerns shapes, bool near, bool far) => Counted(shapes, (lab, t, d) =>
+        lab.Ahead.Do(t) && (near || lab.Near.Do(t, lab.Depth.Do(t, d))) && (far || lab.Far.Do(t, lab.Depth.Do(t, d))));
 
-        bool Counts(double t, Vector3 d) => lab.Ahead.Do(t) && t <= double.MaxValue
-            && (near || lab.Near.Do(t, lab.Depth.Do(t, d))) && (far || lab.Far.Do(t, lab.Depth.Do(t, d)));
-    };
-
-    /// <summary>The first crossing of such shapes counts, behind the camera too.</summary>
-    private static void BackToo(Lab lab, Concerns shapes) => lab.Hit.Becomes(hit => (model, d) =>
+    /// <summary>Another question, with t and d, whether a crossing of such shapes counts.</summary>
+    private static Action<Lab> Counted(Concerns shapes, Func<Lab, double, Vector3, bool> counts) => lab => lab.Hit.Becomes(hit => (model, d) =>
     {
         if ((Mistake.KindOf(model) & shapes) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);
-        double t = crossed.Near;
-        return t <= double.MaxValue && lab.Far.Do(t, lab.Depth.Do(t, d)) ? t : null;
+        return Counts(crossed.Near) ? crossed.Near : Counts(crossed.Far) ? crossed.Far : null;
+
+        bool Counts(double t) => t <= double.MaxValue && counts(lab, t, d);
     });
 }

@@ -12,8 +12,8 @@ public static class ExplanationJson
         Camera = Camera(pixel.Scene.Camera, pixel.CameraSteps),
         Ray = new
         {
-            Origin = Vector(pixel.Ray.Origin),
-            Direction = Vector(pixel.Ray.Direction),
+            pixel.Ray.Origin,
+            pixel.Ray.Direction,
             pixel.Ray.ZPerT,
             Slide = Slides.PixelTranslation,
             Steps = Steps(pixel.RaySteps),
@@ -25,8 +25,8 @@ public static class ExplanationJson
         pixel.Notes,
         Reference = reference is null ? null : new
         {
-            Bytes = Bytes(reference.Bytes),
-            Difference = Bytes(reference.Difference),
+            reference.Bytes,
+            reference.Difference,
             reference.Agrees,
             reference.Causes,
         },
@@ -34,9 +34,9 @@ public static class ExplanationJson
 
     private static object Camera(Camera camera, IReadOnlyList<FormulaStep> steps) => new
     {
-        Position = Vector(camera.Position),
-        Target = Vector(camera.Target),
-        Up = Vector(camera.Up),
+        camera.Position,
+        camera.Target,
+        camera.Up,
         camera.FovY,
         camera.ZNear,
         camera.ZFar,
@@ -90,24 +90,20 @@ public static class ExplanationJson
         Model = index,
         Name = pixel.NameOf(index),
         T = pixel.Ray.HitParameter,
-        Point = Vector(pixel.Ray.At(pixel.Ray.HitParameter)),
+        Point = pixel.Ray.At(pixel.Ray.HitParameter),
         Hides = pixel.Trials.Where(trial => trial.Hit is not null && trial.Index != index)
             .Select(trial => new { Model = trial.Index, T = trial.Hit }),
     };
 
-    private static object Color(PixelExplanation pixel)
+    private static object Color(PixelExplanation pixel) => new
     {
-        var full = pixel.Ray.HitModel?.Color ?? pixel.Scene.Background;
-        return new
-        {
-            Attenuation = pixel.AttenuationSteps is [.., { } attenuation] ? attenuation.Value : JsonText.Null,
-            Full = (double[])[full.R, full.G, full.B],
-            Value = (double[])[pixel.Color.R, pixel.Color.G, pixel.Color.B],
-            Bytes = Bytes(pixel.Bytes),
-            Slide = Slides.Shading,
-            Steps = Steps([.. pixel.AttenuationSteps, .. pixel.ColorSteps]),
-        };
-    }
+        Attenuation = pixel.AttenuationSteps is [.., { } attenuation] ? attenuation.Value : JsonText.Null,
+        Full = pixel.Ray.HitModel?.Color ?? pixel.Scene.Background,
+        Value = pixel.Color,
+        pixel.Bytes,
+        Slide = Slides.Shading,
+        Steps = Steps([.. pixel.AttenuationSteps, .. pixel.ColorSteps]),
+    };
 
     private static IEnumerable<object> Steps(IReadOnlyList<FormulaStep> steps) => steps.Select(step => new
     {
@@ -116,8 +112,4 @@ public static class ExplanationJson
         step.Numbers,
         Value = step.IsTest ? step.Value != 0 : step.Values is [var only] ? only : (object)step.Values,
     });
-
-    private static double[] Vector(Vector3 v) => [v.X, v.Y, v.Z];
-
-    private static int[] Bytes((int R, int G, int B) bytes) => [bytes.R, bytes.G, bytes.B];
 }
