@@ -6,7 +6,22 @@ namespace RayCaster.Teaching;
 /// How good a scene is as a test: which mistakes of the catalogue its picture cannot show, which it cannot distinguish, and how many of its pixels
 /// depend on the last bits. Several scenes are judged as a set: one may show what another hides.
 /// </summary>
-public sealed class SceneFitness
+/// <param name="Asked">The mistakes that the scenes were judged for.</param>
+/// <param name="Scenes">The scenes, in the sizes in which they were judged.</param>
+/// <param name="Reduced">Whether a smaller picture was judged in place of a large one.</param>
+/// <param name="Hidden">The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</param>
+/// <param name="HiddenAtFirst">The mistakes that show, but not in the catalogue's first wording: a program with that wording may draw the right
+/// picture.</param>
+/// <param name="WithinRounding">The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</param>
+/// <param name="NotTried">The mistakes that take too long to try, because a scene has too many triangles.</param>
+/// <param name="Twins">Groups of visible mistakes that draw the same pictures.</param>
+/// <param name="ShowsNothing">Whether every picture is of one colour.</param>
+/// <param name="FragilePixels">How many pixels show another model when a number of the camera is moved by its last bit.</param>
+/// <param name="PixelCount">How many pixels the pictures have together.</param>
+public sealed record SceneFitness(
+    IReadOnlyList<Mistake> Asked, IReadOnlyList<Scene> Scenes, bool Reduced, IReadOnlyList<Mistake> Hidden,
+    IReadOnlyList<Mistake> HiddenAtFirst, IReadOnlyList<Mistake> WithinRounding, IReadOnlyList<Mistake> NotTried,
+    IReadOnlyList<IReadOnlyList<Mistake>> Twins, bool ShowsNothing, int FragilePixels, long PixelCount)
 {
     /// <summary>A mistake is visible if it changes so many pixels.</summary>
     public const int LeastPixels = 20;
@@ -26,20 +41,25 @@ public sealed class SceneFitness
     /// <summary>How many triangles are tried in all if each ray must try every triangle of a mesh.</summary>
     private const int MostTests = 10_000_000;
 
-    private SceneFitness(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
+    /// <summary>Judges a set of scenes.</summary>
+    /// <param name="scenes">At least one; each passes <see cref="CanJudge"/>.</param>
+    /// <param name="threads">How many threads draw; one per core if left out.</param>
+    /// <param name="asked">The mistakes that they should show; all of the catalogue if left out.</param>
+    public static SceneFitness Of(IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? asked = null)
     {
-        Scenes = [.. scenes.Select(Judged)];
-        Reduced = !Scenes.SequenceEqual(scenes);
-        Asked = asked;
-        var (known, views) = Look(Scenes, asked, threads);
-        NotTried = [.. asked.Except(known)];
-        Hidden = HiddenOf(known, views);
-        HiddenAtFirst = [.. known.Except(Hidden).Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))];
-        WithinRounding = [.. Hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))];
-        Twins = Groups(views, [.. known.Except(Hidden)]);
-        ShowsNothing = views.All(view => view.IsOfOneColor);
-        FragilePixels = views.Sum(view => FragilePixelsOf(view.Scene, threads));
-        PixelCount = Scenes.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height);
+        asked ??= MistakeCatalog.All;
+        Scene[] judged = [.. scenes.Select(Judged)];
+        var (known, views) = Look(judged, asked, threads);
+        var hidden = HiddenOf(known, views);
+        Mistake[] seen = [.. known.Except(hidden)];
+        return new(asked, judged, Reduced: !judged.SequenceEqual(scenes), hidden,
+            HiddenAtFirst: [.. seen.Where(mistake => !views.Any(view => view.ShowsFirst(mistake)))],
+            WithinRounding: [.. hidden.Where(mistake => views.Any(view => view.ShowsByALevel(mistake)))],
+            NotTried: [.. asked.Except(known)],
+            Groups(views, [.. seen]),
+            ShowsNothing: views.All(view => view.IsOfOneColor),
+            views.Sum(view => FragilePixelsOf(view.Scene, threads)),
+            judged.Sum(scene => (long)scene.Camera.Width * scene.Camera.Height));
     }
 
     private static (Mistake[] Known, View[] Views) Look(IReadOnlyList<Scene> scenes, IReadOnlyList<Mistake> asked, int? threads)
@@ -59,46 +79,6 @@ public sealed class SceneFitness
         var (known, views) = Look([Judged(scene)], [.. MistakeCatalog.All.Where(mistake => !mistake.IsWithinRounding)], threads);
         return HiddenOf(known, views);
     }
-
-    /// <summary>The mistakes that the scenes were judged for.</summary>
-    public IReadOnlyList<Mistake> Asked { get; }
-
-    /// <summary>The scenes, in the sizes in which they were judged.</summary>
-    public IReadOnlyList<Scene> Scenes { get; }
-
-    /// <summary>Whether a smaller picture was judged in place of a large one.</summary>
-    public bool Reduced { get; }
-
-    /// <summary>The mistakes that change fewer than <see cref="LeastPixels"/> pixels of each picture by more than rounding does.</summary>
-    public IReadOnlyList<Mistake> Hidden { get; }
-
-    /// <summary>The mistakes that show, but not in the catalogue's first wording: a program with that wording may draw the right picture.</summary>
-    public IReadOnlyList<Mistake> HiddenAtFirst { get; }
-
-    /// <summary>The hidden mistakes that change pixels by a level: a comparison of bytes shows them.</summary>
-    public IReadOnlyList<Mistake> WithinRounding { get; }
-
-    /// <summary>The mistakes that take too long to try, because a scene has too many triangles.</summary>
-    public IReadOnlyList<Mistake> NotTried { get; }
-
-    /// <summary>Groups of visible mistakes that draw the same pictures.</summary>
-    public IReadOnlyList<IReadOnlyList<Mistake>> Twins { get; }
-
-    /// <summary>Whether every picture is of one colour.</summary>
-    public bool ShowsNothing { get; }
-
-    /// <summary>How many pixels show another model when a number of the camera is moved by its last bit.</summary>
-    public int FragilePixels { get; }
-
-    /// <summary>How many pixels the pictures have together.</summary>
-    public long PixelCount { get; }
-
-    /// <summary>Judges a set of scenes.</summary>
-    /// <param name="scenes">At least one; each passes <see cref="CanJudge"/>.</param>
-    /// <param name="threads">How many threads draw; one per core if left out.</param>
-    /// <param name="asked">The mistakes that they should show; all of the catalogue if left out.</param>
-    public static SceneFitness Of(IReadOnlyList<Scene> scenes, int? threads = null, IReadOnlyList<Mistake>? asked = null) =>
-        new(scenes, asked ?? MistakeCatalog.All, threads);
 
     /// <summary>Whether a scene has so few models that mistakes can be tried on it.</summary>
     public static bool CanJudge(Scene scene) => scene.Models.Count <= MostModels;
