@@ -59,7 +59,7 @@ internal static class Extensions
     {
         /// <summary>Appends words in lines that a terminal shows whole.</summary>
         /// <param name="hang">How far all lines but the first are indented; as long as the head if left out.</param>
-        public void AppendWrapped(string head, string words, int? hang = null, int width = 96)
+        public void Wrap(string head, string words, int? hang = null, int width = 96)
         {
             var (line, start) = (new StringBuilder(head), head.Length);
             foreach (var word in words.Split(' '))

@@ -62,20 +62,16 @@ internal sealed class SceneDifference
 
     private List<ModelDifference> FindModels()
     {
-        var (pixels, wrong) = (new int[scene.Models.Count + 1], new int[scene.Models.Count + 1]);
-        for (var i = 0; i < difference.Pixels; i++)
-        {
-            var model = hits.Model[i] + 1;
-            pixels[model]++;
-            if (IsWrong(i)) wrong[model]++;
-        }
-        var models = new List<ModelDifference>();
-        for (var model = -1; model < scene.Models.Count; model++)
-            if (pixels[model + 1] > 0)
-                models.Add(new(model, ModelName.Of(scene, model), pixels[model + 1], wrong[model + 1])
-                {
-                    Color = model < 0 ? scene.Background : scene.Models[model].Color,
-                });
+        var wrong = Enumerable.Range(0, difference.Pixels).Where(IsWrong).CountBy(i => hits.Model[i]).ToDictionary();
+        List<ModelDifference> models =
+        [
+            .. from shows in hits.Model.CountBy(model => model)
+               let model = shows.Key
+               select new ModelDifference(model, ModelName.Of(scene, model), shows.Value, wrong.GetValueOrDefault(model))
+               {
+                   Color = model < 0 ? scene.Background : scene.Models[model].Color,
+               },
+        ];
         models.Sort((a, b) => (-a.Share, -a.Wrong, a.Model).CompareTo((-b.Share, -b.Wrong, b.Model)));
 
         var shown = Tally(Shown(models));

@@ -238,7 +238,8 @@ public sealed class Diagnosis
     /// <summary>Whether the rest is right. Beside missing shapes a small mistake counts for little, so the rest is judged by itself.</summary>
     private bool IsRestRight(string[] kinds, Picture picture, IReadOnlyCollection<string> done)
     {
-        var rest = new SceneDiagnosis(new Unfinished(kinds).PartOf(prepared.Scene), prepared.Threads, prepared.Possible).Judge(picture, done, likely);
+        var drawn = new Unfinished(kinds).PartOf(prepared.Scene);
+        var rest = new SceneDiagnosis(drawn, prepared.Threads, prepared.Possible).Judge(picture, done, likely);
         if (rest.Finding == Finding.Matches) return true;
         NotYet = [.. kinds, .. rest.NotYet];
         (Finding, Suspects, Likely) = (rest.Finding, rest.Suspects, rest.Likely);

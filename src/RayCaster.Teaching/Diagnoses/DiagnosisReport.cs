@@ -15,13 +15,13 @@ public static class DiagnosisReport
         text.AppendLine($"{picture} is not the picture of {scene}: {ComparisonText.Part(diagnosis.WrongCount, diagnosis.PixelCount)} differ.");
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
-            text.AppendWrapped("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(IsRestRight(diagnosis) ? " The rest is right." : "")}");
+            text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(IsRestRight(diagnosis) ? " The rest is right." : "")}");
         else if (diagnosis.MissingModel is { } missing)
             text.AppendLine($"{missing} is missing: without it the scene gives this picture.");
         AppendLost(text, diagnosis);
-        foreach (var likely in diagnosis.Likely) text.AppendWrapped("", likely);
+        foreach (var likely in diagnosis.Likely) text.Wrap("", likely);
         if (diagnosis.Finding == Finding.TellsNothing)
-            text.AppendWrapped("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
+            text.Wrap("", "Very many mistakes make such a picture, so none is named. \"explain\" shows how a pixel should come about.");
         else if (diagnosis.Finding == Finding.NoneOfThese) AppendNone(text, diagnosis);
         else if (diagnosis.Finding == Finding.Mistake) AppendSuspects(text, diagnosis, level);
         return text.ToString();
@@ -53,7 +53,7 @@ public static class DiagnosisReport
     {
         if (hidden.Count == 0) return "";
         var text = new StringBuilder();
-        text.AppendWrapped("",
+        text.Wrap("",
             $"This scene cannot show {hidden.Count} of the {MistakeCatalog.All.Count} known mistakes: " +
             $"{string.Join(", ", hidden.Select(mistake => mistake.Id))}. \"check\" says why.");
         return text.ToString();
@@ -72,11 +72,11 @@ public static class DiagnosisReport
                 $"The known mistakes were not tried: the scene has more than {Lab.MostModels:N0} models. Make a smaller one."));
             return;
         }
-        text.AppendWrapped("", diagnosis.Likely.Count > 0
+        text.Wrap("", diagnosis.Likely.Count > 0
             ? "None of the known mistakes makes this picture. Is it of this scene?"
             : "None of the known mistakes makes this picture. Is it of this scene, with this camera, and as your program wrote it, " +
                 "not scaled, cropped or compressed on its way?");
-        text.AppendWrapped("", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
+        text.Wrap("", "\"compare\" with the right picture and --scene says which models are wrong, and whether the whole is moved or has other " +
             "colours; \"explain\" shows how a pixel should come about.");
         if (diagnosis.Nearest.Count > 0) text.AppendLine("The nearest mistakes, though none explains the picture:");
         foreach (var nearest in diagnosis.Nearest) text.AppendLine($"  {Names(nearest),-16} would leave {Rest(diagnosis, nearest)}");
@@ -87,9 +87,9 @@ public static class DiagnosisReport
     private static void AppendLost(StringBuilder text, Diagnosis diagnosis)
     {
         if (diagnosis.Finding == Finding.Unfinished && diagnosis.Suspects.Count > 0)
-            text.AppendWrapped("", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
+            text.Wrap("", $"If that is written already, these lose it, too: {string.Join(", ", diagnosis.Suspects.Select(Names))}.");
         else if (diagnosis.NotYet.FirstOrDefault(part => part is not (Diagnosis.Attenuation or Diagnosis.Clipping)) is { } shape)
-            text.AppendWrapped("", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes lose it.");
+            text.Wrap("", $"If one of these is written already, name it: \"diagnose --done {shape}\" says which mistakes lose it.");
     }
 
     private static void AppendSuspects(StringBuilder text, Diagnosis diagnosis, HintLevel level)
@@ -179,18 +179,18 @@ public static class DiagnosisReport
         foreach (var mistake in shown)
         {
             if (shown.Count > 1) text.AppendLine($"  {mistake.Id}");
-            if (suspect.HasSymptoms) text.AppendWrapped("  Symptom:  ", mistake.Hint.Symptom);
-            if (level >= HintLevel.Question) text.AppendWrapped("  Question: ", mistake.Hint.Question);
+            if (suspect.HasSymptoms) text.Wrap("  Symptom:  ", mistake.Hint.Symptom);
+            if (level >= HintLevel.Question) text.Wrap("  Question: ", mistake.Hint.Question);
             if (level < HintLevel.Answer) continue;
-            text.AppendWrapped("  Cause:    ", mistake.Cause);
-            text.AppendWrapped("  Answer:   ", mistake.Hint.Answer);
-            text.AppendWrapped("  Slide:    ", mistake.Slide);
+            text.Wrap("  Cause:    ", mistake.Cause);
+            text.Wrap("  Answer:   ", mistake.Hint.Answer);
+            text.Wrap("  Slide:    ", mistake.Slide);
         }
         text.AppendLine($"  It would leave {Rest(diagnosis, suspect)}.");
         if (suspect.OtherSample)
-            text.AppendWrapped("  Besides:  ", "the rays pass through another place of each pixel than the scene says (\"sample\": corner or center).");
+            text.Wrap("  Besides:  ", "the rays pass through another place of each pixel than the scene says (\"sample\": corner or center).");
         if (suspect.Twins.Count > 0)
-            text.AppendWrapped("  Twins:    ",
+            text.Wrap("  Twins:    ",
                 $"on this scene {string.Join(", ", suspect.Twins.Select(twin => twin.Id))} {(suspect.Twins.Count == 1 ? "gives" : "give")} " +
                 "the same picture; \"check\" tells which scene would tell them apart.");
     }
@@ -198,7 +198,7 @@ public static class DiagnosisReport
     private static void AppendNotTried(StringBuilder text, Diagnosis diagnosis)
     {
         if (diagnosis.NotTried.Count > 0)
-            text.AppendWrapped("",
+            text.Wrap("",
                 $"Not tried, since the scene has too many triangles: {string.Join(", ", diagnosis.NotTried.Select(mistake => mistake.Id))}.");
     }
 

@@ -10,7 +10,7 @@ internal static class HitMistakes
             "Things from behind the camera are in the picture, upside down and glaring.",
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
-            .Or(from kind in ShapeKind.WithFormula
+            .Or(from kind in ShapeKind.Basic
                 select ($"no least t for {kind.Many}", Counted(kind.Formula, (lab, t, d) => lab.Far.Do(t, lab.Depth.Do(t, d)))))
             .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
             {
@@ -106,13 +106,13 @@ internal static class HitMistakes
             "Something close to the camera is in the way.",
             "Which test uses zNear?",
             "A crossing counts only from zNear on.")
-            .Or(from kind in ShapeKind.WithFormula select ($"zNear ignored for {kind.Many}", Unclipped(kind.Formula, near: true, far: false))),
+            .Or(from kind in ShapeKind.Basic select ($"zNear ignored for {kind.Many}", Unclipped(kind.Formula, near: true, far: false))),
         new Mistake("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
             "There is something where the background should be, far away.",
             "Which test uses zFar?",
             "A crossing counts only up to zFar.")
-            .Or(from kind in ShapeKind.WithFormula select ($"zFar ignored for {kind.Many}", Unclipped(kind.Formula, near: false, far: true)))
-            .Or(from kind in ShapeKind.WithFormula select ($"zNear and zFar ignored for {kind.Many}", Unclipped(kind.Formula, near: true, far: true)))
+            .Or(from kind in ShapeKind.Basic select ($"zFar ignored for {kind.Many}", Unclipped(kind.Formula, near: false, far: true)))
+            .Or(from kind in ShapeKind.Basic select ($"zNear and zFar ignored for {kind.Many}", Unclipped(kind.Formula, near: true, far: true)))
             .Or("zNear and zFar asked for planes alone", Unclipped(~Concerns.Planes, near: true, far: true)),
         new Mistake("bias-big", Concerns.Hit, Slides.Bias, "a bias of 1 in place of zNear",
             Bias(1),

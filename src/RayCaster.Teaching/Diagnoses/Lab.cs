@@ -193,12 +193,22 @@ internal sealed partial class Lab
 
     private double? HitOf(Model model, Vector3 d) => model switch
     {
-        Mesh mesh => MeshHits.Nearest(this, mesh, d),
+        Mesh mesh => NearestOf(mesh, d),
         // Most rays pass a triangle by, which its bounds say sooner than its formula.
         Model<Triangle> { Primitive: var triangle } when !TrianglesReachOut
             && new Line(P, d).Misses(triangle.Bounds) => null,
         _ => CrossingsOf(model, d) is { } crossed ? First.Do(crossed, d) : model.Intersect(WholeRay(d)),
     };
+
+    /// <summary>The nearest hit of all triangles. A tree rejects triangles, also behind the camera; the steps decide which hits count.</summary>
+    private double? NearestOf(Mesh mesh, Vector3 d)
+    {
+        if (double.IsNaN(d.X + d.Y + d.Z)) return null; // of a mistaken camera: hits nothing, and no bounds would reject it
+        var along = new AlongRay<Scalar>(RayOf(d));
+        return TrianglesReachOut ? Enumerable.Range(0, mesh.TriangleCount).Min(HitOf) : mesh.Tree.Nearest(P, d, HitOf);
+
+        double? HitOf(int triangle) => First.Do(Triangle.IsChanged ? Triangle.Do(mesh[triangle], d) : mesh[triangle].Intersect(along), d);
+    }
 
     /// <summary>A ray for a model that chooses among its crossings by itself.</summary>
     private Ray WholeRay(Vector3 d) =>

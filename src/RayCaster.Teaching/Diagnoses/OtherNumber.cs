@@ -52,16 +52,16 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
         var size = (c.Target - c.Position).Length;
         double[] lengths = [.. Both([0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6]).Select(x => x * size)];
 
-        yield return Of(lab => x => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x)),
+        yield return Of((lab, x) => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x)),
             x => $"The same picture, about {Times(x, "large", "small")}: look at h, and at fovY.");
-        yield return Of(lab => x => lab.PlaneWidth.Becomes(w => h => w(h) / Math.Pow(2, x)),
+        yield return Of((lab, x) => lab.PlaneWidth.Becomes(w => h => w(h) / Math.Pow(2, x)),
             x => $"The same picture, about {Times(x, "wide", "narrow")}: look at w.");
-        yield return Of(lab => x =>
+        yield return Of((lab, x) =>
         {
             lab.PlaneHeight.Becomes(h => fovY => h(fovY) / Math.Pow(2, x));
             lab.PlaneWidth.Becomes(w => h => w(h) * Math.Pow(2, x));
         }, x => $"The same picture, about {Times(x, "high", "low")}: look at h, while w is right.");
-        yield return Of(lab => x => lab.Reach.Becomes(reach => () => reach() * Math.Pow(2, x)),
+        yield return Of((lab, x) => lab.Reach.Becomes(reach => () => reach() * Math.Pow(2, x)),
             x => $"All outlines are right, only the light: it ends at about {Number(c.Reach * Math.Pow(2, x))}, " +
                 $"while 2 |T − P| is {Number(c.Reach)}. Look at the attenuation, and at the camera's target.");
         yield return new(x => new(With(c.Position, c.Target, zNear: c.ZNear * Math.Pow(2, x))), times,
@@ -78,7 +78,8 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
                     $"the scene says {Number(of(c.Target))}.");
         }
 
-        OtherNumber Of(Func<Lab, Action<double>> edit, Func<double, string> says) => new(x => new(scene, Mistake.Unnamed(lab => edit(lab)(x))), times, says);
+        OtherNumber Of(Action<Lab, double> edit, Func<double, string> says) =>
+            new(x => new(scene, Mistake.Unnamed(lab => edit(lab, x))), times, says);
 
         Scene With(Vector3 P, Vector3 T, double? zNear = null, double? zFar = null) => scene with
         {

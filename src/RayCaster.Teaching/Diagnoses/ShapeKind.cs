@@ -17,7 +17,7 @@ internal sealed record ShapeKind(string Name, string One, string Many, Concerns 
     ];
 
     /// <summary>Those with a formula of their own: a mesh has its triangles'.</summary>
-    public static IEnumerable<ShapeKind> WithFormula => All.DistinctBy(kind => kind.Formula);
+    public static IEnumerable<ShapeKind> Basic => All.DistinctBy(kind => kind.Formula);
 
     /// <summary>The kind of a name; null for a shape of one's own.</summary>
     public static ShapeKind? Of(string name) => Array.Find(All, kind => kind.Name == name);

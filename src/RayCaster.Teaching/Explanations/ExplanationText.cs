@@ -16,7 +16,8 @@ public sealed class ExplanationText
     {
         var writer = new ExplanationText();
         writer.Pixel(pixel);
-        writer.Camera(pixel);
+        writer.Section("Camera", "the same for every pixel");
+        writer.Steps(2, pixel.CameraSteps);
         writer.Ray(pixel);
         writer.Models(pixel);
         writer.Color(pixel);
@@ -32,12 +33,6 @@ public sealed class ExplanationText
             $"{camera.Height} pixels:");
         Line(0, $"{pixel.NameOf(pixel.Winner)}{(pixel.Winner is null ? "" : $" at t = {Digits.Of(pixel.Ray.HitParameter)}")}, bytes {r} {g} {b}");
         foreach (var note in pixel.Notes) Line(0, $"Note: {note}.");
-    }
-
-    private void Camera(PixelExplanation pixel)
-    {
-        Section("Camera", "the same for every pixel");
-        Steps(2, pixel.CameraSteps);
     }
 
     private void Ray(PixelExplanation pixel)
@@ -183,5 +178,5 @@ public sealed class ExplanationText
         Line(0, about.Length == 0 ? title : $"{title}: {about}");
     }
 
-    private void Line(int indent, string line) => text.AppendWrapped(new(' ', indent), line, indent + 4, Width);
+    private void Line(int indent, string line) => text.Wrap(new(' ', indent), line, indent + 4, Width);
 }

@@ -18,8 +18,8 @@ public sealed class PixelExplanation
         Neighbours = [.. FindNeighbours()];
         Models = Explain();
         Others = Count(Trials.Where(trial => Models.All(model => model.Index != trial.Index)));
-        (CameraSteps, RaySteps) = (CameraExplanation.Axes(scene.Camera), CameraExplanation.RaySteps(scene.Camera, column, Row));
-        (AttenuationSteps, ColorSteps, Color) = ColorExplanation.Of(scene, Ray);
+        (CameraSteps, RaySteps) = (PixelSteps.OfCamera(scene.Camera), PixelSteps.OfRay(scene.Camera, column, Row));
+        (AttenuationSteps, ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
         Notes = PixelNotes.Of(this);
     }
 

@@ -28,10 +28,12 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
         var shown = double.IsFinite(pixel.Ray.HitParameter) ? pixel.Ray.HitParameter : camera.Reach / 2;
         var length = crossings.Where(crossing => crossing.T > 0 && crossing.T <= 2 * shown).Select(crossing => crossing.T).Append(shown).Max();
         var fan = new Fan(camera.Position, u, v, Math.Atan2(d * v, d * u), camera.FovY * Math.PI / 180, 20 * length);
+        var end = (U: length * (d * u), V: length * (d * v));
         var depth = -(camera.W * u);
         var isDepth = camera.Clip == Clip.Depth && depth > 0;
         return new([d * u, d * v], isDepth ? camera.ZNear / depth : null, isDepth ? camera.ZFar / depth : null,
-            SectionView.Of(length * (d * u), length * (d * v), length),
+            new(Math.Min(0, end.U) - 0.1 * length, Math.Max(0, end.U) + 0.2 * length,
+                Math.Min(0, end.V) - 0.2 * length, Math.Max(0, end.V) + 0.2 * length),
             [.. pixel.Models.Select(model => fan.Cut(pixel.Scene.Models[model.Index], model))], crossings);
     }
 
@@ -107,12 +109,7 @@ public sealed record RaySection(double[] Direction, double? Near, double? Far, S
 }
 
 /// <summary>The part of the plane to draw.</summary>
-public sealed record SectionView(double Left, double Right, double Bottom, double Top)
-{
-    /// <summary>The part around a ray from P to a point, with a margin.</summary>
-    internal static SectionView Of(double u, double v, double length) =>
-        new(Math.Min(0, u) - 0.1 * length, Math.Max(0, u) + 0.2 * length, Math.Min(0, v) - 0.2 * length, Math.Max(0, v) + 0.2 * length);
-}
+public sealed record SectionView(double Left, double Right, double Bottom, double Top);
 
 /// <summary>The section of one model.</summary>
 /// <param name="Color">Its colour as #rrggbb.</param>

@@ -40,7 +40,7 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
     private ISurface? SurfaceAt(int place, Vector3 d) =>
         scene.Models[hits.Model[place]] is Mesh mesh ? TriangleAt(mesh, hits.T[place], d) : surfaces[hits.Model[place]];
 
-    /// <summary>The renderer returns only which mesh is hit, and at which t: its triangle is the first whose formula gives that t to the bit.</summary>
+    /// <summary>The renderer says only which mesh is hit, and at which t: its triangle is the first whose formula gives that t to the bit.</summary>
     private Triangle TriangleAt(Mesh mesh, double t, Vector3 d)
     {
         var along = new AlongRay<Scalar>(new Ray<Scalar>(camera.Position, d));

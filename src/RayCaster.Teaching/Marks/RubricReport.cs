@@ -20,7 +20,7 @@ public static class RubricReport
                 $"{(unseen.Length > 0 ? $"; no scene shows {string.Join(", ", unseen)}" : "")}");
         }
         string[] free = [.. MistakeCatalog.All.Where(mistake => rubric.ItemOf(mistake.Id) is null).Select(mistake => mistake.Id)];
-        if (free.Length > 0) text.AppendWrapped("", $"These mistakes cost nothing: {string.Join(", ", free)}.");
+        if (free.Length > 0) text.Wrap("", $"These mistakes cost nothing: {string.Join(", ", free)}.");
         text.AppendLine(hidden
             ? "What no scene shows costs nobody anything: \"raycaster check\" says what to change in a scene."
             : "Each mistake of an item shows in one of the scenes at least.");
