@@ -163,9 +163,8 @@ public sealed class Diagnosis
     /// <summary>Diagnoses a picture; for many of one scene see <see cref="SceneDiagnosis"/>.</summary>
     /// <param name="scene">The scene that it should show, at the picture's size.</param>
     /// <param name="picture">The picture; its size is the scene's, or the scene's with width and height swapped.</param>
-    /// <param name="threads">How many threads draw; one per core if left out.</param>
     /// <exception cref="ArgumentException">The picture has another size.</exception>
-    public static Diagnosis Of(Scene scene, Picture picture, int? threads = null) => new SceneDiagnosis(scene, threads).Judge(picture);
+    public static Diagnosis Of(Scene scene, Picture picture) => new SceneDiagnosis(scene).Judge(picture);
 
     private void Answer(DiagnosisSearch search, IReadOnlyCollection<string> done)
     {

@@ -115,13 +115,12 @@ public static class DiagnosisReport
     }
 
     /// <summary>Everything, with the answers.</summary>
-    /// <param name="picture">The picture's size; left out if null.</param>
+    /// <param name="picture">The picture's size.</param>
     /// <param name="scene">The size that the scene's picture should have.</param>
-    /// <param name="hidden">The mistakes that the scene cannot show; left out if null.</param>
+    /// <param name="hidden">The mistakes that the scene cannot show.</param>
     /// <param name="warning">Why all of it may be wrong; left out if null.</param>
-    public static string Json(Diagnosis diagnosis,
-        (int Width, int Height)? picture = null, (int Width, int Height)? scene = null, IReadOnlyList<Mistake>? hidden = null,
-        string? warning = null) =>
+    public static string Json(
+        Diagnosis diagnosis, (int Width, int Height) picture, (int Width, int Height) scene, IReadOnlyList<Mistake> hidden, string? warning) =>
         JsonText.Of(new
         {
             Warning = warning,
@@ -133,15 +132,15 @@ public static class DiagnosisReport
                 Finding.TellsNothing => "tells nothing",
                 _ => "none of these",
             },
-            Mine = Size(picture),
-            Scene = Size(scene),
+            Mine = new { picture.Width, picture.Height },
+            Scene = new { scene.Width, scene.Height },
             Pixels = diagnosis.PixelCount,
             Wrong = diagnosis.WrongCount,
             DarkerByOne = diagnosis.DarkerShare,
             Missing = diagnosis.MissingModel,
             diagnosis.NotYet,
             diagnosis.Likely,
-            CannotShow = hidden?.Select(mistake => mistake.Id),
+            CannotShow = hidden.Select(mistake => mistake.Id),
             Suspects = diagnosis.Suspects
                 .Select((suspect, i) => Json(suspect, i == 0 ? "likely" : suspect.SamePicture ? "as likely" : "less likely"))
                 .Concat(diagnosis.Nearest.Select(nearest => Json(nearest, "nearest, explains too little"))),
@@ -149,8 +148,6 @@ public static class DiagnosisReport
 
     /// <summary>The same object if nothing could be diagnosed, with the reason.</summary>
     public static string Json(string error) => JsonText.Of(new { Finding = "could not tell", Error = error });
-
-    private static object? Size((int Width, int Height)? size) => size is var (width, height) ? new { Width = width, Height = height } : null;
 
     private static object Json(Suspect suspect, string rank) => new
     {

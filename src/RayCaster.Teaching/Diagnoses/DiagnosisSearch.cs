@@ -66,9 +66,6 @@ internal sealed class DiagnosisSearch(
     /// <summary>How many ways to be unfinished are tried together with mistakes.</summary>
     private const int Ways = 8;
 
-    /// <summary>Mistakes that change a whole picture.</summary>
-    private const Concerns Everything = Concerns.Camera | Concerns.Hit | Concerns.Color | Concerns.File;
-
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
     private readonly string[] kinds = Unfinished.KindsOf(pictures);
@@ -203,7 +200,7 @@ internal sealed class DiagnosisSearch(
     /// <summary>The shapes whose formulas a mistake changes; none if it changes whole pictures.</summary>
     private Concerns ChangedShapes(WrongProgram single) => IsOfAll(single) ? 0 : single.Draw(pictures[0].Scene).ChangedShapes;
 
-    private static bool IsOfAll(WrongProgram single) => (single.Wordings[0].Concerns & Everything) != 0;
+    private static bool IsOfAll(WrongProgram single) => (single.Wordings[0].Concerns & Mistake.WholePicture) != 0;
 
     /// <summary>The nearest single mistakes, each with those others that explain most of what it leaves.</summary>
     private List<WrongProgram> Pairs(List<WrongProgram> singles, List<WrongProgram> everySingle, int partners) =>

@@ -139,7 +139,7 @@ internal sealed class Evidence
     /// <summary>Whether a program may explain the picture: it draws a few pixels, except for one, as the picture shows them.</summary>
     public bool MayBeExplainedBy(Lab lab)
     {
-        if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong) return false;
+        if (!CanDraw(lab)) return false;
         var off = 0;
         for (var k = 0; k < Few && off < 2; k++)
         {
@@ -150,8 +150,7 @@ internal sealed class Evidence
     }
 
     /// <summary>Whether a program draws one of the first few wrong pixels right.</summary>
-    public bool IsHelpedBy(Lab lab) => (lab.Width, lab.Height) == (Picture.Width, Picture.Height) && !lab.TakesTooLong
-        && wrongPixels.Take(Few).Any(pixel => IsDrawnBy(lab, pixel));
+    public bool IsHelpedBy(Lab lab) => CanDraw(lab) && wrongPixels.Take(Few).Any(pixel => IsDrawnBy(lab, pixel));
 
     /// <summary>A misfit on a scale for several pictures: 0 if nothing is left, 1 if all that is wrong is left, or more.</summary>
     public double Loss(Misfit misfit) => Math.Min(1,
@@ -165,8 +164,7 @@ internal sealed class Evidence
     /// <param name="share">The share of the chosen pixels that is compared; few show that a mistake is far off.</param>
     public Misfit Misfit(Lab lab, double share = 1)
     {
-        if ((lab.Width, lab.Height) != (Picture.Width, Picture.Height) || lab.TakesTooLong)
-            return new(PixelCount, PixelCount); // nothing is explained
+        if (!CanDraw(lab)) return new(PixelCount, PixelCount); // nothing is explained
         return Misfit(lab, wrongPixels, WrongCount, share) + Misfit(lab, otherPixels, PixelCount - WrongCount, share);
     }
 
@@ -198,6 +196,8 @@ internal sealed class Evidence
         lab.RaysWithin(LeastTests + share * MostTests, pixels);
 
     private (int X, int Y) At(int pixel) => (pixel % Picture.Width, pixel / Picture.Width);
+
+    private bool CanDraw(Lab lab) => (lab.Width, lab.Height) == (Picture.Width, Picture.Height) && !lab.TakesTooLong;
 
     private bool IsDrawnBy(Lab lab, int pixel) => At(pixel) is var (x, y) && IsNear(lab[x, y], Picture[x, y]);
 

@@ -27,6 +27,9 @@ public sealed record Hint(string Symptom, string Question, string Answer);
 /// </summary>
 public sealed class Mistake
 {
+    /// <summary>What concerns every picture, whatever shapes are in it.</summary>
+    internal const Concerns WholePicture = Concerns.Camera | Concerns.Hit | Concerns.Color | Concerns.File;
+
     private readonly List<Mistake> wordings = [];
     private readonly List<(string Cause, Action<Lab> Deviate)> manners = [];
 
@@ -69,16 +72,10 @@ public sealed class Mistake
     internal bool IsWithinRounding { get; }
 
     /// <summary>Whether a scene has what the mistake affects; if not, its picture is right.</summary>
-    public bool Touches(Scene scene) => TouchesAny(scene.Models.Select(KindOf));
+    public bool Touches(Scene scene) => Touches(scene.Models.Select(model => model.Kind));
 
     /// <summary>Whether the mistake affects programs that draw these kinds of shape, by their names in scene files.</summary>
-    public bool Touches(IEnumerable<string> kinds) => TouchesAny(kinds.Select(KindOf));
-
-    private bool TouchesAny(IEnumerable<Concerns> shapes)
-    {
-        const Concerns always = Concerns.Camera | Concerns.Hit | Concerns.Color | Concerns.File;
-        return shapes.Any(shape => (Concerns & shape) != 0) || (Concerns & always) != 0;
-    }
+    public bool Touches(IEnumerable<string> kinds) => (Concerns & WholePicture) != 0 || kinds.Any(kind => (Concerns & KindOf(kind)) != 0);
 
     /// <summary>Its id.</summary>
     public override string ToString() => Id;

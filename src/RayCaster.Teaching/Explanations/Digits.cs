@@ -11,13 +11,12 @@ internal static class Digits
 
     public static string Of(Vector3 v) => Of([v.X, v.Y, v.Z]);
 
-    /// <summary>Two different numbers, with enough digits to show the difference.</summary>
+    /// <summary>Two numbers, with enough digits to show their difference.</summary>
     public static (string A, string B) Apart(double a, double b)
     {
-        for (var digits = 6; digits < 17; digits++)
-            if (Of(a, digits) is var left && Of(b, digits) is var right && left != right)
-                return (left, right);
-        return (Of(a, 17), Of(b, 17));
+        var digits = 6;
+        while (a != b && Of(a, digits) == Of(b, digits) && digits < 17) digits++;
+        return (Of(a, digits), Of(b, digits));
     }
 
     private static string Of(double value, int digits)

@@ -40,7 +40,7 @@ internal static class Reasons
     public static string Compare(string left, double a, string sign, string right, double b)
     {
         var (first, second) = Digits.Apart(a, b);
-        return a == b ? $"{left} = {Digits.Of(a)} {sign} {right} = {Digits.Of(b)}" : $"{left} = {first} {sign} {right} = {second}";
+        return $"{left} = {first} {sign} {right} = {second}";
     }
 
     public static FormulaStep? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name);

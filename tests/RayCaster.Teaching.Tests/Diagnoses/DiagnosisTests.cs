@@ -20,8 +20,8 @@ public class DiagnosisTests
     public void AWarningIsInTheJsonOnlyIfThereIsOne()
     {
         var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.None));
-        Assert.Contains("\"warning\": \"The judge has been edited.\"", DiagnosisReport.Json(diagnosis, warning: "The judge has been edited."));
-        Assert.DoesNotContain("warning", DiagnosisReport.Json(diagnosis));
+        Assert.Contains("\"warning\": \"The judge has been edited.\"", DiagnosisReport.Json(diagnosis, default, default, [], "The judge has been edited."));
+        Assert.DoesNotContain("warning", DiagnosisReport.Json(diagnosis, default, default, [], null));
     }
 
     [Fact]

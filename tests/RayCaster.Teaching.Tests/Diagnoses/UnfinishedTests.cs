@@ -125,7 +125,7 @@ public class UnfinishedTests
         {
             var picture = Drawn("", id);
             var (one, other) = (prepared.Judge(picture), Diagnosis.Of(scene, picture));
-            Assert.Equal(DiagnosisReport.Json(other), DiagnosisReport.Json(one));
+            Assert.Equal(DiagnosisReport.Json(other, default, default, [], null), DiagnosisReport.Json(one, default, default, [], null));
         }
     }
 

@@ -12,7 +12,7 @@ public class OutcomeTests
     [InlineData(1.9, Outcome.BeforeNear)]
     [InlineData(5.1, Outcome.BeyondFar)]
     public void ACrossingThatDoesNotCountHasAReason(double t, Outcome outcome) =>
-        Assert.Equal(outcome, Outcomes.Of(t, new ClipRange(1e-6, 2, 5), 1));
+        Assert.Equal(outcome, Of(t, new(1e-6, 2, 5), 1));
 
     [Fact]
     public void ACrossingShowsExactlyWhereTheClipRangeCountsIt()
@@ -23,6 +23,9 @@ public class OutcomeTests
         foreach (var range in ranges)
             foreach (var t in numbers)
                 foreach (var zPerT in (double[])[0, 0.5, 1, -1])
-                    Assert.Equal(range.Counts<Scalar>(t, zPerT) != 0, Outcomes.Of(t, range, zPerT) == Outcome.Shows);
+                    Assert.Equal(range.Counts<Scalar>(t, zPerT) != 0, Of(t, range, zPerT) == Outcome.Shows);
     }
+
+    private static Outcome Of(double t, ClipRange clip, double zPerT) =>
+        Outcomes.Of(t, new Ray(Vector3.Zero, new(1, 0, 0)) { Clip = clip, ZPerT = zPerT });
 }
