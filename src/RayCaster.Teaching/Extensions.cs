@@ -1,3 +1,5 @@
+using System.Text.Json;
+
 namespace RayCaster.Teaching;
 
 /// <summary>What scenes and pictures show.</summary>
@@ -53,6 +55,12 @@ internal static class Extensions
         public bool IsEdge(int x, int y, int levels) =>
             (x + 1 < picture.Width && PictureDifference.Levels(picture[x, y], picture[x + 1, y]) > levels)
             || (y + 1 < picture.Height && PictureDifference.Levels(picture[x, y], picture[x, y + 1]) > levels);
+    }
+
+    extension(Enum value)
+    {
+        /// <summary>The name in small letters, with blanks between its words.</summary>
+        public string Words => JsonNamingPolicy.KebabCaseLower.ConvertName(value.ToString()).Replace('-', ' ');
     }
 
     extension(StringBuilder text)

@@ -124,14 +124,7 @@ public static class DiagnosisReport
         JsonText.Of(new
         {
             Warning = warning,
-            Finding = diagnosis.Finding switch
-            {
-                Finding.Matches => "matches",
-                Finding.Unfinished => "unfinished",
-                Finding.Mistake => "mistake",
-                Finding.TellsNothing => "tells nothing",
-                _ => "none of these",
-            },
+            Finding = diagnosis.Finding.Words,
             Mine = new { picture.Width, picture.Height },
             Scene = new { scene.Width, scene.Height },
             Pixels = diagnosis.PixelCount,

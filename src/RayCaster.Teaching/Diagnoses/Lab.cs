@@ -22,6 +22,7 @@ internal sealed partial class Lab
             mistake.Deviate(this);
             if (mistake.Id != "center") made++;
         }
+
         SetUp();
     }
 
@@ -197,7 +198,8 @@ internal sealed partial class Lab
         // Most rays pass a triangle by, which its bounds say sooner than its formula.
         Model<Triangle> { Primitive: var triangle } when !TrianglesReachOut
             && new Line(P, d).Misses(triangle.Bounds) => null,
-        _ => CrossingsOf(model, d) is { } crossed ? First.Do(crossed, d) : model.Intersect(WholeRay(d)),
+        _ => CrossingsOf(model, d) is { } crossed ? First.Do(crossed, d)
+            : model.Intersect(new Ray(P, d) { Clip = Camera.ClipRange, ZPerT = Camera.Clip == Clip.Depth ? -(d * W) : 1 }),
     };
 
     /// <summary>The nearest hit of all triangles. A tree rejects triangles, also behind the camera; the steps decide which hits count.</summary>
@@ -209,10 +211,6 @@ internal sealed partial class Lab
 
         double? HitOf(int triangle) => First.Do(Triangle.IsChanged ? Triangle.Do(mesh[triangle], d) : mesh[triangle].Intersect(along), d);
     }
-
-    /// <summary>A ray for a model that chooses among its crossings by itself.</summary>
-    private Ray WholeRay(Vector3 d) =>
-        new(P, d) { Clip = Camera.ClipRange, ZPerT = Camera.Clip == Clip.Depth ? -(d * W) : 1 };
 
     private (byte R, byte G, byte B) Bytes(Color color) => (ToByte(color.R), ToByte(color.G), ToByte(color.B));
 

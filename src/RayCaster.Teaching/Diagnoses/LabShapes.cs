@@ -53,7 +53,7 @@ internal sealed partial class Lab
 
     /// <summary>(axis, t0, t1, d) → the way into that slab and the way out.</summary>
     public Step<Func<int, double, double, Vector3, (double In, double Out)>> Order => field ??=
-        new((_, t0, t1, _) => SlideFormulas.Sorted(t0, t1));
+        new((_, t0, t1, _) => (Math.Min(t0, t1), Math.Max(t0, t1))); // no number if one is none
 
     /// <summary>(axis, box, d) → the same.</summary>
     public Step<Func<int, Aabb, Vector3, (double In, double Out)>> Slab => field ??= new((axis, box, d) =>

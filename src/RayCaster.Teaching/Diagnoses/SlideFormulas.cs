@@ -23,9 +23,6 @@ internal static class SlideFormulas
     /// <summary>The least of three; no number if one is none.</summary>
     public static double Least(double x, double y, double z) => Math.Min(Math.Min(x, y), z);
 
-    /// <summary>The lesser first; no number if one is none.</summary>
-    public static (double, double) Sorted(double t0, double t1) => (Math.Min(t0, t1), Math.Max(t0, t1));
-
     /// <summary>Whether u and v are those of a point in the triangle.</summary>
     public static bool IsInside(double u, double v) => u >= 0 && v >= 0 && u + v <= 1;
 }

@@ -22,7 +22,8 @@ internal static class JUnitReport
     private static XElement? Outcome(StudentMarks student, ItemMarks item) =>
         student.CommonProblem is { } problem ? Message("error", problem)
         : item.Open > 0 ? Message("skipped", "The teacher must look: " + string.Join("; ", student.LookYourself))
-        : IsLost(item) ? Message("failure", $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)} points. {MarkWords.Symptoms(item)}")
+        : IsLost(item) ? Message("failure", $"{MarksTable.Number(item.Points)} of {MarksTable.Number(item.Of)} points. " +
+            string.Join(" ", item.Because.Select(MarkWords.Symptom))) // what one sees, not what is wrong
         : null;
 
     private static bool IsLost(ItemMarks item) => item.Open == 0 && item.Points < item.Of;

@@ -2,9 +2,6 @@ namespace RayCaster.Teaching;
 
 internal static class MarkWords
 {
-    /// <summary>What one sees of the mistakes that cost an item, without what is wrong.</summary>
-    public static string Symptoms(ItemMarks item) => string.Join(" ", item.Because.Select(Symptom));
-
     /// <summary>What one sees of a mistake, or what is not drawn yet.</summary>
     public static string Symptom(string because) => MistakeCatalog.Named(because)?.Hint.Symptom ?? NotDrawn(because);
 

@@ -20,7 +20,8 @@ public class DiagnosisTests
     public void AWarningIsInTheJsonOnlyIfThereIsOne()
     {
         var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.None));
-        Assert.Contains("\"warning\": \"The judge has been edited.\"", DiagnosisReport.Json(diagnosis, default, default, [], "The judge has been edited."));
+        var warned = DiagnosisReport.Json(diagnosis, default, default, [], "The judge has been edited.");
+        Assert.Contains("\"warning\": \"The judge has been edited.\"", warned);
         Assert.DoesNotContain("warning", DiagnosisReport.Json(diagnosis, default, default, [], null));
     }
 
