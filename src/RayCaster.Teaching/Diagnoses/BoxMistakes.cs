@@ -21,10 +21,9 @@ internal static class BoxMistakes
             .Or("box: t0 and t1 swapped where t0 < t1", Ordered("xyz", (t0, t1) => (Math.Max(t0, t1), Math.Min(t0, t1))))
             .Or(from axis in (string[])["x", "y", "z"]
                 select ($"box: t0 and t1 swapped where t0 < t1, for {axis}", Ordered(axis, (t0, t1) => (Math.Max(t0, t1), Math.Min(t0, t1)))))
-            .Or(from axes in (string[])["xyz", "x", "y", "z"]
-                select ($"box: only t0 changed where both should be swapped, for {axes}", Half(axes, first: true)))
-            .Or(from axes in (string[])["xyz", "x", "y", "z"]
-                select ($"box: only t1 changed where both should be swapped, for {axes}", Half(axes, first: false))),
+            .Or(from first in (bool[])[true, false]
+                from axes in (string[])["xyz", "x", "y", "z"]
+                select ($"box: only {(first ? "t0" : "t1")} changed where both should be swapped, for {axes}", Half(axes, first))),
         new Mistake("slab-minmin", Concerns.Boxes, Slides.BoxTest, "box: t_min is the least way in, not the last",
             Folded(Least, Least),
             "Boxes smear over the picture.",
@@ -39,8 +38,8 @@ internal static class BoxMistakes
                 select ($"box: asked axis by axis, with the other of min and max for {Names(turned)}", AxisByAxis(turned: turned)))
             .Or("box: t_min stays −∞", lab => lab.LastIn.Is((_, _, _) => -endless))
             .Or("box: t_max stays +∞", lab => lab.FirstOut.Is((_, _, _) => endless))
-            .Or("box: t_min ≤ t_max is not asked", Asked((_, _) => true))
-            .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", Asked((tMin, tMax) => tMin > tMax)),
+            .Or("box: t_min ≤ t_max is not asked", lab => lab.Overlap.Is((_, _) => true))
+            .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", lab => lab.Overlap.Is((tMin, tMax) => tMin > tMax)),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten",
             Corners(box => new(box.Min with { Z = -endless }, box.Max with { Z = endless })),
             "Boxes are endless columns.",
@@ -188,9 +187,6 @@ internal static class BoxMistakes
         string[] steps = ["y asked", "z asked", "y in t_min", "z in t_min", "y in t_max", "z in t_max"];
         return string.Join(", ", steps.Where((_, i) => (left >> i & 1) != 0));
     }
-
-    /// <summary>Another question about t_min and t_max than t_min ≤ t_max.</summary>
-    private static Action<Lab> Asked(Func<double, double, bool> isHit) => lab => lab.Overlap.Is(isHit);
 
     private static Action<Lab> Corners(Func<Aabb, Aabb> other) => lab => lab.Box.Becomes(cross => (box, d) => cross(other(box), d));
 }

@@ -273,12 +273,10 @@ internal sealed class DiagnosisSearch(
     private List<WrongProgram> BestPairs(List<WrongProgram> pairs) => Best(pairs, [(0.04, int.MaxValue), .. rounds[1..]]);
 
     /// <summary>Compares all trials, then the best ones more closely, and sorts these.</summary>
-    private List<WrongProgram> Best(List<WrongProgram> trials) => Best(trials, rounds);
-
-    private List<WrongProgram> Best(List<WrongProgram> trials, (double Share, int Trials)[] rounds)
+    private List<WrongProgram> Best(List<WrongProgram> trials, (double Share, int Trials)[]? otherRounds = null)
     {
         if (trials.Count > Many) trials = Measured(trials, Glance)[..(trials.Count / 4)];
-        foreach (var (share, most) in rounds)
+        foreach (var (share, most) in otherRounds ?? rounds)
         {
             var kept = Math.Min(trials.Count, most == int.MaxValue ? most : Math.Max(most, share < 1 ? trials.Count / 8 : most));
             trials = Measured(trials[..kept], share);

@@ -69,12 +69,12 @@ internal static class SphereMistakes
             .Or("sphere: thc = √|R² − D|", lab => lab.Thc2.Is((R, D2) => Math.Abs(R * R - Math.Sqrt(D2))))
             .Or("sphere: D > R² asked too", lab => lab.D2.Becomes(D2 => (L2, tca) => Math.Sqrt(D2(L2, tca))))
             .Or("sphere: thc = √(R² − D⁴)", Unasked((R, D2) => R * R - D2 * D2))
-            .Or("sphere: D² = |L| − tca²", Distance((L2, tca) => Math.Sqrt(L2) - tca * tca))
-            .Or("sphere: D² = L² − tca", Distance((L2, tca) => L2 - tca))
-            .Or("sphere: D = |L| − tca", Distance((L2, tca) => (Math.Sqrt(L2) - tca) * (Math.Sqrt(L2) - tca)))
-            .Or("sphere: D² = |L| − tca", Distance((L2, tca) => Math.Sqrt(L2) - tca))
-            .Or("sphere: D² = L² + tca²", Distance((L2, tca) => L2 + tca * tca))
-            .Or("sphere: D² = tca² − L²", Distance((L2, tca) => tca * tca - L2))
+            .Or("sphere: D² = |L| − tca²", lab => lab.D2.Is((L2, tca) => Math.Sqrt(L2) - tca * tca))
+            .Or("sphere: D² = L² − tca", lab => lab.D2.Is((L2, tca) => L2 - tca))
+            .Or("sphere: D = |L| − tca", lab => lab.D2.Is((L2, tca) => (Math.Sqrt(L2) - tca) * (Math.Sqrt(L2) - tca)))
+            .Or("sphere: D² = |L| − tca", lab => lab.D2.Is((L2, tca) => Math.Sqrt(L2) - tca))
+            .Or("sphere: D² = L² + tca²", lab => lab.D2.Is((L2, tca) => L2 + tca * tca))
+            .Or("sphere: D² = tca² − L²", lab => lab.D2.Is((L2, tca) => tca * tca - L2))
             .Or("sphere: thc = √(R² + D²)", lab => lab.Thc2.Is((R, D2) => R * R + D2)),
         new Mistake("thc-nosqrt", Concerns.Spheres, Slides.Sphere, "sphere: thc = R² − D² without the root",
             lab => lab.Thc.Is(thc2 => thc2),
@@ -125,9 +125,6 @@ internal static class SphereMistakes
         lab.NeverPassesBy = true;
         lab.Thc2.Is(thc2);
     };
-
-    /// <summary>Another D², from L² and tca.</summary>
-    private static Action<Lab> Distance(Func<double, double, double> D2) => lab => lab.D2.Is(D2);
 
     /// <summary>Other numbers for the 2 in b, the 4 in b² − 4ac and the 2 in / 2a, at most two of them wrong.</summary>
     private static IEnumerable<(string, Action<Lab>)> OtherFactors() =>

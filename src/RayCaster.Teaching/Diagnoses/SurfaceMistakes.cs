@@ -95,12 +95,12 @@ internal static class SurfaceMistakes
                 lab.TriangleByVolumes(triangle, d, inside: (u, v, _) => IsInside(u, v))))
             .Or("triangle: the three areas compared with twice the triangle's",
                 lab => lab.TriangleIs((triangle, d) => lab.TriangleByAreas(triangle, d, slack: 1)))
-            .Or(ThirdSide("u² + v² ≤ 1", (u, v) => u * u + v * v <= 1))
-            .Or(ThirdSide("u + v ≤ 1/2", (u, v) => u + v <= 0.5))
-            .Or(ThirdSide("u − v ≤ 1", (u, v) => u - v <= 1))
-            .Or(ThirdSide("v − u ≤ 1", (u, v) => v - u <= 1))
-            .Or(ThirdSide("u + v ≥ 1", (u, v) => u + v >= 1))
-            .Or(ThirdSide("u v ≤ 1", (u, v) => u * v <= 1)),
+            .Or(from third in ((string Is, Func<double, double, bool> Holds)[])
+                [
+                    ("u² + v² ≤ 1", (u, v) => u * u + v * v <= 1), ("u + v ≤ 1/2", (u, v) => u + v <= 0.5), ("u − v ≤ 1", (u, v) => u - v <= 1),
+                    ("v − u ≤ 1", (u, v) => v - u <= 1), ("u + v ≥ 1", (u, v) => u + v >= 1), ("u v ≤ 1", (u, v) => u * v <= 1),
+                ]
+                select ($"triangle: {third.Is} where u + v ≤ 1 is meant", TriangleWhere((u, v) => u >= 0 && v >= 0 && third.Holds(u, v)))),
         new Mistake("tri-cull", Concerns.Triangles, Slides.Triangle, "triangle: left out where its corners run clockwise (d·n ≥ 0)",
             Cull(0, 0, 1),
             "Some triangles are missing; they come back when two corners are swapped.",
@@ -180,9 +180,5 @@ internal static class SurfaceMistakes
         }
     }
 
-    private static IEnumerable<(string, Action<Lab>)> ThirdSide(string what, Func<double, double, bool> holds) =>
-        [($"triangle: {what} where u + v ≤ 1 is meant", TriangleWhere((u, v) => u >= 0 && v >= 0 && holds(u, v)))];
-
     private static Action<Lab> TriangleWhere(Func<double, double, bool> inside) => lab => lab.Inside.Is(inside);
-
 }

@@ -12,7 +12,7 @@ internal static class VectorMistakes
             "U = (up × W) normalised.")
             .Or("U is normalised only after V = W × U",
                 lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, w)) * V(w, u)))
-            .Or("U is not normalised, but V is", Longer(1, 0, lab => lab.Cross.Do(lab.Camera.Up, lab.W))),
+            .Or("U is not normalised, but V is", Longer(false, lab => lab.Cross.Do(lab.Camera.Up, lab.W))),
         new Mistake("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",
             lab => lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t)),
             "Everything is drawn out, the more the farther the target is, or zFar has cut all of it away.",
@@ -27,9 +27,9 @@ internal static class VectorMistakes
             .Or("d = uc U + ur V − zNear W, while h and w are those at 1",
                 lab => lab.PlaneHeight.Becomes(h => fovY => h(fovY) / lab.Camera.ZNear))
             .Or(from up in ((string Name, Func<Lab, Vector3> Of)[])[("up", lab => lab.Camera.Up), ("up / |up|", lab => lab.Unit.Do(lab.Camera.Up))]
-                from ofV in (int[])[0, 1]
-                select ($"U = {up.Name} × (P − T){(ofV == 0 ? ", and V is normalised" : ", V = W × U")}",
-                    Longer(1, ofV, lab => lab.Cross.Do(up.Of(lab), lab.P - lab.T))))
+                from alsoV in (bool[])[false, true]
+                select ($"U = {up.Name} × (P − T){(alsoV ? ", V = W × U" : ", and V is normalised")}",
+                    Longer(alsoV, lab => lab.Cross.Do(up.Of(lab), lab.P - lab.T))))
             .Or("V = (T − P) × U", lab => lab.AxisV.Becomes(V => (w, u) => -lab.Length.Do(lab.T - lab.P) * V(w, u))),
         new Mistake("norm-copy", Concerns.Camera, Slides.Vectors,
             "W, U and d are not normalised: Normalize() changes a copy, or its result is not used",
@@ -131,12 +131,9 @@ internal static class VectorMistakes
             .Or(Crosses("components have moved back by one place", (_, _, n) => new(n.Z, n.X, n.Y))),
     ];
 
-    /// <summary>U or V or both as long as a vector is: 1 for as long, 0 for normalised.</summary>
-    private static Action<Lab> Longer(int ofU, int ofV, Func<Lab, Vector3> vector) => lab => lab.Towards.Becomes(towards => (uc, ur) =>
-    {
-        var length = lab.Length.Do(vector(lab));
-        return towards(uc * (ofU == 0 ? 1 : length), ur * (ofV == 0 ? 1 : length));
-    });
+    /// <summary>U, or U and V, as long as a vector is.</summary>
+    private static Action<Lab> Longer(bool alsoV, Func<Lab, Vector3> vector) => lab => lab.Towards.Becomes(towards => (uc, ur) =>
+        lab.Length.Do(vector(lab)) is var length ? towards(uc * length, alsoV ? ur * length : ur) : default);
 
     /// <summary>uc U + ur V − |T − P| W.</summary>
     private static void LengthenW(Lab lab) => lab.Towards.Becomes(towards => (uc, ur) =>

@@ -6,12 +6,10 @@ namespace RayCaster.Teaching;
 /// </summary>
 public sealed class OddPicture(Color background)
 {
-    private const int Black = 0;
-
-    private readonly List<int> seen = new(3); // red, green and blue in one number
+    private readonly List<(byte R, byte G, byte B)> seen = new(3);
 
     /// <summary>Whether the lines so far look like a mistake.</summary>
-    public bool IsOdd => seen.Count <= 1 || (seen.Count == 2 && seen.Contains(Black) && seen.Contains(Number(background.ToBytes())));
+    public bool IsOdd => seen.Count <= 1 || (seen.Count == 2 && seen.Contains(default) && seen.Contains(background.ToBytes()));
 
     /// <summary>Takes the next lines.</summary>
     /// <param name="rgb">Whole lines of red, green and blue.</param>
@@ -21,10 +19,8 @@ public sealed class OddPicture(Color background)
         var isOneColor = rgb[3..].SequenceEqual(rgb[..^3]); // each pixel is like its left neighbour
         for (var i = 0; i < (isOneColor ? 3 : rgb.Length) && seen.Count <= 2; i += 3)
         {
-            var pixel = Number((rgb[i], rgb[i + 1], rgb[i + 2]));
+            var pixel = (rgb[i], rgb[i + 1], rgb[i + 2]);
             if (!seen.Contains(pixel)) seen.Add(pixel);
         }
     }
-
-    private static int Number((byte R, byte G, byte B) pixel) => pixel.R << 16 | pixel.G << 8 | pixel.B;
 }

@@ -71,11 +71,7 @@ public static class RubricReader
             else if (before.FirstOrDefault(item => item.Mistakes.Contains(mistakes[i])) is { } other)
                 o.Refuse("mistakes", $" is {mistakes[i]}, which costs points of \"{other.Name}\" already: a mistake belongs to one item", i);
         }
-        var words = string.Join(", ", Diagnosis.Parts);
-        for (var i = 0; i < undone.Count; i++)
-            if (!Diagnosis.Parts.Contains(undone[i]))
-                o.Refuse("undone",
-                    $" must be one of {words}, but is \"{undone[i]}\"{Spelling.DidYouMean(undone[i], Diagnosis.Parts)}", i);
+        RefuseUnknown(o, "undone", undone, Diagnosis.Parts);
         return new(name, points, each, mistakes, undone.Contains("triangle") ? [.. undone, "mesh"] : undone); // a mesh is its triangles
     }
 
@@ -104,8 +100,8 @@ public static class RubricReader
         if (run.Count > 0)
             foreach (var needed in (ReadOnlySpan<string>)["{scene}", "{out}"])
                 if (!run.Any(word => word.Contains(needed))) o.Refuse("run", $" must say where {needed} goes");
-        RefuseUnknownPlaces(o, "run", run);
-        RefuseUnknownPlaces(o, "build", build);
+        RefuseUnknown(o, "run", run, places, " or a word", word => word is not ['{', .., '}']);
+        RefuseUnknown(o, "build", build, places, " or a word", word => word is not ['{', .., '}']);
         WarnOfMissingProgram(o, "run", run);
         WarnOfMissingProgram(o, "build", build);
         const double megabyte = 1e6;
@@ -117,12 +113,12 @@ public static class RubricReader
         return new(pictures ?? "{name}.png", build, run, limits);
     }
 
-    private static void RefuseUnknownPlaces(SceneObject o, string key, IReadOnlyList<string> words)
+    private static void RefuseUnknown(SceneObject o, string key, IReadOnlyList<string> words, IReadOnlyList<string> known,
+        string orElse = "", Predicate<string>? isElse = null)
     {
-        for (var i = 0; i < words.Count; i++)
-            if (words[i] is ['{', .., '}'] && !places.Contains(words[i]))
-                o.Refuse(key,
-                    $" must be one of {string.Join(", ", places)} or a word, but is \"{words[i]}\"{Spelling.DidYouMean(words[i], places)}", i);
+        foreach (var (i, word) in words.Index())
+            if (!known.Contains(word) && isElse?.Invoke(word) != true)
+                o.Refuse(key, $" must be one of {string.Join(", ", known)}{orElse}, but is \"{word}\"{Spelling.DidYouMean(word, known)}", i);
     }
 
     private static void WarnOfMissingProgram(SceneObject o, string key, IReadOnlyList<string> words)
