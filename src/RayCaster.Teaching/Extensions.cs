@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace RayCaster.Teaching;
 
-/// <summary>What scenes and pictures show.</summary>
+/// <summary>What scenes, meshes and pictures show, and what texts for people share.</summary>
 internal static class Extensions
 {
     private static readonly ConditionalWeakTable<Mesh, TriangleTree> trees = [];

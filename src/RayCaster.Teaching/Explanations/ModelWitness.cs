@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>Finds what becomes of a ray, for one model.</summary>
 internal static class ModelWitness
 {
-    /// <param name="t">The t that counts, else that of a crossing that does not; NaN if there is none.</param>
+    /// <param name="t">The t that counts, else that of a crossing that does not; not finite if there is none.</param>
     /// <returns><see cref="Outcome.Shows"/> for a hit, whatever else is in the scene.</returns>
     public static Outcome Judge(Model model, Ray ray, out double t) =>
         model is Mesh mesh ? JudgeMesh(mesh, ray, out t)
