@@ -17,16 +17,16 @@ public static class LabSteps
     /// <summary>The step, from 1, in which students write the code of a slide; 0 for a slide without code.</summary>
     public static int StepOf(string slide) => slide switch
     {
-        "IDE & Vectors" => 1,
+        Slides.Vectors => 1,
         "Ray" => 2,
-        "Ray – Plane Intersection" => 3,
-        "Camera" or "Camera Pixel Translation" or "Ray Casting" => 4,
-        "Primitive Shading" => Shading,
-        "zNear & zFar" or "Bias" => Clipping,
-        "AABB – intersection parameters" or "AABB checking for intersection" => 7,
-        "Sphere – Geometric Solution" or "Sphere – Analytical Solution" => 8,
-        "Circle" => 9,
-        "Triangle" => 10,
+        Slides.RayPlane => 3,
+        Slides.Camera or Slides.PixelTranslation or Slides.RayCasting => 4,
+        Slides.Shading => Shading,
+        Slides.ClipPlanes or Slides.Bias => Clipping,
+        Slides.BoxParameters or Slides.BoxTest => 7,
+        Slides.Sphere or Slides.SphereAnalytical => 8,
+        Slides.Circle => 9,
+        Slides.Triangle => 10,
         _ => 0,
     };
 
