@@ -45,6 +45,7 @@ public class SceneVariationTests
     }
 
     [Fact] // its square picture shows "size-mixed" in one wording only, by the last bits of numbers that are equal by symmetry
+    [Trait("kind", "campaign")] // it draws every mistake
     public void TheCoursesRoomCanBeVaried() =>
         Assert.NotNull(SceneVariation.Of(File.ReadAllBytes(ProjectFolder.PathOf("scenes/room.json")), "", "anna"));
 
