@@ -29,10 +29,9 @@ internal static class ModelsText
         var rows = wrong.Take(MostRows).Select(model =>
             $"  {model.Name.PadRight(width)}  {ComparisonText.Number(model.Pixels),10}  {ComparisonText.Number(model.Wrong),10}" +
             $"  {ComparisonText.Share(model.Wrong, model.Pixels)}\n");
-        var right = scene.Models.Count - wrong.Length;
         return $"\n  {"model".PadRight(width)}      pixels       wrong\n" + string.Concat(rows) +
             (wrong.Length > MostRows ? $"  and {wrong.Length - MostRows} more\n" : "") +
-            (right > 0 ? $"  {(right == 1 ? "the other" : $"the {right} others")}: none wrong\n" : "") + "\n";
+            (wrong.Length < scene.Models.Count ? "  all others: none wrong\n" : "") + "\n";
     }
 
     /// <summary>A sentence for each wrong model.</summary>

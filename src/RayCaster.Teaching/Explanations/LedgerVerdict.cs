@@ -108,7 +108,8 @@ internal static class LedgerVerdict
             yield return entry.Hits > 0
                 ? Invariant($"{entry.Label} does not show: it is hit by {entry.Hits:N0} {(entry.Hits == 1 ? "ray" : "rays")}, ") +
                     "but something nearer hides it there."
-                : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}.";
+                : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}" +
+                    (ScalarRenderer.IsChanged ? ", or a formula that was changed finds no crossing." : ".");
         }
         if (missing > MostNamed) yield return Invariant($"Nor do {missing - MostNamed:N0} more.");
     }
