@@ -15,7 +15,8 @@ public class Sphere(Vector3 center, double radius) : Model
         // BEGIN SOLUTION "Sphere – Geometric Solution"
         var L = C - ray.Origin;
         var t_ca = L * ray.Direction;
-        // "t_ca should be greater than zero" holds for a camera outside. Around the camera the centre may lie behind and the sphere still shows.
+        // The slide's "t_ca should be greater than zero" is right only for a camera outside the sphere: from inside, one sees the sphere even if
+        // its centre lies behind.
 
         // The slide's Pythagoras, D² = L² − t_ca², subtracts two large, nearly equal numbers for a far sphere, and its outline moves.
         // The vector from the ray's nearest point to C has the same length, and all its digits.

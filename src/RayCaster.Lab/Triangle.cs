@@ -13,8 +13,8 @@ public class Triangle(Vector3 a, Vector3 b, Vector3 c) : Model
         if (d * n == 0) return; // edge-on
         var t = (A - ray.Origin) * n / (d * n);
 
-        // X = w A + u B + v C with w + u + v = 1. w, u and v are in proportion to the volumes that d spans with the corners seen from P.
-        // Two triangles that share an edge get the same volume for it, with opposite signs. So no ray passes between them.
+        // X = w A + u B + v C with w + u + v = 1. Here w, u and v are not yet divided by their sum: each is the volume that d spans with two
+        // corners, seen from P. Two triangles that share an edge get the same volume for it, with opposite signs: no ray passes between them.
         // The slide's strict u > 0 would lose the rays through the edge itself: pinholes in every mesh.
         var (a, b, c) = (A - ray.Origin, B - ray.Origin, C - ray.Origin);
         var (w, u, v) = (d * (b % c), d * (c % a), d * (a % b));

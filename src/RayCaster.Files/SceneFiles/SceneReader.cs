@@ -114,7 +114,7 @@ public static class SceneReader
     {
         var view = target - position;
         if (view.Length == 0 || double.IsInfinity(view.Length)) RefuseTarget(o, position, target);
-        else if ((up % view.Normalized).Length <= 1e-12 * up.Length) RefuseUp(o, up);
+        else if (Camera.IsParallel(up, view)) RefuseUp(o, up);
     }
 
     private static void RefuseTarget(SceneObject o, Vector3 position, Vector3 target)

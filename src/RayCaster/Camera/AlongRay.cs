@@ -12,8 +12,8 @@ public readonly struct AlongRay<N> where N : struct, IReal<N>
     private readonly N mostlyX, isYAtLeastZ; // masks: the axis that d follows most is x; otherwise y if it is at least z, else z
     private readonly N slopeX, slopeY;       // how far the ray moves sideways for one step along z
 
-    /// <summary>How far the ray moves along the renamed z for one unit of t.</summary>
-    public readonly N ZPerT;
+    /// <summary>d's coordinate along the renamed z: how far the ray moves along it for one unit of t.</summary>
+    public readonly N Dz;
 
     /// <summary>Renames the axes for a ray; a zero in d needs no care, because the slopes divide by its largest coordinate.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
@@ -25,7 +25,7 @@ public readonly struct AlongRay<N> where N : struct, IReal<N>
         mostlyX = (x >= y) & (x >= z);
         isYAtLeastZ = y >= z;
         d = Turn(d);
-        (slopeX, slopeY, ZPerT) = (d.X / d.Z, d.Y / d.Z, d.Z);
+        (slopeX, slopeY, Dz) = (d.X / d.Z, d.Y / d.Z, d.Z);
     }
 
     /// <summary>A point in this view: X and Y across the ray, Z along it.</summary>

@@ -90,11 +90,14 @@ public sealed class Camera
             var view = Target - Position;
             return view.Length == 0 ? $"the camera is at its target, {Target}"
                 : !double.IsFinite(view.Length) ? $"the camera is at {Position}, too far from its target {Target}"
-                : (Up % view.Normalized).Length <= 1e-12 * Up.Length ? $"the camera at {Position} looks along up, which is {Up}"
+                : IsParallel(Up, view) ? $"the camera at {Position} looks along up, which is {Up}"
                 : !(FovY > 0 && FovY < 180) ? FormattableString.Invariant($"fovY is {FovY}, but must be between 0 and 180")
                 : null;
         }
     }
+
+    /// <summary>Whether up and the view direction are parallel: |up × W| ≤ 1e-12 · |up|. The lengths of both do not matter.</summary>
+    public static bool IsParallel(Vector3 up, Vector3 view) => (up % view.Normalized).Length <= 1e-12 * up.Length;
 
     /// <summary>The same camera with another number of pixels.</summary>
     public Camera WithSize(int width, int height) => new(Parameters with { Width = width, Height = height });

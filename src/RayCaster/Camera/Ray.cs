@@ -27,7 +27,7 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     public Vector3 At(double t) => Origin + t * Direction;
 
     /// <summary>Whether a crossing at t counts: not behind, beyond the bias, within the clip range. False for NaN.</summary>
-    public bool Counts(double t) => Clip.Counts<Scalar>(t, ZPerT) != 0;
+    public bool Counts(double t) => Clip.Counts<Scalar>(t, ZPerT).Value != 0;
 
     /// <summary>Intersects a model, and keeps its hit if that is nearer than all before. Of equal ones the first is kept.</summary>
     public void Meet(Model model)

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace RayCaster;
 
-/// <summary><see cref="Vector3"/> over any kind of number, with the same operators, for the formulas of primitives.</summary>
+/// <summary><see cref="Vector3"/> over any kind of number, with the operators that formulas of primitives need.</summary>
 [method: MethodImpl(MethodImplOptions.AggressiveInlining)]
 public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
 {

@@ -24,16 +24,16 @@ public readonly record struct Aabb(Vector3 Min, Vector3 Max) : IPrimitive, IBoun
         return new(N.If(hit, tMin), N.If(hit, tMax));
     }
 
-    /// <summary>Where the ray enters and leaves the slab lo ≤ coordinate ≤ hi.</summary>
+    /// <summary>Where the ray enters and leaves the slab B0 ≤ coordinate ≤ B1, along one axis.</summary>
     /// <remarks>
     /// A ray parallel to the slab (d = 0) divides by 0. Inside this gives −∞ and +∞; outside twice the same infinity, so that the intersection
     /// is empty. Exactly on a face it gives 0 / 0, NaN: the face belongs to the slab, so the ray is inside from −∞ to +∞.
     /// </remarks>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private static Crossings<N> Slab<N>(N lo, N hi, N origin, N direction) where N : struct, IReal<N>
+    private static Crossings<N> Slab<N>(N B0, N B1, N P, N d) where N : struct, IReal<N>
     {
-        var t0 = ((lo - origin) / direction).As("t0");
-        var t1 = ((hi - origin) / direction).As("t1");
+        var t0 = ((B0 - P) / d).As("t0");
+        var t1 = ((B1 - P) / d).As("t1");
         return new(N.Or(N.Min(t0, t1), double.NegativeInfinity), N.Or(N.Max(t0, t1), double.PositiveInfinity));
     }
 

@@ -42,7 +42,7 @@ public readonly record struct Triangle(Vector3 A, Vector3 B, Vector3 C) : IPrimi
         var inside = ((u >= 0) & (v >= 0) & (w >= 0)) | ((u <= 0) & (v <= 0) & (w <= 0));
         var between = ((a.X <= 0) | (b.X <= 0) | (c.X <= 0)) & ((a.X >= 0) | (b.X >= 0) | (c.X >= 0))
             & ((a.Y <= 0) | (b.Y <= 0) | (c.Y <= 0)) & ((a.Y >= 0) | (b.Y >= 0) | (c.Y >= 0));
-        var t = (w * a.Z + u * b.Z + v * c.Z) / ((w + u + v) * along.ZPerT);
+        var t = (w * a.Z + u * b.Z + v * c.Z) / ((w + u + v) * along.Dz);
         return new(N.If(inside & between, t));
     }
 
