@@ -46,7 +46,7 @@ internal sealed class CheckCommand : Command
             if (reading.Scene is { } scene)
             {
                 scenes.Add(scene);
-                if (SceneInput.WarnOfEditedJudge(path, scene) is { } warning) warnings.Add(warning);
+                if (SceneInput.WarnOfChangedFormulas(path, scene) is { } warning) warnings.Add(warning);
             }
             var unread = reading.Problems.Any(problem => problem.IsError && problem.Line == 0);
             if (line.Has(Option.Json)) StandardFile.WriteError(reading.Report());

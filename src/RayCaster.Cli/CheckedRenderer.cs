@@ -7,7 +7,7 @@ namespace RayCaster.Cli;
 /// <param name="manyFrames">Whether many pictures are drawn in this process (<see cref="Renderer.ManyFrames"/>).</param>
 internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, bool manyFrames = false)
 {
-    /// <summary>The definition draws a picture of up to so many pixels in one call. It draws a larger one in strips, which need less
+    /// <summary>The definition draws a picture of up to this many pixels in one call. It draws a larger one in strips, which need less
     /// memory.</summary>
     private const long PixelsAtOnce = 1 << 22;
 

@@ -51,7 +51,7 @@ internal sealed class CompareCommand : Command
         {
             scene = SceneInput.Read(path, line, cancellation, warns: false);
             if (scene is null) return ExitCode.CouldNot;
-            warning = SceneInput.WarnOfEditedJudge(path, scene);
+            warning = SceneInput.WarnOfChangedFormulas(path, scene);
         }
 
         var comparison = new PictureComparison(mine, reference, scene, threads);

@@ -59,7 +59,7 @@ internal sealed class DiagnoseCommand : Command
             if (json) StandardFile.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
             return ExitCode.CouldNot;
         }
-        var warning = SceneInput.WarnOfEditedJudge(scenePath, scene);
+        var warning = SceneInput.WarnOfChangedFormulas(scenePath, scene);
 
         var picture = PictureFile.Read(picturePath);
         var size = (scene.Camera.Width, scene.Camera.Height);

@@ -12,7 +12,7 @@ internal static class MistakeOutput
         var format = PictureOutput.FormatOf(line, output);
         PictureOutput.KeepOffTerminal(output);
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
-        SceneInput.WarnOfEditedJudge(path, scene);
+        SceneInput.WarnOfChangedFormulas(path, scene);
 
         var picture = MistakeCatalog.Draw(scene, mistakes, line.ThreadCount());
         PictureOutput.Write(output, picture, format, cancellation);

@@ -23,7 +23,7 @@ internal static class SceneInput
     /// <summary>Prints a warning if this build's picture of the scene differs from the stored reference: then it cannot judge other
     /// pictures.</summary>
     /// <returns>The warning; null if there is none.</returns>
-    public static string? WarnOfEditedJudge(string path, Scene scene)
+    public static string? WarnOfChangedFormulas(string path, Scene scene)
     {
         if (path == Standard || StoredReference.Contradiction(path, scene) is not { } message) return null;
         var warning = $"{message}. What follows may be wrong.";

@@ -37,7 +37,7 @@ internal sealed class VaryCommand : Command
         var reading = SceneReader.Read(path);
         StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene) return reading.Text.IsEmpty ? ExitCode.CouldNot : ExitCode.No;
-        SceneInput.WarnOfEditedJudge(path, scene);
+        SceneInput.WarnOfChangedFormulas(path, scene);
 
         var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
         var newFolder = Path.GetDirectoryName(Path.GetFullPath(output))!;

@@ -3,10 +3,11 @@ namespace RayCaster.Files;
 /// <summary>Reads all bytes of a file or stream, which may be a pipe that never ends.</summary>
 internal static class InputBytes
 {
-    /// <summary>Reads a file in the form of a scene file; if that fails, returns the reason.</summary>
+    /// <summary>Reads a file in the form of a scene file.</summary>
     /// <param name="kind">What messages call such a file.</param>
     /// <param name="remedy">What to do if it has more than <paramref name="most"/> bytes.</param>
-    public static string? WhyNot(string path, string kind, int most, string remedy, out ArraySegment<byte> all)
+    /// <returns>Null if all was read; otherwise the reason why not.</returns>
+    public static string? ReadFile(string path, string kind, int most, string remedy, out ArraySegment<byte> all)
     {
         all = default;
         if (path.Length == 0) return $"the name of the {kind} is empty";

@@ -18,7 +18,7 @@ internal sealed class Columns(Camera camera, int capacity)
         }
     }
 
-    /// <summary>uc U of the packet that begins so many columns after the first.</summary>
+    /// <summary>uc U of the packet that begins i columns after the first.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public Vector3<N> At<N>(int i) where N : struct, IPacket<N> => new(N.Load(x, i), N.Load(y, i), N.Load(z, i));
 }

@@ -7,7 +7,7 @@ namespace RayCaster.Engine;
 /// </summary>
 internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLength)
 {
-    /// <summary>The most pixels in a stream: they fit into the first-level cache, and a virtual call for so many is cheap.</summary>
+    /// <summary>The most pixels in a stream: they fit into the first-level cache, and one virtual call for so many pixels costs little.</summary>
     public const int MaxLength = Tile.MaxSide;
 
     /// <summary>The most pixels of a small part whose rows are cast at once; they fit into the first-level cache, too. (The parts of a batch are

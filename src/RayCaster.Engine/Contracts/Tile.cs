@@ -23,10 +23,10 @@ public readonly record struct Tile(int Column, int Row, int Width, int Height)
     /// <summary>How many pixels; 0 for an empty tile.</summary>
     public long Area => (long)Width * Height;
 
-    /// <summary>How many tiles cover so many columns or rows.</summary>
+    /// <summary>How many tiles cover this many columns or rows.</summary>
     public static int TilesOf(int pixels) => (pixels + MaxSide - 1) / MaxSide;
 
-    /// <summary>How many strips cover so many columns.</summary>
+    /// <summary>How many strips cover this many columns.</summary>
     public static int StripsOf(int pixels) => (pixels + MaxStrip - 1) / MaxStrip;
 
     /// <summary>Whether the tiles share a pixel.</summary>

@@ -29,7 +29,7 @@ internal sealed class PooledList<T> where T : struct
         count = length;
     }
 
-    /// <summary>Makes room for so many items, so that they are not copied while it grows.</summary>
+    /// <summary>Makes room for this many items, so that they are not copied while it grows.</summary>
     public void Reserve(int capacity)
     {
         if (capacity > items.Length) Move(capacity);

@@ -6,7 +6,7 @@ namespace RayCaster.Engine;
 /// left out, group by group, then triangles that cover no sample, eight at once.</summary>
 internal sealed class TileFilter<N> where N : struct, IPacket<N>
 {
-    /// <summary>After so many runs or triangles the coarse depth is computed again.</summary>
+    /// <summary>After this many runs or triangles the coarse depth is computed again.</summary>
     private const int RunsAtOnce = 128, TrianglesAtOnce = 512;
 
     /// <summary>How many runs ahead memory is fetched.</summary>

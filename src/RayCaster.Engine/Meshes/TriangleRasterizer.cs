@@ -8,10 +8,10 @@ namespace RayCaster.Engine;
 /// <param name="decide">Decides about all queued pixels.</param>
 internal sealed class TriangleRasterizer(ScreenSpace screen, TilePixels pixels, CoarseDepth coarse, Action decide)
 {
-    /// <summary>A triangle is small if its box has at most so many samples on each side.</summary>
+    /// <summary>A triangle is small if its box has at most this many samples on each side.</summary>
     public const int SmallSide = 2;
 
-    /// <summary>A triangle is large if its box has at least so many samples on one side: most of a long one's box is outside.</summary>
+    /// <summary>A triangle is large if its box has at least this many samples on one side: most of a long one's box is outside.</summary>
     private const int LargeSide = 24;
 
     private readonly float[] upperOfLane = new float[8], lowerOfLane = new float[8];

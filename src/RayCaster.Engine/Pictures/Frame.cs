@@ -4,7 +4,7 @@ namespace RayCaster.Engine;
 internal abstract class Frame(Scene scene, int threads, bool manyFrames, bool isPlain) : IDisposable
 {
     /// <summary>Kernels for single kinds of shape save half of the time, but compiling them takes as long as casting some ten million rays. They are
-    /// used for a picture of at least so many pixels, or if many pictures follow each other, and always in a native program.</summary>
+    /// used for a picture of at least this many pixels, or if many pictures follow each other, and always in a native program.</summary>
     private const long PixelsOfLongWork = 1 << 24;
 
     /// <summary>Whether it pays to compile a kernel for each kind of shape.</summary>

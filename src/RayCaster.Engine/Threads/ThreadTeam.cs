@@ -29,7 +29,7 @@ internal static class ThreadTeam
         job.End();
     }
 
-    /// <summary>Into how many shares to divide so many models: with few for each thread, one thread ends before the others start.</summary>
+    /// <summary>Into how many shares to divide this many models: with few for each thread, one thread ends before the others start.</summary>
     public static int SharesOf(int models, int threads) => models >> 13 >= threads ? threads : 1;
 
     /// <summary>Divides items into equal shares and processes each on a thread: <c>work(share, first, end)</c>.</summary>

@@ -9,7 +9,8 @@ public sealed class SpatialOrder
     /// <summary>A mesh with fewer triangles lies in the processor's caches, so its order hardly matters.</summary>
     private const int FewTriangles = 1 << 17;
 
-    /// <summary>In random order, consecutive triangles of so many pairs are on average farther apart than so many of their sizes.</summary>
+    /// <summary>A sample of pairs of consecutive triangles shows the order. It is random if they are on average farther apart than this multiple
+    /// of their size.</summary>
     private const int Pairs = 256, FarApart = 16;
 
     /// <summary>The bits of a cell's place along each axis: of a surface of a million triangles, a cell holds some ten.</summary>

@@ -42,7 +42,7 @@ internal sealed class SceneObject
         return new(described);
     }
 
-    /// <summary>An object; null, after a report, if the value is none.</summary>
+    /// <summary>Begins to read a value as an object; null, after a report, if it is something else.</summary>
     /// <param name="path">Its path, empty for the outermost.</param>
     /// <param name="name">What a message calls it, if not by its path.</param>
     public static SceneObject? AsObject(SceneDocument document, JsonValue value, string path, string? name = null)
@@ -126,7 +126,7 @@ internal sealed class SceneObject
     /// <summary>A text, or null where it is left out.</summary>
     public string? OptionalText(string key, string meaning) => Text(key, meaning, false);
 
-    /// <summary>An array of texts, without elements that are none; empty where it is left out.</summary>
+    /// <summary>An array of texts; empty where it is left out. Elements that are something else are reported and left out.</summary>
     public IReadOnlyList<string> Texts(string key, string meaning, bool isRequired)
     {
         described?.Add(new(key, KeyKind.Texts, meaning, isRequired));
@@ -139,7 +139,7 @@ internal sealed class SceneObject
     public string OptionalChoice(string key, string meaning, params string[] words) =>
         Choice(key, meaning, words[0], words) ?? words[0];
 
-    /// <summary>An object, or null where there is none.</summary>
+    /// <summary>An object; null if it is missing, or something else.</summary>
     public SceneObject? Object(string key, string meaning)
     {
         if (described is not null)
@@ -152,8 +152,8 @@ internal sealed class SceneObject
     }
 
     /// <summary>
-    /// The objects of an array, without elements that are none. It is the same <see cref="SceneObject"/> each time, so that a million of them
-    /// need no memory: finish with one before you take the next.
+    /// The objects of an array; elements that are something else are reported and left out. It is the same <see cref="SceneObject"/> each time,
+    /// so that a million of them need no memory: finish with one before you take the next.
     /// </summary>
     public IEnumerable<SceneObject> Objects(string key, string meaning)
     {
@@ -190,7 +190,7 @@ internal sealed class SceneObject
         document?.Add(isError, start, end, PathOf(key, element) + message);
     }
 
-    /// <summary>Starts to read an object. False, after a report, if the value is none.</summary>
+    /// <summary>Begins to read a value as an object; false, after a report, if it is something else.</summary>
     /// <param name="name">What a message calls it, if not by its path.</param>
     private bool Begin(JsonValue value, int? place, string? name = null)
     {

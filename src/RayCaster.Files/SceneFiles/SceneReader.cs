@@ -18,7 +18,7 @@ public static class SceneReader
     public static SceneReading Read(string path, int? threads = null, Action<ReadOnlySpan<byte>>? look = null)
     {
         if (MeshFile.IsNamedLikeOne(path) && File.Exists(path)) return Unreadable(path, "this is a mesh; name it in a scene, and draw the scene");
-        if (InputBytes.WhyNot(path, Kind, MostBytes, Remedy, out var bytes) is { } problem) return Unreadable(path, problem);
+        if (InputBytes.ReadFile(path, Kind, MostBytes, Remedy, out var bytes) is { } problem) return Unreadable(path, problem);
         look?.Invoke(bytes);
         return Parse(bytes, path, Path.GetDirectoryName(path) ?? "", threads);
     }

@@ -12,7 +12,7 @@ internal static class ShortFile
     /// <param name="report">All errors and warnings, as text for people; empty if there are none.</param>
     public static T? Read<T>(string path, string name, Func<SceneObject, T?> read, out string report) where T : class
     {
-        if (InputBytes.WhyNot(path, "file", MostBytes, "", out var utf8) is { } problem)
+        if (InputBytes.ReadFile(path, "file", MostBytes, "", out var utf8) is { } problem)
         {
             report = $"{path}: error: {problem}\n";
             return null;
