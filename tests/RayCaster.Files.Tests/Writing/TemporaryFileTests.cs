@@ -1,4 +1,4 @@
-namespace RayCaster.Files.Tests.PictureFiles;
+namespace RayCaster.Files.Tests.Writing;
 
 /// <summary>The next writer deletes the files of killed writers, and no others.</summary>
 public sealed class TemporaryFileTests : IDisposable

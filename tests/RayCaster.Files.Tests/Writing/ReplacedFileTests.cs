@@ -1,4 +1,4 @@
-namespace RayCaster.Files.Tests.PictureFiles;
+namespace RayCaster.Files.Tests.Writing;
 
 public sealed class ReplacedFileTests : IDisposable
 {

@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace RayCaster.Files.Tests.SceneFiles;
+namespace RayCaster.Files.Tests.Json;
 
 public class JsonTreeTests
 {
