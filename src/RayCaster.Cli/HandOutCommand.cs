@@ -43,12 +43,12 @@ internal sealed class HandOutCommand : Command
     {
         if (line.Has(Option.Solution))
             return line.Has(Option.Open) ? throw ProblemException.Usage("with '--solution' no step is open: leave '--open' out") : (0, 0);
-        if (line[Option.Open] is not { } text) return (1, Teaching.LabSteps.Count);
+        if (line[Option.Open] is not { } text) return (1, LabSteps.Count);
         var ends = text.Split("..");
         if (ends.Length <= 2 && CommandLine.ParseCount(ends[0]) is { } first && CommandLine.ParseCount(ends[^1]) is { } last
-            && first <= last && last <= Teaching.LabSteps.Count)
+            && first <= last && last <= LabSteps.Count)
             return (first, last);
         throw ProblemException.Usage(
-            $"'{text}' names no steps: write one from 1 to {Teaching.LabSteps.Count}, or the first and the last as in 1..4");
+            $"'{text}' names no steps: write one from 1 to {LabSteps.Count}, or the first and the last as in 1..4");
     }
 }

@@ -4,7 +4,7 @@ internal static class HelpText
 {
     /// <summary>Shown without arguments: the one command to try.</summary>
     public const string Usage = """
-        raycaster casts one ray per pixel of a scene and writes the picture.
+        raycaster draws a scene: it casts one ray for each pixel and writes the picture.
         Try:   dotnet run --project src/RayCaster.Cli -- scenes/first.json
         More:  dotnet run --project src/RayCaster.Cli -- help
 
@@ -22,7 +22,7 @@ internal static class HelpText
 
     public const string Full = """
         Description:
-          Casts one ray per pixel of a scene and writes the picture.
+          Draws a scene: casts one ray for each pixel and writes the picture.
 
         Usage:
           raycaster [draw] <scene> [options]

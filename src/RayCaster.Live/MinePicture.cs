@@ -6,7 +6,7 @@ internal sealed class MinePicture : IDisposable
     /// <summary>How long a file must be broken before it is reported: the user's program may still be writing it.</summary>
     private const int PatienceMilliseconds = 300;
 
-    private readonly Lock gate = new();
+    private readonly Lock sync = new();
     private readonly FileWatch watch = new();
     private readonly CancellationTokenSource end = new();
     private readonly string? path;
@@ -55,7 +55,7 @@ internal sealed class MinePicture : IDisposable
     /// <summary>Compares with a scene's picture, once for all pages.</summary>
     public Task<Comparison> CompareAsync(LiveScene live, SceneState state, Studio studio)
     {
-        lock (gate)
+        lock (sync)
         {
             var (version, name, picture, problem) = now;
             if (!ReferenceEquals(last.State, state) || last.Version != version)
@@ -93,7 +93,7 @@ internal sealed class MinePicture : IDisposable
 
     private void Put(string? name, (Picture? Picture, string? Problem) read)
     {
-        lock (gate) now = (now.Version + 1, name, read.Picture, read.Problem);
+        lock (sync) now = (now.Version + 1, name, read.Picture, read.Problem);
         Changed?.Invoke();
     }
 }

@@ -31,7 +31,7 @@ internal sealed partial class Bodies(string[] lines, IReadOnlyList<Bodies.Body> 
                 if (BeginMarker().Match(line) is not { Success: true } match)
                     throw Problem(i, "after // BEGIN SOLUTION stands the slide's title in quotes");
                 var slide = match.Groups[1].Value;
-                if (Teaching.LabSteps.StepOf(slide) == 0) throw Problem(i, $"no step has the slide \"{slide}\"");
+                if (LabSteps.StepOf(slide) == 0) throw Problem(i, $"no step has the slide \"{slide}\"");
                 open = (slide, i);
             }
             else if (line == "// END SOLUTION")

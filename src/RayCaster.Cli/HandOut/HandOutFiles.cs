@@ -33,7 +33,7 @@ internal static class HandOutFiles
     /// <exception cref="ProblemException">A body of the lab has wrong markers.</exception>
     public static List<(string Path, byte[] Content)> With(Func<int, bool> isOpen)
     {
-        int[] open = [.. Enumerable.Range(1, Teaching.LabSteps.Count).Where(isOpen)];
+        int[] open = [.. Enumerable.Range(1, LabSteps.Count).Where(isOpen)];
         var steps = new HashSet<int>();
         var files = new List<(string, byte[])>();
         foreach (var (path, content) in All())
@@ -45,11 +45,11 @@ internal static class HandOutFiles
                 continue;
             }
             var bodies = Bodies.Parse("src/RayCaster.Lab/" + path[Source.Length..], Encoding.UTF8.GetString(content));
-            foreach (var body in bodies.All) steps.Add(Teaching.LabSteps.StepOf(body.Slide));
+            foreach (var body in bodies.All) steps.Add(LabSteps.StepOf(body.Slide));
             files.Add((path, open.Length == 0
-                ? content : Encoding.UTF8.GetBytes(bodies.With(slide => isOpen(Teaching.LabSteps.StepOf(slide))))));
+                ? content : Encoding.UTF8.GetBytes(bodies.With(slide => isOpen(LabSteps.StepOf(slide))))));
         }
-        return Enumerable.Range(1, Teaching.LabSteps.Count).Except(steps).ToArray() is [var step, ..]
+        return Enumerable.Range(1, LabSteps.Count).Except(steps).ToArray() is [var step, ..]
             ? throw new ProblemException($"src/RayCaster.Lab: error: no body of step {step} is marked with // BEGIN SOLUTION")
             : files;
     }

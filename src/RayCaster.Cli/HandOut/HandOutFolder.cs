@@ -54,13 +54,13 @@ internal static class HandOutFolder
             if (file.EndsWith(".schema.json")) continue;
             var reading = SceneReader.Read(file);
             var scene = reading.Scene ?? throw new ProblemException($"raycaster: a scene of the hand-out has errors\n{reading.Report()}");
-            for (var step = 1; step <= Teaching.LabSteps.Count; step++)
+            for (var step = 1; step <= LabSteps.Count; step++)
             {
                 cancellation.ThrowIfCancellationRequested();
                 var picture = Path.Combine(scenes, $"step{step:00}", Path.ChangeExtension(Path.GetRelativePath(scenes, file), ".png"));
                 Directory.CreateDirectory(Path.GetDirectoryName(picture)!);
                 using var stream = File.Create(picture); // in place: the folder as a whole is there or not
-                PictureFile.Write(stream, Teaching.LabSteps.Draw(scene, step), PictureFormat.Png);
+                PictureFile.Write(stream, LabSteps.Draw(scene, step), PictureFormat.Png);
             }
         }
     }

@@ -11,7 +11,7 @@ internal static partial class OpenSteps
     /// <param name="open">The open steps, at least one.</param>
     public static string In(string text, int[] open)
     {
-        if (open.Length == Teaching.LabSteps.Count) return text;
+        if (open.Length == LabSteps.Count) return text;
         text = Heading().Replace(text, step => IsOpen(step) ? step.Value : $"{step.Value} (done already)");
         var steps = (open.Length == 1 ? "step " : "the steps ") + string.Join(", ", open);
         text = HowToWork().Replace(text, $"**You write {steps}.** The others are written already, and so marked below. Those of their tests that " +
