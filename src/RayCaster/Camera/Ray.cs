@@ -23,7 +23,7 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     /// <summary>The model of the nearest hit so far; null before the first.</summary>
     public Model? HitModel { get; private set; }
 
-    /// <summary>The point X(t) = P + t d.</summary>
+    /// <summary>The point X(t) = P + t d. The formulas that draw use <see cref="Ray{N}.At"/>.</summary>
     public Vector3 At(double t) => Origin + t * Direction;
 
     /// <summary>Whether a crossing at t counts: not behind, beyond the bias, within the clip range. False for NaN.</summary>
