@@ -61,7 +61,7 @@ edit "box"                       $course/Models/Aabb.cs              's/var hit 
 edit "circle"                    $course/Models/Circle.cs            's/Radius \* Radius/Radius/'
 edit "triangle"                  $course/Models/Triangle.cs          's/((u >= 0) & (v >= 0) & (w >= 0))/((u >= 0) \& (v >= 0))/'
 edit "the models' first hit"     $course/Models/Model.cs \
-    's/ray.Clip.First<Scalar>(crossings, ray.ZPerT)/0.5 * ray.Clip.First<Scalar>(crossings, ray.ZPerT)/'
+    's/ray.ClipRange.First<Scalar>(crossings, ray.ZPerT)/0.5 * ray.ClipRange.First<Scalar>(crossings, ray.ZPerT)/'
 edit "the scene's reader"        src/RayCaster.Files/SceneFiles/SceneReader.cs 's/"width"/"wide"/'
 edit "the picture's writer"      src/RayCaster.Files/PictureFiles/PictureWriter.cs 's/        Encode(rgb);/        Encode(new byte[rgb.Length]);/'
 
@@ -70,10 +70,10 @@ draw >/dev/null
 for command in "diagnose scenes/room.json right.png" "compare new.png right.png --scene scenes/room.json" "check scenes/room.json"; do
     # shellcheck disable=SC2086 # the words of a command
     dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll $command --json >said.json 2>/dev/null || true
-    if grep -q '"warning": "The judge has been edited' said.json; then
-        passed=$((passed + 1)); echo "ok     ${command%% *} --json says that the judge has been edited"
+    if grep -q '"warning": "src/RayCaster has been changed' said.json; then
+        passed=$((passed + 1)); echo "ok     ${command%% *} --json says that src/RayCaster was changed"
     else
-        failed=$((failed + 1)); echo "FAILED ${command%% *} --json does not say that the judge has been edited"
+        failed=$((failed + 1)); echo "FAILED ${command%% *} --json does not say that src/RayCaster was changed"
     fi
 done
 

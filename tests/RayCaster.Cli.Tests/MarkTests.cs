@@ -139,7 +139,8 @@ public sealed class MarkTests : IDisposable
     {
         WriteRubric("");
         raycaster.Write("balls.json", File.ReadAllText(raycaster.PathOf("ball.json")));
-        raycaster.Write("rubric.json", File.ReadAllText(raycaster.PathOf("rubric.json")).Replace("[\"ball.json\"]", "[\"ball.json\", \"balls.json\"]"));
+        var rubric = File.ReadAllText(raycaster.PathOf("rubric.json"));
+        raycaster.Write("rubric.json", rubric.Replace("[\"ball.json\"]", "[\"ball.json\", \"balls.json\"]"));
         raycaster.Run("ball.json", "-q", "-o", Folder("anna") + "ball.png");
         raycaster.Run("ball.json", "-q", "-o", Folder("anna") + "b a l l s.png");
         raycaster.Run("mark", "rubric.json", "class", "-o", "marks");

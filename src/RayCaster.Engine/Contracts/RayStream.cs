@@ -159,7 +159,7 @@ internal sealed class RayStream(Camera camera, int capacity = RayStream.MaxLengt
     {
         for (var i = 0; i < Length; i++)
         {
-            var ray = new Ray(Origin, DirectionAt(i)) { Clip = camera.ClipRange, ZPerT = zPerT[i] };
+            var ray = new Ray(Origin, DirectionAt(i)) { ClipRange = camera.ClipRange, ZPerT = zPerT[i] };
             if (only.Intersect(ray) is not { } hit || !(Ray.IsNearer<Scalar>(hit, t[i]).Value != 0 || (hit == t[i] && modelIndex < model[i])))
                 continue;
             t[i] = hit;

@@ -54,7 +54,7 @@ internal sealed class FloatPainter : IShapeVisitor
     /// <summary>Writes a pixel by the definition.</summary>
     private void Write(int column, int row, Span<byte> rgb)
     {
-        var ray = camera.CastRay(part.Column + column, part.Row + row);
+        var ray = camera.RayThrough(part.Column + column, part.Row + row);
         ray.Meet(scene.Models[covered.Index]);
         (rgb[0], rgb[1], rgb[2]) = scene.Shade(ray.HitParameter, ray.HitModel).ToBytes();
     }

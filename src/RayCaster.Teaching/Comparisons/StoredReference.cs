@@ -6,7 +6,7 @@ namespace RayCaster.Teaching;
 /// </summary>
 public static class StoredReference
 {
-    /// <summary>Rays times shapes, some seconds.</summary>
+    /// <summary>The most rays times shapes that are cast: they take some seconds.</summary>
     private const long MostWork = 100_000_000;
 
     /// <summary>A message, without a full stop, if this build's own picture of a scene is not the stored one; null if it is, or if there is
@@ -21,7 +21,7 @@ public static class StoredReference
         var inItsSize = scene with { Camera = scene.Camera.WithSize(reference.Width, reference.Height) };
         var comparison = new PictureComparison(ScalarRenderer.Render(inItsSize), reference);
         return comparison.Likeness.IsSame() ? null
-            : $"The judge has been edited: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}";
+            : $"src/RayCaster has been changed: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}";
     }
 
     /// <param name="path">The scene's file.</param>

@@ -199,7 +199,7 @@ internal sealed partial class Lab
         Model<Triangle> { Primitive: var triangle } when !TrianglesReachOut
             && new Line(P, d).Misses(triangle.Bounds) => null,
         _ => CrossingsOf(model, d) is { } crossed ? First.Do(crossed, d)
-            : model.Intersect(new Ray(P, d) { Clip = Camera.ClipRange, ZPerT = Camera.Clip == Clip.Depth ? -(d * W) : 1 }),
+            : model.Intersect(new Ray(P, d) { ClipRange = Camera.ClipRange, ZPerT = Camera.Clip == Clip.Depth ? -(d * W) : 1 }),
     };
 
     /// <summary>The nearest hit of all triangles. A tree rejects triangles, also behind the camera; the steps decide which hits count.</summary>

@@ -68,7 +68,7 @@ public sealed class HitLedger
 
     private void Judge(int column, int row)
     {
-        var ray = Scene.Camera.CastRay(column, row);
+        var ray = Scene.Camera.RayThrough(column, row);
         var (nearest, shown) = (double.PositiveInfinity, -1);
         for (var i = 0; i < Models.Count; i++)
         {

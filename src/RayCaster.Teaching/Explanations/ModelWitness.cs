@@ -12,7 +12,7 @@ internal static class ModelWitness
 
     private static Outcome JudgeShape(Model model, Ray ray, Crossings<Scalar> crossings, out double t)
     {
-        t = ray.Clip.First(crossings, (Scalar)ray.ZPerT);
+        t = ray.ClipRange.First(crossings, (Scalar)ray.ZPerT);
         if (!double.IsNaN(t)) return Outcome.Shows;
 
         // The far crossing is nearer to counting: if only the near one were too near, the far one would count.

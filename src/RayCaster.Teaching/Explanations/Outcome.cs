@@ -49,9 +49,9 @@ internal static class Outcomes
     public static Outcome Of(double t, Ray ray) =>
         !double.IsFinite(t) ? Outcome.NoNumber
         : t < 0 ? Outcome.Behind
-        : ray.Clip.IsAhead<Scalar>(t).Value == 0 ? Outcome.UnderBias
-        : ray.Clip.IsBeyondNear<Scalar>(t * ray.ZPerT).Value == 0 ? Outcome.BeforeNear
-        : ray.Clip.IsWithinFar<Scalar>(t * ray.ZPerT).Value != 0 ? Outcome.Shows
+        : ray.ClipRange.IsAhead<Scalar>(t).Value == 0 ? Outcome.UnderBias
+        : ray.ClipRange.IsBeyondNear<Scalar>(t * ray.ZPerT).Value == 0 ? Outcome.BeforeNear
+        : ray.ClipRange.IsWithinFar<Scalar>(t * ray.ZPerT).Value != 0 ? Outcome.Shows
         : Outcome.BeyondFar;
 
     public static bool Counts(this Outcome outcome) => outcome <= Outcome.NotNeeded;

@@ -75,7 +75,7 @@ internal sealed class SurfaceHits(Scene scene, HitMap hits)
     private Vector3 Hit(double column, double row, int model)
     {
         var d = Direction(column, row);
-        var ray = new Ray(camera.Position, d) { Clip = camera.ClipRange, ZPerT = camera.ZPerT<Scalar>(camera.Direction<Scalar>(column, row)) };
+        var ray = new Ray(camera.Position, d) { ClipRange = camera.ClipRange, ZPerT = camera.ZPerT<Scalar>(camera.Direction<Scalar>(column, row)) };
         return ray.At(scene.Models[model].Intersect(ray) ?? double.NaN);
     }
 }

@@ -105,10 +105,10 @@ public sealed class Camera
     /// <summary>The ray of a pixel.</summary>
     /// <param name="column">c, from the left, from 0.</param>
     /// <param name="row">r, from the bottom, from 0: line y of the picture is row Height − 1 − y.</param>
-    public Ray CastRay(int column, int row)
+    public Ray RayThrough(int column, int row)
     {
         var d = Direction<Scalar>(column, row);
-        return new Ray(Position, new(d.X, d.Y, d.Z)) { Clip = ClipRange, ZPerT = ZPerT(d) };
+        return new Ray(Position, new(d.X, d.Y, d.Z)) { ClipRange = ClipRange, ZPerT = ZPerT(d) };
     }
 
     /// <summary>d = (uc U + ur V − W) normalised.</summary>

@@ -12,7 +12,7 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     public Vector3 Direction { get; } = direction;
 
     /// <summary>Which crossings count. For a ray without a camera: all that are not behind its origin.</summary>
-    public ClipRange Clip { get; init; } = ClipRange.Everything;
+    public ClipRange ClipRange { get; init; } = ClipRange.Everything;
 
     /// <summary>The z of one unit of t; zNear and zFar limit z.</summary>
     public double ZPerT { get; init; } = 1;
@@ -27,7 +27,7 @@ public sealed class Ray(Vector3 origin, Vector3 direction)
     public Vector3 At(double t) => Origin + t * Direction;
 
     /// <summary>Whether a crossing at t counts: not behind, beyond the bias, within the clip range. False for NaN.</summary>
-    public bool Counts(double t) => Clip.Counts<Scalar>(t, ZPerT).Value != 0;
+    public bool Counts(double t) => ClipRange.Counts<Scalar>(t, ZPerT).Value != 0;
 
     /// <summary>Intersects a model, and keeps its hit if that is nearer than all before. Of equal ones the first is kept.</summary>
     public void Meet(Model model)

@@ -23,7 +23,7 @@ public sealed class Mesh(Vector3[] vertices, int[] indices) : Model
         var along = new AlongRay<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
         for (var i = 0; i < TriangleCount; i++)
         {
-            double t = ray.Clip.First<Scalar>(this[i].Intersect(along), ray.ZPerT);
+            double t = ray.ClipRange.First<Scalar>(this[i].Intersect(along), ray.ZPerT);
             if (t < (nearest ?? double.PositiveInfinity)) nearest = t;
         }
         return nearest;

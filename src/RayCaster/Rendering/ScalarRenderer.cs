@@ -44,7 +44,7 @@ public static class ScalarRenderer
     /// <param name="row">r, from the bottom.</param>
     public static Ray Cast(Scene scene, int column, int row)
     {
-        var ray = scene.Camera.CastRay(column, row);
+        var ray = scene.Camera.RayThrough(column, row);
         foreach (var model in scene.Models) ray.Meet(model);
         return ray;
     }

@@ -25,7 +25,7 @@ public class EdgeOnTriangleTests
                 Sample = Sample.Center,
                 ZNear = 0,
             });
-            d = camera.CastRay(0, 0).Direction;
+            d = camera.RayThrough(0, 0).Direction;
             var triangle = new Triangle(Corner(), Corner(), Corner());
             var t = ScalarRenderer.Cast(new Scene(camera, [Model.Of(triangle)]), 0, 0).HitParameter;
             var distance = Distance(triangle.Bounds);

@@ -56,7 +56,7 @@ public class ScreenBoundsTests
 
             // The camera is put where the ray of this pixel passes through a point of the outline.
             var turned = new Camera(new(Vector3.Zero, look) { Up = tilt, FovY = fovY, Width = width, Height = height });
-            var d = turned.CastRay(column, row).Direction;
+            var d = turned.RayThrough(column, row).Direction;
             var position = outline(random, turned, d) - distance * d;
             var camera = new Camera(new(position, position + distance * look)
             {

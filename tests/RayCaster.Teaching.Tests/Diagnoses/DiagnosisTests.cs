@@ -20,8 +20,8 @@ public class DiagnosisTests
     public void AWarningIsInTheJsonOnlyIfThereIsOne()
     {
         var diagnosis = Diagnosis.Of(scene, EditedLab.Render(scene, Mistakes.Mistake.None));
-        var warned = DiagnosisReport.Json(diagnosis, default, default, [], "The judge has been edited.");
-        Assert.Contains("\"warning\": \"The judge has been edited.\"", warned);
+        var warned = DiagnosisReport.Json(diagnosis, default, default, [], "src/RayCaster has been changed.");
+        Assert.Contains("\"warning\": \"src/RayCaster has been changed.\"", warned);
         Assert.DoesNotContain("warning", DiagnosisReport.Json(diagnosis, default, default, [], null));
     }
 

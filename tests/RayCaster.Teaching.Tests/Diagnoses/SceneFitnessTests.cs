@@ -27,7 +27,7 @@ public class SceneFitnessTests
     }
 
     [Theory]
-    [InlineData("The judge has been edited.")]
+    [InlineData("src/RayCaster has been changed.")]
     [InlineData(null)]
     public void AWarningIsInTheJsonOnlyIfThereIsOne(string? warning)
     {

@@ -149,7 +149,7 @@ public class HitLedgerTests
             {
                 for (var column = 0; column < scene.Camera.Width; column++)
                 {
-                    var ray = scene.Camera.CastRay(column, 0);
+                    var ray = scene.Camera.RayThrough(column, 0);
                     var expected = shape.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction))!.Value;
                     var crossings = shape.Intersect(new Ray<Witness>(ray.Origin, ray.Direction))!.Value;
                     Assert.Equal((expected.Near.Value, expected.Far.Value), (crossings.Near.Value, crossings.Far.Value));

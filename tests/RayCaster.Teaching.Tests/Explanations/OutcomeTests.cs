@@ -27,5 +27,5 @@ public class OutcomeTests
     }
 
     private static Outcome Of(double t, ClipRange clip, double zPerT) =>
-        Outcomes.Of(t, new Ray(Vector3.Zero, new(1, 0, 0)) { Clip = clip, ZPerT = zPerT });
+        Outcomes.Of(t, new Ray(Vector3.Zero, new(1, 0, 0)) { ClipRange = clip, ZPerT = zPerT });
 }

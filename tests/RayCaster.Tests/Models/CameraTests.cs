@@ -53,7 +53,7 @@ public class CameraTests
     public void ARayPassesThroughItsPixelInThePicturePlane(Sample sample, int column, int row, double uc, double ur)
     {
         var camera = new Camera(new(new(7, 8, 9), new(6, 8, 9)) { FovY = 90, Width = 4, Height = 2, Sample = sample });
-        var ray = camera.CastRay(column, row);
+        var ray = camera.RayThrough(column, row);
         AssertNear(new Vector3(-1, uc, ur).Normalized, ray.Direction);
         Assert.Equal(camera.Position, ray.Origin);
     }
@@ -64,7 +64,7 @@ public class CameraTests
     public void WhatZGainsAlongTheRayDependsOnTheKindOfClipping(Clip clip, double zPerT)
     {
         var camera = new Camera(new(default, new(-1, 0, 0)) { FovY = 2 * Math.Atan(4.0 / 3) * 180 / Math.PI, Width = 2, Height = 2, Clip = clip });
-        Assert.Equal(zPerT, camera.CastRay(1, 0).ZPerT, 1e-14); // the lower edge's middle: 3-4-5
+        Assert.Equal(zPerT, camera.RayThrough(1, 0).ZPerT, 1e-14); // the lower edge's middle: 3-4-5
     }
 
     [Fact]

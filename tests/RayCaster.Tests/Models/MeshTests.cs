@@ -17,7 +17,7 @@ public class MeshTests
     [Fact]
     public void ATriangleThatIsClippedAwayShowsTheOneBehind()
     {
-        var ray = new Ray(new(1, 1, 5), new(0, 0, -1)) { Clip = new ClipRange(0, 3, 100) };
+        var ray = new Ray(new(1, 1, 5), new(0, 0, -1)) { ClipRange = new ClipRange(0, 3, 100) };
         Assert.Equal(4, mesh.Intersect(ray));
     }
 

@@ -30,7 +30,7 @@ public class SphereTests
     [Fact]
     public void WhereTheNearSideIsClippedAwayTheFarSideShows()
     {
-        var ray = new Ray(new(5, 0, 0), new(-1, 0, 0)) { Clip = new ClipRange(0, 3, 100) };
+        var ray = new Ray(new(5, 0, 0), new(-1, 0, 0)) { ClipRange = new ClipRange(0, 3, 100) };
         Assert.Equal(6, Model.Of(sphere).Intersect(ray));
     }
 

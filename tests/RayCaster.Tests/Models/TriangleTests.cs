@@ -72,6 +72,6 @@ public class TriangleTests
     {
         var triangle = new Triangle(new(0, 0, -2), new(-0.2, -0.2, -2.1), new(0.30000000000000004, 0.2, -1.9));
         var camera = new Camera(new(new(-1, 2, -1), new(0, 2, -1)) { FovY = 90, Width = 23, Height = 16, Sample = Sample.Center });
-        Assert.Null(Model.Of(triangle).Intersect(camera.CastRay(4, 11)));
+        Assert.Null(Model.Of(triangle).Intersect(camera.RayThrough(4, 11)));
     }
 }

@@ -38,7 +38,7 @@ public class GroupTests
         var (random, screen, hits) = (new Random(20261123), new ScreenSpace(camera), 0);
         for (var round = 0; round < 300; round++)
         {
-            var rays = Enumerable.Range(0, 2).Select(_ => camera.CastRay(random.Next(320, 384), random.Next(192, 256))).ToArray();
+            var rays = Enumerable.Range(0, 2).Select(_ => camera.RayThrough(random.Next(320, 384), random.Next(192, 256))).ToArray();
             Vector3 Point() => camera.Position + (3 + random.NextDouble()) * rays[random.Next(2)].Direction;
             var mesh = new Mesh([.. Enumerable.Range(0, 48).Select(_ => Point())], [.. Enumerable.Range(0, 48)]);
             var corners = new MeshCorners<Packet>(screen, mesh.Vertices, mesh.Indices);

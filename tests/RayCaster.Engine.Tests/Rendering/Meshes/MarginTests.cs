@@ -60,7 +60,7 @@ public class MarginTests
             {
                 for (var row = MathF.Floor(bottom[0]); row <= MathF.Ceiling(top[0]); row++)
                 {
-                    var hit = new Mesh(mesh.Vertices, mesh.Indices[(3 * i)..(3 * i + 3)]).Intersect(camera.CastRay((int)column, (int)row));
+                    var hit = new Mesh(mesh.Vertices, mesh.Indices[(3 * i)..(3 * i + 3)]).Intersect(camera.RayThrough((int)column, (int)row));
                     if (hit is null) continue;
                     bool Passes(float margin) => 0 != TriangleSetUp.IsOutside(
                         t, Vector256.Create(column), Vector256.Create(row), right - left + (top - bottom), Vector256.Create(margin))[0];

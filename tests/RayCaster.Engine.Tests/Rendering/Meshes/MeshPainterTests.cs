@@ -75,7 +75,7 @@ public class MeshPainterTests
                 var (row, column) = Math.DivRem(pixel, TilePixels.Stride);
                 if (column >= tile.Width || doubts.Contains(pixel)) continue;
                 sure++;
-                var ray = camera.CastRay(tile.Column + column, tile.Row + row);
+                var ray = camera.RayThrough(tile.Column + column, tile.Row + row);
                 var t = screen.Unit / (w[pixel] * -(ray.Direction * camera.W));
                 var at = 3 * (row * tile.Width + column);
                 if (scene.Shade(t, scene.Models[0]).ToBytes() != (rgb[at], rgb[at + 1], rgb[at + 2])) wrong++;
