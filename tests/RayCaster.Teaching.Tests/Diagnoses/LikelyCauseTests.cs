@@ -19,6 +19,7 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // no mistake explains it, so pairs are tried, too, which takes seconds
     public void AnotherFarPlaneIsNamedByItsNumber()
     {
         var diagnosis = Of(room, Seen(room, zFar: 20));
@@ -46,6 +47,7 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // no mistake explains it, so pairs are tried, too, which takes seconds
     public void AnotherAngleThatTwoMistakesMakeByChanceIsToldAsASize()
     {
         var c = generic.Camera; // "nohalf" and "fov-horiz" make h = 2 tan(fovY) · height / width
