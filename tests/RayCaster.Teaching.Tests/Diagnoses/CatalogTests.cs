@@ -16,6 +16,7 @@ public class CatalogTests
 
     [Theory]
     [MemberData(nameof(Ids))]
+    [Trait("kind", "campaign")] // it draws the catalogue twice
     public void OneWordingDrawsWhatTheLabWithThatMistakeDraws(string id)
     {
         var expected = scenes.Values.Select(scene => (Scene: scene, Picture: EditedLab.Render(scene, Planted.Named(id)))).ToArray();

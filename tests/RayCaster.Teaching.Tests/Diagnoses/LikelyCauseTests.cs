@@ -58,6 +58,7 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // no mistake explains it, so pairs are tried, too, which takes seconds
     public void BlackLinesAtABorderAreNoOtherLight()
     {
         var picture = ScalarRenderer.Render(generic);
