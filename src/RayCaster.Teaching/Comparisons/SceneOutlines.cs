@@ -30,7 +30,7 @@ internal sealed class SceneOutlines(Scene scene)
         (1 + scene.ShapeCount) * labs.Length * difference.Wrong > MostWork ? PictureOutlines.HoldAllWrong(difference)
         : Enumerable.Range(0, difference.Pixels).All(i => difference.LevelsAt(i) <= 1 || MayShow(difference.Mine.At(i), i, 1));
 
-    /// <summary>Whether another right program may show a colour in a pixel, by its place in reading order, but for so many levels.</summary>
+    /// <summary>Whether another right program may show a colour in a pixel, by its place in reading order, up to a difference in levels.</summary>
     public bool MayShow((byte R, byte G, byte B) color, int place, int levels) =>
         Array.Exists(labs, lab => PictureDifference.Levels(color, lab[place]) <= levels);
 }

@@ -22,7 +22,6 @@ internal sealed partial class Lab
             mistake.Deviate(this);
             if (mistake.Id != "center") made++;
         }
-
         SetUp();
     }
 

@@ -1,6 +1,6 @@
 namespace RayCaster.Files.Tests.Writing;
 
-public sealed class NewFolderTests : IDisposable
+public sealed class WriteFolderTests : IDisposable
 {
     private readonly TemporaryFolder folder = new();
 
