@@ -68,7 +68,7 @@ public sealed class Diagnosis
     /// leave at most a third of what one leaves. A mistake whose pixels may lie anywhere leaves more.</summary>
     private const double Foreign = 0.1, ForeignPair = 0.05, ForeignApart = 0.08, Third = 1 / 3.0, Scattered = 0.35;
 
-    /// <summary>Another number of the scene replaces one mistake, or two, if it leaves at most this share of what they leave.</summary>
+    /// <summary>Another number of the scene is named in place of one mistake, or of two, if it leaves at most this share of what they leave.</summary>
     private const double NumberForOne = 0.25, NumberForPair = 0.8;
 
     /// <summary>Mistakes are named in place of missing shapes or a missing model if they leave at most this share of what these leave.</summary>
@@ -179,14 +179,16 @@ public sealed class Diagnosis
         var isNamed = MissingModel is null ? left <= Math.Max(Explained, MayLeave(best))
             : left <= Explained && (best.Wordings.Count < 2 || best.Misfit.Unexplained < Much * leftByMissingModel);
         var isCertain = false;
-        // two mistakes of the camera may by chance make the very picture of another angle of view
+        // Two mistakes of the camera may make the picture of another angle of view, or by chance nearly so: the more exact of both is named.
         var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Concerns == Concerns.Camera);
         if ((left > Nearly || isOfCamera) && MissingModel is null && !evidence.IsOnlyOutlines && SameSize(picture))
         {
             var byModels = SceneDifference.Find(prepared.Scene, new(picture, prepared.Right), prepared.Threads);
-            var most = best.Named.Count > 1 ? Math.Max(left * NumberForPair, isOfCamera ? DiagnosisSearch.Idle : 0) : left * NumberForOne;
-            if (LikelyCause.Certain(prepared, byModels, evidence, most) is { } certain) (isNamed, isCertain, Likely) = (false, true, [certain]);
+            var most = best.Misfit * (best.Named.Count < 2 ? NumberForOne : isOfCamera ? 1 : NumberForPair);
+            var (misfit, certain) = LikelyCause.Certain(prepared, byModels, evidence);
+            if (certain is not null && misfit.CompareTo(most) < 0) (isNamed, isCertain, Likely) = (false, true, [certain]);
             else if (!isNamed) Likely = [.. LikelyCause.Hints(byModels, evidence)];
+            else if (certain is not null && misfit.Unexplained <= DiagnosisSearch.Idle * WrongCount) Likely = [certain];
         }
         if (!isNamed)
         {
@@ -202,9 +204,7 @@ public sealed class Diagnosis
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
         var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount)
             .DistinctBy(trial => trial.Id).Take(Looked).Select(search.WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
-        if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
-            named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
-        else if (best.Base.Kinds.Any()) named = named.Take(1).Concat(Losing(best));
+        if (best.Base.Kinds.Any()) named = named.Take(Finding == Finding.Unfinished ? 0 : 1).Concat(Losing(best)); // if they are written already
         WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named.Select(mistake => mistake.Id).Order())).Take(5)];
         var likeliest = first.Length > 0 ? first[0].Draw(prepared.Scene) : null;
         Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => AsSuspect(trial, likeliest!))];

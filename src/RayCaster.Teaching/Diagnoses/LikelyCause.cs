@@ -10,13 +10,13 @@ internal static class LikelyCause
     private const int LeastLines = 4;
 
     /// <summary>A certain cause: one number of the scene is another, or one model is missing or has another colour.</summary>
-    /// <param name="most">The share of the wrong pixels that a number may leave unexplained.</param>
-    public static string? Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence, double most)
+    /// <returns>What it leaves unexplained, and a sentence; null for no cause.</returns>
+    public static (Misfit Misfit, string? Says) Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence)
     {
         if (ModelsText.Meant(byModels) is [{ } model] && (model.IsMissing || model.OtherColor is not null))
-            return ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault();
-        var (unexplained, says) = OtherNumber.Find(prepared.Scene, byModels, evidence, prepared.Threads);
-        return unexplained <= Math.Min(Explained, most) * evidence.WrongCount ? says : null;
+            return (default, ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault());
+        var (misfit, says) = OtherNumber.Find(prepared.Scene, byModels, evidence, prepared.Threads);
+        return misfit.Unexplained <= Explained * evidence.WrongCount ? (misfit, says) : default;
     }
 
     /// <summary>Other hints.</summary>

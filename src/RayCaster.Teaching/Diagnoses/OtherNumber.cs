@@ -9,13 +9,13 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
     private const double Own = 0.3;
 
     /// <summary>How many numbers are examined closely, and how many steps lead to the best x.</summary>
-    private const int Closer = 6, Steps = 14;
+    private const int Closer = 6, Steps = 20;
 
     private static readonly double[] times = [.. Both([0.07, 0.15, 0.25, 0.35, 0.5, 0.7, 1, 1.5, 2, 3])];
 
     /// <summary>The number that explains a picture best.</summary>
-    /// <returns>How many pixels it leaves unexplained, and a sentence about it.</returns>
-    public static (double Unexplained, string Says) Find(Scene scene, SceneDifference byModels, Evidence evidence, int? threads)
+    /// <returns>How far it is from explaining the picture, and a sentence about it.</returns>
+    public static (Misfit Misfit, string Says) Find(Scene scene, SceneDifference byModels, Evidence evidence, int? threads)
     {
         var places = from model in byModels.Models
                      where model.Model >= 0
@@ -29,7 +29,7 @@ internal sealed record OtherNumber(Func<double, Lab> Draw, IReadOnlyList<double>
         int[] best = [.. Enumerable.Range(0, all.Length).OrderBy(i => found[i].Misfit).Take(Closer)];
         Parallel.ForEach(best, options, i => found[i] = all[i].Closest(found[i].X, evidence));
         var first = best.MinBy(i => found[i].Misfit);
-        return (found[first].Misfit.Unexplained, all[first].Says(found[first].X));
+        return (found[first].Misfit, all[first].Says(found[first].X));
     }
 
     /// <summary>Steps to either side of an x while that is better; otherwise halves the step.</summary>

@@ -48,13 +48,22 @@ public class LikelyCauseTests
 
     [Fact]
     [Trait("kind", "campaign")] // no mistake explains it, so pairs are tried, too, which takes seconds
-    public void AnotherAngleThatTwoMistakesMakeByChanceIsToldAsASize()
+    public void AnotherAngleThatTwoMistakesNearlyMakeIsToldAsASize()
     {
         var c = generic.Camera; // "nohalf" and "fov-horiz" make h = 2 tan(fovY) · height / width
         var chance = 360 / Math.PI * Math.Atan(Math.Tan(c.FovY * Math.PI / 180) * c.Height / c.Width);
-        var diagnosis = Of(generic, Seen(generic, fovY: chance));
+        var diagnosis = Of(generic, Seen(generic, fovY: Math.Round(chance, 1)));
         Assert.Equal((Finding.NoneOfThese, 0), (diagnosis.Finding, diagnosis.Suspects.Count));
         Assert.StartsWith("The same picture, about", Assert.Single(diagnosis.Likely));
+    }
+
+    [Fact]
+    [Trait("kind", "campaign")] // pairs take seconds
+    public void TwoMistakesThatMakeAnotherAngleAreNamed()
+    {
+        Mistake[] both = [MistakeCatalog.Named("nohalf")!, MistakeCatalog.Named("fov-horiz")!];
+        var diagnosis = Diagnosis.Of(generic, MistakeCatalog.Draw(generic, both));
+        Assert.Equal(["fov-horiz", "nohalf"], diagnosis.Suspects[0].Mistakes.Select(mistake => mistake.Id).Order());
     }
 
     [Fact]
