@@ -6,7 +6,7 @@ internal static class AxisMistakes
     public static Mistake[] All =>
     [
         new Mistake("w-sign", Concerns.Camera, Slides.Camera, "W = +(T − P) normalised, so that the camera looks backwards",
-            lab => lab.AxisW.Becomes(W => (p, t) => -W(p, t)),
+            lab => lab.AxisW.Becomes(W => toTarget => -W(toTarget)),
             "The picture shows what is behind the camera, or nothing.",
             "Which way does W point: to the target, or away from it?",
             "W = −(T − P) normalised: it points backwards, and d has −W in it.")
@@ -21,7 +21,7 @@ internal static class AxisMistakes
             .Or("d = −(uc U + ur V − W)", lab => lab.Towards.Becomes(towards => (uc, ur) => -towards(uc, ur)))
             .Or("d = uc U + ur V + W, and the depth is measured along +W, too", lab =>
             {
-                lab.AxisW.Becomes(W => (p, t) => -W(p, t)); // turns U about, but not V
+                lab.AxisW.Becomes(W => toTarget => -W(toTarget)); // turns U about, but not V
                 lab.Towards.Becomes(towards => (uc, ur) => towards(-uc, ur));
             }),
         new Mistake("u-cross", Concerns.Camera, Slides.Camera, "U = W × up; V = W × U turns with it",
@@ -42,14 +42,14 @@ internal static class AxisMistakes
             "Look along −W, with V upwards: on which side is U?",
             "U = (up × W) normalised, V = W × U, and uc is multiplied by U as it is."),
         new Mistake("t-dir", Concerns.Camera, Slides.Camera, "W = −T normalised: the target taken for a direction",
-            lab => lab.AxisW.Becomes(W => (p, t) => W(Vector3.Zero, t)),
+            lab => lab.ToTarget.Is((_, t) => t),
             "The camera looks somewhere else; moving it does not turn it.",
             "The target is a point. Which vector leads from P to it?",
             "W = −(T − P) normalised.")
-            .Or("W = P normalised: the camera looks at the origin", lab => lab.AxisW.Becomes(W => (p, t) => W(p, Vector3.Zero)))
-            .Or("W = −(T + P) normalised", lab => lab.AxisW.Becomes(W => (p, t) => W(-p, t)))
-            .Or("W = −T normalised, while d leads to a plane through T", ThroughTarget + (lab => lab.AxisW.Becomes(W => (_, t) => W(default, t))))
-            .Or("W = P normalised, while d leads to a plane through T", ThroughTarget + (lab => lab.AxisW.Becomes(W => (p, _) => W(p, default))))
+            .Or("W = P normalised: the camera looks at the origin", lab => lab.ToTarget.Is((p, _) => -p))
+            .Or("W = −(T + P) normalised", lab => lab.ToTarget.Is((p, t) => t + p))
+            .Or("W = −T normalised, while d leads to a plane through T", ThroughTarget + (lab => lab.ToTarget.Is((_, t) => t)))
+            .Or("W = P normalised, while d leads to a plane through T", ThroughTarget + (lab => lab.ToTarget.Is((p, _) => -p)))
             .Or(AcrossUp("T", lab => lab.T))
             .Or(AcrossUp("P", lab => lab.P))
             .Or("d = uc U + ur V + T", Add(lab => lab.W + lab.T))

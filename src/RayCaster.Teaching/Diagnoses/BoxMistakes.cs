@@ -47,8 +47,7 @@ internal static class BoxMistakes
             "Do the same for x, y and z.")
             .Or("box: the slab of x forgotten", Corners(box => new(box.Min with { X = -endless }, box.Max with { X = endless })))
             .Or("box: the slab of y forgotten", Corners(box => new(box.Min with { Y = -endless }, box.Max with { Y = endless })))
-            .Or("box: face by face, only the next coordinate asked", lab => lab.AskFaces(asked: 1))
-            .Or("box: face by face, only the coordinate before asked", lab => lab.AskFaces(asked: 2))
+            .Or(FaceSlips())
             .Or(AxisSlips())
             .Or(from left in (int[])[1, 2, 4, 8, 16, 32, 12, 48, 60] select ($"box: asked axis by axis, without {Names(left)}", AxisByAxis(left))),
         new Mistake("slab-tmax", Concerns.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
@@ -95,6 +94,20 @@ internal static class BoxMistakes
     /// <summary>The ways into a slab and out of it, for a ray along it.</summary>
     private static Action<Lab> AlongASlab((double, double) ways) =>
         lab => lab.Faces.Becomes(faces => (axis, box, d) => d.At(axis) == 0 ? ways : faces(axis, box, d));
+
+    /// <summary>What may be forgotten where each of the six faces is asked by itself.</summary>
+    private static IEnumerable<(string, Action<Lab>)> FaceSlips() =>
+    [
+        ("box: face by face, only the next coordinate asked", lab => lab.AskFaces((axis, other) => other == (axis + 1) % 3)),
+        ("box: face by face, only the coordinate before asked", lab => lab.AskFaces((axis, other) => other == (axis + 2) % 3)),
+        ("box: face by face, only the first of the other coordinates asked", lab => lab.AskFaces((axis, other) => other == (axis == 0 ? 1 : 0))),
+        ("box: face by face, only the last of the other coordinates asked", lab => lab.AskFaces((axis, other) => other == (axis == 2 ? 1 : 2))),
+        .. from axis in (int[])[0, 1, 2]
+           select ($"box: face by face, {"xyz"[axis]} not asked", (Action<Lab>)(lab => lab.AskFaces((_, other) => other != axis))),
+        .. from axis in (int[])[2, 1, 0]
+           select ($"box: face by face, the two faces across {"xyz"[axis]} forgotten",
+               Crossed("xyz"[axis..(axis + 1)], (_, _, _, _) => (double.NaN, double.NaN)) + (lab => lab.AskFaces())),
+    ];
 
     /// <summary>What may be forgotten of one axis, or stay of another one where its line was copied.</summary>
     private static IEnumerable<(string, Action<Lab>)> AxisSlips()

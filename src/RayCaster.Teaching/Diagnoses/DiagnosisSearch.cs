@@ -66,7 +66,12 @@ internal sealed class DiagnosisSearch(
     /// <summary>How many ways to be unfinished are tried together with mistakes.</summary>
     private const int Ways = 8;
 
+    /// <summary>Mistakes that come after others that draw the same picture, because fewer people make them.</summary>
+    private static readonly string[] rare = ["v-cross", "clip-root", "znear-t", "zfar-t"];
+
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
+
+    private readonly Mistake[] known = [.. known.OrderBy(mistake => rare.Contains(mistake.Id))];
 
     private readonly string[] kinds = Unfinished.KindsOf(pictures);
 
@@ -265,7 +270,7 @@ internal sealed class DiagnosisSearch(
     /// <summary>The best trials of each mistake, or pair, with one mistake in each of its manners.</summary>
     private static List<WrongProgram> InManners(List<WrongProgram> trials) =>
     [
-        .. from trial in trials.GroupBy(trial => trial.Id).SelectMany(same => same.DistinctBy(trial => trial.Wordings[0]).Take(Slips))
+        .. from trial in trials.GroupBy(trial => trial.Id).SelectMany(same => same.DistinctBy(trial => (trial.Wordings[0], trial.Wordings[^1])).Take(Slips))
            from place in Enumerable.Range(0, trial.Wordings.Count)
            from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.InManners(trial.Wordings[place])
            select trial.With(place, wording),

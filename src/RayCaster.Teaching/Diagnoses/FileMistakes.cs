@@ -117,19 +117,16 @@ internal static class FileMistakes
     });
 
     /// <summary>All bytes so many places farther on in the file; what is before the first is a line break.</summary>
-    private static Action<Lab> Bytes(int many) => lab =>
+    private static Action<Lab> Bytes(int many) => lab => lab.Read.Becomes(read => (x, y) =>
     {
-        var (width, bytes) = (lab.Width, 3 * lab.Width * lab.Height);
-        lab.Shown.Becomes(shown => (x, y) =>
+        var first = 3 * (y * lab.Width + x);
+        return (At(first), At(first + 1), At(first + 2));
+
+        byte At(int place)
         {
-            byte At(int place)
-            {
-                if ((uint)(place -= many) >= (uint)bytes) return (byte)'\n';
-                var (r, g, b) = shown(place / 3 % width, place / 3 / width);
-                return (place % 3) switch { 0 => r, 1 => g, _ => b };
-            }
-            var first = 3 * (y * width + x);
-            return (At(first), At(first + 1), At(first + 2));
-        });
-    };
+            if ((uint)(place -= many) >= (uint)(3 * lab.Width * lab.Height)) return (byte)'\n';
+            var (r, g, b) = read(place / 3 % lab.Width, place / 3 / lab.Width);
+            return (place % 3) switch { 0 => r, 1 => g, _ => b };
+        }
+    });
 }

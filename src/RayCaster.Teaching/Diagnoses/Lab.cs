@@ -34,7 +34,7 @@ internal sealed partial class Lab
         if (TriangleT.IsChanged || TriangleX.IsChanged || Whole.IsChanged || Inside.IsChanged)
             TriangleIs(TriangleFormula ?? ((triangle, d) => TriangleByShares(triangle, d, Cross.Do)));
         if (TriangleFormula is { } formula) Triangle.Is(formula);
-        W = AxisW.Do(P, T);
+        W = AxisW.Do(ToTarget.Do(P, T));
         U = AxisU.Do(Camera.Up, W);
         V = AxisV.Do(W, U);
         h = PlaneHeight.Do(Camera.FovY);
@@ -45,7 +45,7 @@ internal sealed partial class Lab
     /// <summary>The shapes whose own formulas its mistakes change.</summary>
     public Concerns ChangedShapes =>
         (Plane.IsChanged ? Concerns.Planes : 0) | (Sphere.IsChanged || geometric || analytical ? Concerns.Spheres : 0)
-        | (Box.IsChanged || slabs || facesAsked is not null ? Concerns.Boxes : 0) | (Circle.IsChanged ? Concerns.Circles : 0)
+        | (Box.IsChanged || slabs || faceAsks is not null ? Concerns.Boxes : 0) | (Circle.IsChanged ? Concerns.Circles : 0)
         | (Triangle.IsChanged ? Concerns.Triangles : 0);
 
     /// <summary>As many models as a ray may try; with more a scene's mistakes are not tried at all.</summary>
@@ -63,7 +63,7 @@ internal sealed partial class Lab
     private double h, w, reach;
     private readonly int made; // mistakes; that rays pass through the other place of each pixel is a manner, too
     private bool geometric, analytical, slabs;
-    private int? facesAsked;
+    private Func<int, int, bool>? faceAsks;
 
     /// <summary>What is drawn.</summary>
     public Scene Scene { get; }
@@ -126,7 +126,7 @@ internal sealed partial class Lab
     // ---- The way through the steps ----
 
     /// <summary>The pixel at column x, line y (0 = top) of the file.</summary>
-    public (byte R, byte G, byte B) this[int x, int y] => Shown.Do(x, y);
+    public (byte R, byte G, byte B) this[int x, int y] => Read.Do(x, y);
 
     /// <summary>The same by its place in reading order.</summary>
     public (byte R, byte G, byte B) this[int place] => Math.DivRem(place, Width) is var (y, x) ? this[x, y] : default;

@@ -119,8 +119,12 @@ internal sealed partial class Lab
     }
 
     /// <summary>Has each of the six faces asked by itself.</summary>
-    /// <param name="asked">Which of the other two coordinates of X are asked: bit 0 is the next of x, y, z, x, y, bit 1 the one after it.</param>
-    public void AskFaces(int asked = 3) => facesAsked = (facesAsked ?? 3) & asked;
+    /// <param name="asks">Whether a coordinate of X is asked, from the axis across the face and the coordinate's own; both others if null.</param>
+    public void AskFaces(Func<int, int, bool>? asks = null)
+    {
+        var before = faceAsks;
+        faceAsks = (axis, other) => before?.Invoke(axis, other) != false && asks?.Invoke(axis, other) != false;
+    }
 
     /// <summary>The ray hits a face where the other two coordinates of X = P + t d lie between those of the corners.</summary>
     private Crossed ByFaces(Aabb box, Vector3 d)
@@ -131,10 +135,9 @@ internal sealed partial class Lab
             var (axis, (t0, t1)) = (face / 2, Faces.Do(face / 2, box, d));
             var t = face % 2 == 0 ? t0 : t1;
             var X = P + t * d; // no number along a slab
-            if (IsBetween(1) && IsBetween(2)) (near, far) = (Math.Min(near, t), Math.Max(far, t));
+            if (IsBetween((axis + 1) % 3) && IsBetween((axis + 2) % 3)) (near, far) = (Math.Min(near, t), Math.Max(far, t));
 
-            bool IsBetween(int next) => (facesAsked & next) == 0
-                || ((axis + next) % 3 is var k && box.Min.At(k) <= X.At(k) && X.At(k) <= box.Max.At(k));
+            bool IsBetween(int other) => !faceAsks!(axis, other) || (box.Min.At(other) <= X.At(other) && X.At(other) <= box.Max.At(other));
         }
         return near <= far ? new(near, far) : SlideFormulas.None;
     }

@@ -19,8 +19,11 @@ internal sealed partial class Lab
 
     // ---- The camera ----
 
-    /// <summary>(P, T) → W.</summary>
-    public Step<Func<Vector3, Vector3, Vector3>> AxisW => field ??= new((p, t) => -Unit.Do(t - p));
+    /// <summary>(P, T) → T − P.</summary>
+    public Step<Func<Vector3, Vector3, Vector3>> ToTarget => field ??= new((p, t) => t - p);
+
+    /// <summary>That → W.</summary>
+    public Step<Func<Vector3, Vector3>> AxisW => field ??= new(toTarget => -Unit.Do(toTarget));
 
     /// <summary>(up, W) → U.</summary>
     public Step<Func<Vector3, Vector3, Vector3>> AxisU => field ??= new((up, w) => Unit.Do(Cross.Do(up, w)));
@@ -62,7 +65,7 @@ internal sealed partial class Lab
 
     /// <summary>(box, d) → its crossings.</summary>
     public Step<Func<Aabb, Vector3, Crossed>> Box => field ??= new((box, d) =>
-        facesAsked is not null ? ByFaces(box, d) : slabs ? Slabs(box, d) : box.Intersect(RayOf(d)));
+        faceAsks is not null ? ByFaces(box, d) : slabs ? Slabs(box, d) : box.Intersect(RayOf(d)));
 
     /// <summary>(circle, d) → its crossing.</summary>
     public Step<Func<Circle, Vector3, Crossed>> Circle => field ??= new((circle, d) => circle.Intersect(RayOf(d)));
@@ -146,4 +149,7 @@ internal sealed partial class Lab
 
     /// <summary>(x, y) → what the file shows there.</summary>
     public Step<Func<int, int, (byte R, byte G, byte B)>> Shown => field ??= new((x, y) => Cast(Column.Do(x), Row.Do(y)));
+
+    /// <summary>(x, y) → what a program that reads the file's bytes finds there.</summary>
+    public Step<Func<int, int, (byte R, byte G, byte B)>> Read => field ??= new((x, y) => Shown.Do(x, y));
 }

@@ -14,7 +14,7 @@ internal static class VectorMistakes
                 lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, w)) * V(w, u)))
             .Or("U is not normalised, but V is", Longer(false, lab => lab.Cross.Do(lab.Camera.Up, lab.W))),
         new Mistake("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",
-            lab => lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t)),
+            lab => lab.AxisW.Becomes(W => toTarget => lab.Length.Do(toTarget) * W(toTarget)),
             "Everything is drawn out, the more the farther the target is, or zFar has cut all of it away.",
             "The plane lies at distance |W| before the camera. How long is your W?",
             "W = −(T − P) normalised.")
@@ -148,7 +148,7 @@ internal static class VectorMistakes
 
     private static void LeaveAxes(Lab lab)
     {
-        lab.AxisW.Becomes(W => (p, t) => lab.Length.Do(t - p) * W(p, t));
+        lab.AxisW.Becomes(W => toTarget => lab.Length.Do(toTarget) * W(toTarget));
         lab.AxisU.Becomes(U => (up, w) => lab.Length.Do(lab.Cross.Do(up, w)) * U(up, w));
     }
 
@@ -174,15 +174,17 @@ internal static class VectorMistakes
         ("the sphere takes d·d = 1 and D² = L² (1 − cos²), not below 0", AssumeUnitLength + (lab =>
             lab.D2.Becomes(D2 => (L2, tca) => Math.Max(0, D2(L2, tca))))),
         ("circles ask |X − C| ≤ R with it", SurfaceMistakes.CircleWhere((lab, circle, X) => lab.Length.Do(X - circle.Center) <= circle.Radius)),
-        ("circles count along two axes of their own", InCircleAxes),
+        ("circles count along two axes of their own", InCircleAxes(turned: false)),
         ("the light fades with |X − P|", ByLength),
     ];
 
     /// <summary>Circles ask x² + y² ≤ R² along two axes in their plane, made with the cross product.</summary>
-    private static Action<Lab> InCircleAxes => SurfaceMistakes.CircleWhere((lab, circle, X) =>
+    /// <param name="turned">Whether n comes first in the product for the first of them.</param>
+    private static Action<Lab> InCircleAxes(bool turned) => SurfaceMistakes.CircleWhere((lab, circle, X) =>
     {
         var n = lab.Unit.Do(circle.Normal);
-        var axis = lab.Unit.Do(lab.Cross.Do(Math.Abs(n.X) < 0.8 ? new(1, 0, 0) : new(0, 1, 0), n));
+        Vector3 other = Math.Abs(n.X) < 0.8 ? new(1, 0, 0) : new(0, 1, 0);
+        var axis = lab.Unit.Do(turned ? lab.Cross.Do(n, other) : lab.Cross.Do(other, n));
         var (x, y) = ((X - circle.Center) * axis, (X - circle.Center) * lab.Cross.Do(n, axis));
         return x * x + y * y <= circle.Radius * circle.Radius;
     });
@@ -262,7 +264,8 @@ internal static class VectorMistakes
     [
         ("triangles compare areas along n", Triangles((lab, triangle, d) => lab.TriangleByShares(triangle, d, lab.Cross.Do))),
         ("triangles take only n from it", Triangles((lab, triangle, d) => lab.TriangleByShares(triangle, d, (a, b) => a % b))),
-        ("circles count along two axes of their own", InCircleAxes),
+        ("circles count along two axes of their own", InCircleAxes(turned: false)),
+        ("circles count along two axes of their own, n × x first", InCircleAxes(turned: true)),
         ("triangles compare volumes", Triangles((lab, triangle, d) => lab.TriangleByVolumes(triangle, d))),
         ("triangles compare volumes and take t from them", Triangles((lab, triangle, d) => lab.TriangleByVolumes(triangle, d, tFromCorners: true))),
         ("triangles compare determinants", Triangles((lab, triangle, d) => lab.TriangleByDeterminants(triangle, d))),
@@ -290,7 +293,7 @@ internal static class VectorMistakes
         var (y, f) = (lab.Cross.Do(up, x), lab.T - lab.P);
         var (yaw, pitch) = (Math.Atan2(f * y, f * x), Math.Asin(f * up / f.Length));
         var level = Math.Cos(yaw) * x + Math.Sin(yaw) * y;
-        lab.AxisW.Is((_, _) => -(Math.Cos(pitch) * level + Math.Sin(pitch) * up));
+        lab.AxisW.Is(_ => -(Math.Cos(pitch) * level + Math.Sin(pitch) * up));
         lab.AxisU.Is((_, _) => Math.Sin(yaw) * x - Math.Cos(yaw) * y);
         lab.AxisV.Is((_, _) => Math.Cos(pitch) * up - Math.Sin(pitch) * level);
     }
@@ -298,7 +301,7 @@ internal static class VectorMistakes
     /// <summary>The camera's axes without the wrong cross product or length.</summary>
     private static void RightAxes(Lab lab)
     {
-        lab.AxisW.Is((p, t) => (p - t).Normalized);
+        lab.AxisW.Is(toTarget => -toTarget.Normalized);
         lab.AxisU.Is((up, w) => (up % w).Normalized);
         lab.AxisV.Is((w, u) => w % u);
     }
