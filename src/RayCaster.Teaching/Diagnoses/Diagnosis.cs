@@ -66,7 +66,7 @@ public sealed class Diagnosis
 
     /// <summary>A mistake that leaves a greater share of the wrong pixels fits only by chance; several mistakes may leave less, but more if they
     /// leave at most a third of what one leaves. A mistake whose pixels may lie anywhere leaves more.</summary>
-    private const double Foreign = 0.1, ForeignPair = 0.05, ForeignApart = 0.08, Third = 1 / 3.0, Scattered = 0.35;
+    private const double Foreign = 0.1, ForeignPair = 0.05, ForeignApart = 0.08, Third = 1 / 3.0, Scattered = 0.18;
 
     /// <summary>Another number of the scene is named in place of one mistake, or of two, if it leaves at most this share of what they leave.</summary>
     private const double NumberForOne = 0.25, NumberForPair = 0.8;

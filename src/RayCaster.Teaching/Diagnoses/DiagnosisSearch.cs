@@ -20,8 +20,9 @@ internal sealed class DiagnosisSearch(
     /// <summary>The search ends if a mistake leaves at most this share of all that is wrong unexplained.</summary>
     private const double Explained = 0.02;
 
-    /// <summary>The same where no second mistake could be worth its <see cref="WrongProgram.Cost"/>.</summary>
-    private const double Certain = 0.0067, CertainOtherSample = 0.0029;
+    /// <summary>The share of all that is wrong that another program's rounding may leave: of one picture's pixels, and of several pictures' losses.
+    /// </summary>
+    private const double RoundingOfOne = 0.004, RoundingOfSeveral = 0.01;
 
     /// <summary>If a mistake leaves at most this share, its other wordings are tried once more.</summary>
     private const double Rewordable = 0.1;
@@ -75,6 +76,8 @@ internal sealed class DiagnosisSearch(
 
     private readonly string[] kinds = Unfinished.KindsOf(pictures);
 
+    private readonly double rounding = pictures.Count == 1 ? RoundingOfOne : RoundingOfSeveral;
+
     private List<WrongProgram>? nearestByColors; // of every single mistake, for all rounds of pairs
 
     /// <summary>All that is wrong: the wrong pixels of one picture, or how many of several are wrong.</summary>
@@ -116,13 +119,16 @@ internal sealed class DiagnosisSearch(
         ]);
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
         if (IsCertain([.. all.Where(trial => !trial.Base.Kinds.Any())]) || IsDone(all, Nearly)) return Sorted(all);
-        if (IsDone(all)) return Sorted([.. all, .. BestPairs(Pairs([.. Sorted(all).SelectMany(Written)], everySingle, 2))]);
+        var isDone = IsDone(all);
+        if (isDone) all.AddRange(BestPairs(Pairs([.. Sorted(all).SelectMany(Written)], everySingle, 2)));
+        if (isDone && !IsDone(plain)) return Sorted(all);
 
+        // Few wrong pixels beside what is missing may be all that shows of a mistake.
         Unfinished[] ways = [.. Unfinished.ByColors(pictures, done).Take(Ways)];
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
         var onTop = Best([.. ways.SelectMany(way => Singles(way, samples))]);
         all.AddRange(onTop);
-        if (IsDone(all)) return Sorted(all);
+        if (isDone || IsDone(all)) return Sorted(all);
 
         foreach (var pairs in PairsByEffort(singles, everySingle, onTop))
         {
@@ -154,9 +160,9 @@ internal sealed class DiagnosisSearch(
     /// <summary>Whether rays through the other place of each pixel explain so much alone that they are tried with every mistake.</summary>
     private bool MayBeOtherSample() => Measure(new(Unfinished.Nothing, [center], false), 0.05).Unexplained < 0.9 * Wrong;
 
-    /// <summary>A trial, and before it the same with all shapes drawn: a shape that seems missing may be misplaced by a second mistake.</summary>
+    /// <summary>A trial, and before it the same with nothing missing: a shape may be misplaced by a second mistake, or the clipping be wrong.</summary>
     private static WrongProgram[] Written(WrongProgram trial) =>
-        trial.Base.Kinds.Any() ? [trial with { Base = Unfinished.Nothing }, trial] : [trial];
+        trial.Base.NotYet.Count > 0 ? [trial with { Base = Unfinished.Nothing }, trial] : [trial];
 
     /// <summary>A trial, and the same with rays through the scene's place of each pixel: a second mistake may move outlines otherwise.</summary>
     private static WrongProgram[] Resampled(WrongProgram trial) => trial.OtherSample ? [trial, trial with { OtherSample = false }] : [trial];
@@ -164,11 +170,11 @@ internal sealed class DiagnosisSearch(
     private bool IsDone(List<WrongProgram> all, double left = Explained) => all.Exists(trial => trial.Misfit.Unexplained <= left * Wrong);
 
     private bool IsCertain(List<WrongProgram> all) =>
-        all.Exists(trial => trial.Misfit.Unexplained <= (trial.OtherSample ? CertainOtherSample : Certain) * Wrong);
+        all.Exists(trial => trial.Misfit.Unexplained <= trial.LeastLeft(Wrong, rounding));
 
     // stable: of equals that with the usual wordings, and of these the first in the catalogue
     private List<WrongProgram> Sorted(List<WrongProgram> trials) =>
-        [.. trials.OrderBy(trial => trial.Cost(Wrong) * Surprise(trial)).ThenBy(trial => trial.Unusual)];
+        [.. trials.OrderBy(trial => trial.Cost(Wrong, rounding) * Surprise(trial)).ThenBy(trial => trial.Unusual)];
 
     private double Surprise(WrongProgram trial) =>
         likely is null ? 1 : Math.Pow(Unlikely, trial.Wordings.Count(wording => !likely(wording)) + (trial.OtherSample && !likely(center) ? 1 : 0));

@@ -16,7 +16,7 @@ internal sealed class Evidence
     private const int Few = 5;
 
     /// <summary>A mistake whose pixels may lie anywhere explains a pixel by chance: this part of it counts as unexplained.</summary>
-    private const double Chance = 0.3;
+    private const double Chance = 0.1;
 
     /// <summary>The share of pixels that may be wrong on outlines beside those of <see cref="OutlineCount"/>.</summary>
     private const double StrayPixels = 1e-4;

@@ -5,6 +5,9 @@ namespace RayCaster.Teaching;
 /// <param name="OtherSample">Whether rays pass through the other place of each pixel.</param>
 internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Wordings, bool OtherSample, Misfit Misfit = default)
 {
+    /// <summary>The factor by which each mistake makes a program costlier.</summary>
+    private const double PerMistake = 1 / 0.6;
+
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
     /// <summary>Equal for trials that differ only in wordings and samples.</summary>
@@ -41,8 +44,12 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// written yet is the simplest assumption.
     /// </summary>
     /// <param name="wrong">All that is wrong, as <see cref="Misfit"/> counts it.</param>
-    public double Cost(double wrong) =>
-        (Misfit.Unexplained + 0.02 * Misfit.Error + 0.01 * wrong)
-        * Math.Pow(1 / 0.6, Wordings.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count)
+    /// <param name="rounding">How much of it another program's rounding may leave: what is left below that says little.</param>
+    public double Cost(double wrong, double rounding) =>
+        (Misfit.Unexplained + 0.02 * Misfit.Error + rounding * wrong)
+        * Math.Pow(PerMistake, Wordings.Count + (OtherSample ? 0.5 : 0)) * Math.Pow(1.15, Base.NotYet.Count)
         * Math.Pow(1.2, Wordings.Sum(wording => wording.Manners)); // a shape that is lost in a manner is rather not written
+
+    /// <summary>What may be left so that no program with one more mistake costs less.</summary>
+    public double LeastLeft(double wrong, double rounding) => rounding * wrong * (Math.Pow(PerMistake, OtherSample ? 0.5 : 1) - 1);
 }
