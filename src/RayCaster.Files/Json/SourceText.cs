@@ -22,7 +22,7 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
     {
         var text = Encoding.UTF8.GetString(Utf8[start..Math.Min(end, start + 240)]);
         var cut = text.AsSpan().IndexOfAny('\r', '\n') is >= 0 and var lineEnd ? lineEnd : text.Length;
-        cut = Math.Min(cut, 60);
+        cut = BetweenLetters(text, Math.Min(cut, 60));
         return PrintableText.Of(cut < text.Length || start + 240 < end ? string.Concat(text.AsSpan(0, cut), "…") : text);
     }
 
@@ -52,13 +52,18 @@ internal sealed class SourceText(string name, ReadOnlyMemory<byte> utf8)
         var line = LineOf(start);
         var before = Encoding.UTF8.GetString(Utf8[Math.Max(LineStarts[line - 1], start - most)..start]);
         var after = Encoding.UTF8.GetString(Utf8[start..Math.Min(start + most, Utf8.Length)]).Split('\r', '\n')[0];
-        if (before.Length > LongestExcerpt / 2 && before.Length + after.Length > LongestExcerpt) before = "…" + before[^(LongestExcerpt / 2)..];
+        if (before.Length > LongestExcerpt / 2 && before.Length + after.Length > LongestExcerpt)
+            before = "…" + before[BetweenLetters(before, before.Length - LongestExcerpt / 2)..];
         var room = Math.Min(after.Length, LongestExcerpt - Math.Min(before.Length, LongestExcerpt));
         var value = Math.Min(room, Encoding.UTF8.GetCharCount(Utf8[start..Math.Min(end, start + most)]));
-        if (room < after.Length) after = after[..room] + "…";
+        if (room < after.Length) after = after[..BetweenLetters(after, room)] + "…";
         var indent = string.Concat(before.Select(c => c == '\t' ? c : ' '));
         return PrintableText.Of($"{line,5} | {before}{after}").TrimEnd() + $"\n      | {indent}^{new string('~', Math.Max(0, value - 1))}";
     }
+
+    /// <summary>A place at which a text can be cut: not within an emoji, which has two UTF-16 units.</summary>
+    private static int BetweenLetters(string text, int place) =>
+        place < text.Length && char.IsLowSurrogate(text[place]) ? place - 1 : place;
 
     private int[] LineStarts => field ??= FindLineStarts();
 

@@ -26,6 +26,19 @@ public class ProblemTests
         Assert.Equal("null", excerpt[0].Substring(excerpt[1].IndexOf('^'), excerpt[1].Length - excerpt[1].IndexOf('^')));
     }
 
+    [Theory]
+    [InlineData("")]
+    [InlineData(" ")]
+    public void AnEmojiIsNotCutInTwo(string odd)
+    {
+        var emojis = string.Concat(Enumerable.Repeat("🎈", 200));
+        var problems = Read($"{{ \"models\": [],{odd}/* {emojis} */\"camera\": \"{odd}{emojis}\", /* {emojis} */ \"camra\": null }}").Problems;
+
+        Assert.All(problems, problem => Encoding.GetEncoding("utf-16", new EncoderExceptionFallback(), new DecoderExceptionFallback())
+            .GetBytes(problem.ToString()));
+        Assert.All(problems, problem => Assert.DoesNotContain('\uFFFD', problem.ToString()));
+    }
+
     [Fact]
     public void WhatCouldMoveATerminalsCursorIsNotShown()
     {
