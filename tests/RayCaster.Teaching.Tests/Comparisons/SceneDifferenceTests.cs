@@ -149,4 +149,19 @@ public class SceneDifferenceTests
         var farther = SomePictures.Make(60, 40, (x, y) => x == 31 ? reference[29, y] : reference[x, y]);
         Assert.Equal(Likeness.Wrong, new PictureComparison(farther, reference, edge).Likeness);
     }
+
+    [Theory]
+    [InlineData(0, Likeness.Identical)]
+    [InlineData(1, Likeness.OutlinesOnly)]
+    [InlineData(2, Likeness.OutlinesOnly)]
+    [InlineData(3, Likeness.Wrong)]
+    public void OfModelsAtTheSameDistanceEachMayShow(int shown, Likeness likeness)
+    {
+        var tie = scene with
+        {
+            Models = [.. ((double[])[0, 0, 0, -1]).Select((x, i) => Named(new Plane(new(x, 0, 0), new(1, 0, 0)), $"wall {i}", new(1, 0.2 * i, 0)))],
+        };
+        var mine = Renderer.Render(tie with { Models = [tie.Models[shown]] });
+        Assert.Equal(likeness, new PictureComparison(mine, Renderer.Render(tie), tie).Likeness);
+    }
 }
