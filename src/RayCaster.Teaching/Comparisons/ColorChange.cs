@@ -15,8 +15,7 @@ internal sealed record ColorChange(
 
     public static ColorChange Inverted { get; } = new("it is inverted: it shows 1 − c instead of c, a negative", "RGB", new(c => 1 - c));
 
-    public static ColorChange Srgb { get; } = new("the gamma of sRGB is removed: the bytes must be linear", "RGB",
-        new(c => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055));
+    public static ColorChange Srgb { get; } = new("the gamma of sRGB is removed: the bytes must be linear", "RGB", new(SrgbOf));
 
     /// <summary>Whether the order of the channels changes, and not a formula.</summary>
     public bool IsOrder => Tones == ToneTable.Same;
@@ -40,6 +39,9 @@ internal sealed record ColorChange(
     public static ColorChange Linear(double factor, double offset) => new(
         FormattableString.Invariant($"its brightness is corrected: it shows {Times(factor)}{Plus(offset)} instead of c"),
         "RGB", new(c => factor * c + offset), Factor: factor, Offset: offset);
+
+    /// <summary>What sRGB (IEC 61966-2-1) stores for a linear channel.</summary>
+    public static double SrgbOf(double c) => c <= 0.0031308 ? 12.92 * c : 1.055 * Math.Pow(c, 1 / 2.4) - 0.055;
 
     private static string Gamma(double exponent) =>
         exponent < 1 ? FormattableString.Invariant($" (gamma {1 / exponent:0.##}; the bytes must be linear)") : "";
