@@ -86,11 +86,11 @@ function steps(list) {
 
 function slabs(list) {
   if (!list) return null;
-  const cells = ["lo", "hi", "t0", "t1", "enters", "leaves"];
+  const cells = { lo: "B0", hi: "B1", t0: "t0", t1: "t1", enters: "enters", leaves: "leaves" };
   return make("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Slabs" }, make("table", {},
-    make("thead", {}, make("tr", {}, ...["slab", ...cells, ""].map(cell => make("th", { scope: "col" }, cell)))),
+    make("thead", {}, make("tr", {}, ...["slab", ...Object.values(cells), ""].map(cell => make("th", { scope: "col" }, cell)))),
     make("tbody", {}, ...list.map(slab => make("tr", {}, make("th", { scope: "row" }, slab.axis),
-      ...cells.map(cell => make("td", {}, digits(slab[cell]))),
+      ...Object.keys(cells).map(cell => make("td", {}, digits(slab[cell]))),
       make("td", {}, [slab.decidesEntry ? "t_min" : null, slab.decidesExit ? "t_max" : null].filter(Boolean).join(", ")))))));
 }
 

@@ -1,4 +1,4 @@
-// Draws the plane through the ray and the camera's up, with the shapes' sections, the clip planes and the crossings that the server computed.
+// Draws the plane through the ray and the camera's up: the clip planes and the shapes' sections, and on the ray the explanation's crossings.
 import { digits, make } from "./dom.js";
 
 const [width, height, margin] = [640, 300, 24];
@@ -6,30 +6,32 @@ const [width, height, margin] = [640, 300, 24];
 export function section(plane, pixel) {
   const box = make("figure", { class: "section" });
   if (!plane) return box;
+  const crossings = pixel.models.flatMap(({ name, crossings }) => crossings.filter(({ t }) => Number.isFinite(t))
+    .map(crossing => ({ ...crossing, name, at: plane.direction.map(part => crossing.t * part) })));
   const { left, right, bottom, top } = plane.view;
   const scale = Math.min((width - 2 * margin) / (right - left), (height - 2 * margin) / (top - bottom));
   const x = u => width / 2 + (u - (left + right) / 2) * scale;
   const y = v => height / 2 - (v - (bottom + top) / 2) * scale;
-  const drawing = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": inWords(plane, pixel) });
+  const drawing = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": inWords(crossings, pixel) });
 
   for (const [clip, at] of [["zNear", plane.near], ["zFar", plane.far]]) {
     if (at === null || x(at) < 0 || x(at) > width) continue;
     drawing.append(svg("line", { class: "clip", x1: x(at), x2: x(at), y1: 0, y2: height }), text(x(at) + 3, height - 5, clip));
   }
-  for (const model of plane.models) {
+  for (const [i, model] of plane.models.entries()) {
     const path = model.lines.map(line => line.map(([u, v], i) => `${i ? "L" : "M"}${x(u).toFixed(1)} ${y(v).toFixed(1)}`).join("")).join("");
     drawing.append(svg("path", { class: "halo", d: path }));
     const outline = svg("path", { class: "shape", d: path });
     outline.style.stroke = model.color;
-    outline.append(svg("title", {}, model.name));
+    outline.append(svg("title", {}, pixel.models[i].name));
     drawing.append(outline);
   }
-  const end = plane.crossings.find(crossing => crossing.verdict === "shows");
+  const end = crossings.find(crossing => crossing.verdict === "shows");
   const far = Math.hypot(right - left, top - bottom) * 2;
   drawing.append(svg("line", { class: "ray beyond", x1: x(0), y1: y(0), x2: x(plane.direction[0] * far), y2: y(plane.direction[1] * far) }));
   if (end) drawing.append(svg("line", { class: "ray", x1: x(0), y1: y(0), x2: x(end.at[0]), y2: y(end.at[1]) }));
   drawing.append(svg("circle", { class: "eye", cx: x(0), cy: y(0), r: 4 }), text(x(0) + 6, y(0) + 14, "P"));
-  for (const crossing of plane.crossings) {
+  for (const crossing of crossings) {
     const r = crossing.verdict === "shows" ? 6 : 4;
     const mark = svg("circle", { class: `crossing ${crossing.verdict}`, cx: x(crossing.at[0]), cy: y(crossing.at[1]), r });
     mark.append(svg("title", {}, `${crossing.name}: t = ${digits(crossing.t)}, ${crossing.reason}`));
@@ -41,9 +43,9 @@ export function section(plane, pixel) {
   return box;
 }
 
-function inWords(plane, pixel) {
+function inWords(crossings, pixel) {
   const shown = pixel.hit ? `it ends at ${pixel.hit.name}, t = ${digits(pixel.hit.t, 4)}` : "it hits nothing";
-  return `Drawing of the ray from the side: ${shown}; ${plane.crossings.length} crossings are marked`;
+  return `Drawing of the ray from the side: ${shown}; ${crossings.length} crossings are marked`;
 }
 
 function svg(name, attributes = {}, content = "") {

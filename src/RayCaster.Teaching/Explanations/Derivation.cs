@@ -55,9 +55,6 @@ internal readonly struct Derivation : IReal<Derivation>
     public static Derivation If(Derivation mask, Derivation value) =>
         new(Operation.If, mask.Value != 0 ? value.Value : double.NaN, mask, value);
 
-    public static Derivation Or(Derivation value, Derivation instead) =>
-        new(Operation.Instead, double.IsNaN(value.Value) ? instead.Value : value.Value, value, instead);
-
     public static Derivation Named(Derivation value, string name, string formula)
     {
         var step = new StepName(name, formula);

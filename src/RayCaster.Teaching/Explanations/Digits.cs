@@ -11,6 +11,8 @@ internal static class Digits
 
     public static string Of(Vector3 v) => Of([v.X, v.Y, v.Z]);
 
+    public static string Of(Color color) => Of([color.R, color.G, color.B]);
+
     /// <summary>Two numbers, with enough digits to show their difference.</summary>
     public static (string A, string B) Apart(double a, double b)
     {

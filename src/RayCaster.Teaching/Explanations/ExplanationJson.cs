@@ -9,44 +9,42 @@ public static class ExplanationJson
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null) => JsonText.Of(new
     {
         Pixel = new { pixel.Column, pixel.Line, pixel.Row, pixel.Scene.Camera.Width, pixel.Scene.Camera.Height },
-        Camera = Camera(pixel.Scene.Camera, pixel.CameraSteps),
+        Camera = Camera(pixel),
         Ray = new
         {
             pixel.Ray.Origin,
             pixel.Ray.Direction,
             pixel.Ray.ZPerT,
             Slide = Slides.PixelTranslation,
-            Steps = Steps(pixel.RaySteps),
+            Steps = pixel.RaySteps,
         },
         Models = pixel.Models.Select(Model),
-        pixel.Others,
+        Others = Others(pixel.Others),
         Hit = pixel.Winner is { } index ? Hit(pixel, index) : JsonText.Null,
         Color = Color(pixel),
         pixel.Notes,
-        Reference = reference is null ? null : new
-        {
-            reference.Bytes,
-            reference.Difference,
-            reference.Agrees,
-            reference.Causes,
-        },
+        Reference = reference,
     });
 
-    private static object Camera(Camera camera, IReadOnlyList<FormulaStep> steps) => new
+    private static object Camera(PixelExplanation pixel)
     {
-        camera.Position,
-        camera.Target,
-        camera.Up,
-        camera.FovY,
-        camera.ZNear,
-        camera.ZFar,
-        camera.Bias,
-        camera.Clip,
-        camera.Sample,
-        camera.Reach,
-        Slide = Slides.Camera,
-        Steps = Steps(steps),
-    };
+        var camera = pixel.Scene.Camera;
+        return new
+        {
+            camera.Position,
+            camera.Target,
+            camera.Up,
+            camera.FovY,
+            camera.ZNear,
+            camera.ZFar,
+            camera.Bias,
+            camera.Clip,
+            camera.Sample,
+            camera.Reach,
+            Slide = Slides.Camera,
+            Steps = pixel.CameraSteps,
+        };
+    }
 
     private static object Model(ModelExplanation model) => new
     {
@@ -58,7 +56,7 @@ public static class ExplanationJson
         Slide = ShapeKind.Of(model.Type)?.Slide,
         model.Beside,
         Mesh = model.Mesh is { } mesh ? Triangles(mesh) : null,
-        Steps = Steps(model.Steps),
+        model.Steps,
         Slabs = model.Slabs.Count > 0 ? model.Slabs : null,
         model.Weights,
         Crossings = model.Crossings.Select(crossing => new
@@ -73,16 +71,27 @@ public static class ExplanationJson
         }),
     };
 
-    private static object Triangles(MeshExplanation mesh) => new
+    private static object Triangles(MeshTrial mesh) => new
     {
-        mesh.Triangles,
+        Triangles = mesh.Triangles.Total,
         Triangle = mesh.Triangle ?? JsonText.Null,
-        mesh.Missed,
-        mesh.Behind,
-        mesh.UnderBias,
-        mesh.BeforeNear,
-        mesh.BeyondFar,
-        mesh.Counting,
+        Missed = mesh.Triangles[Outcome.NoNumber],
+        Behind = mesh.Triangles[Outcome.Behind],
+        UnderBias = mesh.Triangles[Outcome.UnderBias],
+        BeforeNear = mesh.Triangles[Outcome.BeforeNear],
+        BeyondFar = mesh.Triangles[Outcome.BeyondFar],
+        Counting = mesh.Triangles[Outcome.Shows],
+    };
+
+    private static object Others(Tally others) => new
+    {
+        Count = others.Total,
+        Hidden = others[Outcome.Shows],
+        Behind = others[Outcome.Behind],
+        UnderBias = others[Outcome.UnderBias],
+        BeforeNear = others[Outcome.BeforeNear],
+        BeyondFar = others[Outcome.BeyondFar],
+        Missed = others[Outcome.NoNumber],
     };
 
     private static object Hit(PixelExplanation pixel, int index) => new
@@ -102,14 +111,6 @@ public static class ExplanationJson
         Value = pixel.Color,
         pixel.Bytes,
         Slide = Slides.Shading,
-        Steps = Steps([.. pixel.AttenuationSteps, .. pixel.ColorSteps]),
+        Steps = pixel.AttenuationSteps.Concat(pixel.ColorSteps),
     };
-
-    private static IEnumerable<object> Steps(IReadOnlyList<FormulaStep> steps) => steps.Select(step => new
-    {
-        step.Name,
-        step.Formula,
-        step.Numbers,
-        Value = step.IsTest ? step.Value != 0 : step.Values is [var only] ? only : (object)step.Values,
-    });
 }

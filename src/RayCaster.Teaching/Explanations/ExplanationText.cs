@@ -5,6 +5,12 @@ public sealed class ExplanationText
 {
     private const int Width = 100;
 
+    private static readonly (Outcome, string)[] refused =
+    [
+        (Outcome.Behind, "behind the camera"), (Outcome.UnderBias, "under the bias"), (Outcome.BeforeNear, "nearer than zNear"),
+        (Outcome.BeyondFar, "beyond zFar"),
+    ];
+
     private readonly StringBuilder text = new();
 
     private ExplanationText()
@@ -48,7 +54,7 @@ public sealed class ExplanationText
 
     private void Models(PixelExplanation pixel)
     {
-        var (many, count) = (pixel.Others.Count > 0, pixel.Scene.Models.Count);
+        var (many, count) = (pixel.Others.Total > 0, pixel.Scene.Models.Count);
         Section("Models", many ? $"{pixel.Models.Count} of {count}: what shows and what nearly does" : count == 0 ? "none" : "in the scene's order");
         foreach (var model in pixel.Models) Model(model);
         if (many) Line(2, Others(pixel.Others));
@@ -60,7 +66,7 @@ public sealed class ExplanationText
         if (model.Beside is { } beside) Line(6, $"It shows in the next pixel: {beside}.");
         if (model.Mesh is { } mesh) Line(6, Mesh(mesh));
         Slabs(model.Slabs);
-        Steps(6, model.Slabs.Count == 0 ? model.Steps : [.. model.Steps.Where(step => step.Name is not ("t0" or "t1"))]);
+        Steps(6, [.. model.Steps.Where(step => model.Slabs.Count == 0 || step.Name is not ("t0" or "t1"))]);
         if (model.Weights is [var w, var u, var v])
             Line(6, $"of w + u + v: w = {Digits.Of(w)}, u = {Digits.Of(u)}, v = {Digits.Of(v)}");
         foreach (var crossing in model.Crossings) Crossing(model, crossing);
@@ -82,7 +88,7 @@ public sealed class ExplanationText
         if (slabs.Count == 0) return;
         List<string[]> rows =
         [
-            ["slab", "lo", "hi", "t0 = (lo − P) / d", "t1 = (hi − P) / d", "enters", "leaves", ""],
+            ["slab", "B0", "B1", "t0 = (B0 − P) / d", "t1 = (B1 − P) / d", "enters", "leaves", ""],
             .. slabs.Select(slab => (string[])[slab.Axis.ToString(),
                 .. new[] { slab.Lo, slab.Hi, slab.T0, slab.T1, slab.Enters, slab.Leaves }.Select(number => Digits.Of(number)), Decides(slab)]),
         ];
@@ -97,7 +103,7 @@ public sealed class ExplanationText
     private void Color(PixelExplanation pixel)
     {
         Section("Colour", pixel.Winner is { } index
-            ? $"of {pixel.NameOf(index)}, {Digits.Of(Channels(pixel.Scene.Models[index].Color))}"
+            ? $"of {pixel.NameOf(index)}, {Digits.Of(pixel.Scene.Models[index].Color)}"
             : "of the background");
         Steps(2, pixel.AttenuationSteps);
         Steps(2, pixel.ColorSteps);
@@ -118,8 +124,6 @@ public sealed class ExplanationText
         if (reference.Causes.Count == 0) Line(2, "No crossing of this ray gives that colour.");
     }
 
-    private static double[] Channels(Color color) => [color.R, color.G, color.B];
-
     private static string Signed(int difference) => difference > 0 ? $"+{difference}" : Digits.Of(difference);
 
     private static string Word(Outcome outcome) => outcome switch
@@ -130,23 +134,21 @@ public sealed class ExplanationText
         _ => "does not count",
     };
 
-    private static string Mesh(MeshExplanation mesh)
+    private static string Mesh(MeshTrial mesh)
     {
+        var tally = mesh.Triangles;
         var which = mesh.Triangle is { } triangle
-            ? $"; number {triangle}, from 0, is {(mesh.Counting > 0 ? "the nearest" : "the one that comes nearest")}:"
+            ? $"; number {triangle}, from 0, is {(tally[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest")}:"
             : "";
-        return $"{mesh.Triangles} {(mesh.Triangles == 1 ? "triangle" : "triangles")} tried: " + Counted((mesh.Missed, "passed by"),
-            (mesh.Behind, "behind the camera"), (mesh.UnderBias, "under the bias"), (mesh.BeforeNear, "nearer than zNear"),
-            (mesh.BeyondFar, "beyond zFar"), (mesh.Counting, "hit")) + which;
+        return $"{tally.Total} {(tally.Total == 1 ? "triangle" : "triangles")} tried: " +
+            Counted(tally, [(Outcome.NoNumber, "passed by"), .. refused, (Outcome.Shows, "hit")]) + which;
     }
 
-    private static string Others(OtherModels others) =>
-        $"{others.Count} other {(others.Count == 1 ? "model" : "models")}: " + Counted((others.Hidden, "hidden by a nearer one"),
-            (others.Behind, "behind the camera"), (others.UnderBias, "under the bias"), (others.BeforeNear, "nearer than zNear"),
-            (others.BeyondFar, "beyond zFar"), (others.Missed, "passed by"));
+    private static string Others(Tally others) => $"{others.Total} other {(others.Total == 1 ? "model" : "models")}: " +
+        Counted(others, [(Outcome.Shows, "hidden by a nearer one"), .. refused, (Outcome.NoNumber, "passed by")]);
 
-    private static string Counted(params IEnumerable<(int Count, string What)> parts) =>
-        string.Join(", ", parts.Where(part => part.Count > 0).Select(part => $"{part.Count} {part.What}"));
+    private static string Counted(Tally tally, (Outcome Outcome, string Words)[] parts) =>
+        string.Join(", ", parts.Where(part => tally[part.Outcome] > 0).Select(part => $"{tally[part.Outcome]} {part.Words}"));
 
     /// <summary>Steps in lines, with the equals signs in one column.</summary>
     private void Steps(int indent, IReadOnlyList<FormulaStep> steps)
@@ -154,7 +156,7 @@ public sealed class ExplanationText
         var longest = steps.Count == 0 ? 0 : steps.Max(step => step.Name.Length);
         foreach (var step in steps)
         {
-            var value = step.IsTest ? step.Value != 0 ? "true" : "false" : Digits.Of(step.Values);
+            var value = step.Value is bool holds ? holds ? "true" : "false" : Digits.Of(step.Values);
             string[] parts = step.Formula == step.Numbers || step.Numbers == value ? [step.Formula, value] : [step.Formula, step.Numbers, value];
             text.Append(' ', indent).Append(step.Name.PadRight(longest));
             var column = indent + longest;
@@ -165,7 +167,7 @@ public sealed class ExplanationText
                     column = indent + longest;
                     text.Append('\n').Append(' ', column);
                 }
-                text.Append(step.IsTest && ReferenceEquals(part, value) ? " is " : " = ").Append(part);
+                text.Append(step.Value is bool && ReferenceEquals(part, value) ? " is " : " = ").Append(part);
                 column += 3 + part.Length;
             }
             text.Append('\n');

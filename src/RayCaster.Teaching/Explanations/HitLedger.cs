@@ -18,10 +18,8 @@ public sealed class HitLedger
     /// <summary>So many models and triangles are judged within a few seconds, mostly within one.</summary>
     private const long MostPartsOfQuick = 500_000;
 
-    private HitLedger(Scene scene, LedgerEntry[] models) => (Scene, Models) = (scene, models);
-
-    /// <summary>The scene.</summary>
-    public Scene Scene { get; }
+    private HitLedger(Scene scene) =>
+        (Scene, Models) = (scene, [.. scene.Models.Select((_, i) => new LedgerEntry(ModelName.Typed(scene, i)))]);
 
     /// <summary>The models in the order of the scene.</summary>
     public IReadOnlyList<LedgerEntry> Models { get; }
@@ -29,14 +27,16 @@ public sealed class HitLedger
     /// <summary>How many rays were judged.</summary>
     public long Rays { get; private set; }
 
-    /// <summary>How many of them hit something.</summary>
-    public long Hits { get; private set; }
+    internal Scene Scene { get; }
+
+    /// <summary>How many of the rays hit something.</summary>
+    internal long Hits { get; private set; }
 
     /// <summary>How many hits are black because t ≥ 2 |T − P|.</summary>
-    public long Unlit { get; private set; }
+    internal long Unlit { get; private set; }
 
     /// <summary>The least and the greatest t of hits; +∞ and −∞ if there are none.</summary>
-    public (double Least, double Greatest) Range { get; private set; } = (double.PositiveInfinity, double.NegativeInfinity);
+    internal (double Least, double Greatest) Range { get; private set; } = (double.PositiveInfinity, double.NegativeInfinity);
 
     /// <summary>The colour of all hits; null if they have several.</summary>
     internal (byte R, byte G, byte B)? OnlyColor { get; private set; }
@@ -45,7 +45,7 @@ public sealed class HitLedger
     public static HitLedger Take(Scene scene, CancellationToken cancellation = default)
     {
         var camera = scene.Camera;
-        var ledger = new HitLedger(scene, [.. scene.Models.Select((_, i) => new LedgerEntry(ModelName.Typed(scene, i)))]);
+        var ledger = new HitLedger(scene);
         var step = StepOf(camera, 1 + scene.Models.Sum(model => model is Mesh ? FormulasOfTree : 1L));
         // Starts in the middle of the first step; in a picture of one line that is the line.
         var (firstColumn, firstRow) = (Math.Min(step, camera.Width) / 2, Math.Min(step, camera.Height) / 2);
@@ -76,7 +76,11 @@ public sealed class HitLedger
             if (outcome == Outcome.Shows && !(t < nearest)) outcome = Outcome.Hidden;
             Models[i].Count(outcome, t * ray.ZPerT);
             if (outcome != Outcome.Shows) continue;
-            if (shown >= 0) Models[shown].Hide();
+            if (shown >= 0)
+            {
+                Models[shown][Outcome.Shows]--;
+                Models[shown][Outcome.Hidden]++;
+            }
             (nearest, shown) = (t, i);
         }
         Rays++;

@@ -1,24 +1,19 @@
 namespace RayCaster.Teaching;
 
 /// <summary>What became of the rays, for one model. Each ray is counted once.</summary>
-public sealed class LedgerEntry(string label)
+public sealed class LedgerEntry(string label) : Tally
 {
-    private readonly long[] counts = new long[Outcomes.Count];
-
     /// <summary>The model's name, or its place in the scene file and its kind.</summary>
-    public string Label { get; } = label;
-
-    /// <summary>The number of rays with an outcome.</summary>
-    public long this[Outcome outcome] => counts[(int)outcome];
+    internal string Label => label;
 
     /// <summary>The rays that hit the model; in some of their pixels a nearer model hides it.</summary>
-    public long Hits => this[Outcome.Shows] + this[Outcome.Hidden];
+    internal long Hits => this[Outcome.Shows] + this[Outcome.Hidden];
 
     /// <summary>The greatest z of crossings that are nearer than zNear; −∞ if there are none.</summary>
-    public double GreatestBeforeNear { get; private set; } = double.NegativeInfinity;
+    internal double GreatestBeforeNear { get; private set; } = double.NegativeInfinity;
 
     /// <summary>The least z of crossings beyond zFar; +∞ if there are none.</summary>
-    public double LeastBeyondFar { get; private set; } = double.PositiveInfinity;
+    internal double LeastBeyondFar { get; private set; } = double.PositiveInfinity;
 
     /// <summary>
     /// The main reason why the model does not show: the most frequent outcome. Rays that cross it count before rays that miss it, and crossings
@@ -36,15 +31,9 @@ public sealed class LedgerEntry(string label)
 
     internal void Count(Outcome outcome, double z)
     {
-        counts[(int)outcome]++;
+        this[outcome]++;
         if (outcome == Outcome.BeforeNear) GreatestBeforeNear = Math.Max(GreatestBeforeNear, z);
         if (outcome == Outcome.BeyondFar) LeastBeyondFar = Math.Min(LeastBeyondFar, z);
-    }
-
-    internal void Hide()
-    {
-        counts[(int)Outcome.Shows]--;
-        counts[(int)Outcome.Hidden]++;
     }
 
     /// <summary>The outcome with the most rays; among equals, the first.</summary>

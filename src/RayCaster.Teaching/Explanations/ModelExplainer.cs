@@ -1,77 +1,82 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Explains models for one ray: evaluates their formulas over <see cref="Derivation"/>, which records each step.</summary>
-/// <param name="cast">The ray with its nearest hit.</param>
-/// <param name="shown">The place of the model that the pixel shows; null for none.</param>
-internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
+/// <summary>Explains models for a pixel's ray: evaluates their formulas over <see cref="Derivation"/>, which records each step.</summary>
+internal sealed class ModelExplainer(PixelExplanation pixel)
 {
+    private readonly Ray cast = pixel.Ray;
+    private readonly Camera camera = pixel.Scene.Camera;
+
     private readonly Ray<Derivation> ray = new(
-        ((Vector3<Derivation>)cast.Origin).As("P", ""), ((Vector3<Derivation>)cast.Direction).As("d", ""));
+        ((Vector3<Derivation>)pixel.Ray.Origin).As("P", ""), ((Vector3<Derivation>)pixel.Ray.Direction).As("d", ""));
 
     public ModelExplanation Explain(Trial trial)
     {
-        var part = trial.Mesh is { } mesh ? mesh.Triangle : 0;
-        var shape = part is { } i && trial.Model is Mesh triangles ? Model.Of(triangles[i]) : trial.Model;
         IReadOnlyList<FormulaStep> steps = [];
+        IReadOnlyList<SlabExplanation> slabs = [];
         IReadOnlyList<CrossingExplanation> crossings = [];
-        if (part is null || shape.Intersect(ray) is not { } derived)
-            crossings = trial.Mesh is null ? [Plain(trial)] : [];
-        else
+        var shape = trial.Shape;
+        if (shape?.Intersect(ray) is { } derived)
         {
-            var corners = Corners(shape);
-            var slabs = Slabs(shape, FormulaStep.LeadingTo(derived.Near));
-            var writer = new TermText(
-                corners.SelectMany(step => step.Values).Concat(slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])).ToHashSet());
+            (var corners, slabs) = (Corners(shape), Slabs(shape, derived));
+            var writer = new TermText([.. corners.SelectMany(step => step.Values), .. slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
             steps = [.. corners, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
-            crossings = Crossings(trial, shape, derived, steps, writer);
+            crossings = Crossings(trial, derived, term => Reasons.NoCrossing(shape, steps, slabs, term), writer);
         }
+        else if (shape is not null) crossings = [OfPlainDoubles(trial)];
 
-        var (outcome, reason) = Sum(trial, crossings);
-        return new ModelExplanation(trial.Index, ModelName.Plain(scene, trial.Index), trial.Model.Kind, outcome, reason, steps, crossings)
-        {
-            Slabs = Slabs(shape, steps),
-            Weights = shape is Model<Triangle> ? Reasons.Weights(steps) : null,
-            Mesh = trial.Mesh,
-        };
+        var (outcome, reason) = trial.Hit is { } hit ? Hit(trial.Index, hit)
+            : crossings.Count == 0 ? (Outcome.PassesBy, "the ray passes all its triangles by")
+            : (trial.Outcome, string.Join("; ", crossings.Select(crossing => crossing.Reason).Distinct()));
+        return new(trial.Index, pixel.NameOf(trial.Index), trial.Model.Kind, outcome, reason, steps, crossings, slabs,
+            shape is Model<Triangle> ? Reasons.Weights(steps) : null, trial.Mesh, Beside(trial.Index));
     }
 
-    private (Outcome Outcome, string Reason) Sum(Trial trial, IReadOnlyList<CrossingExplanation> crossings)
+    /// <summary>What becomes of a crossing that counts.</summary>
+    private (Outcome Outcome, string Reason) Hit(int model, double t)
     {
-        if (trial.Hit is { } t) return Hit(trial, t);
-        if (crossings.Count == 0) return (Outcome.PassesBy, "the ray passes all its triangles by");
-        var reasons = crossings.Select(crossing => crossing.Reason).Distinct();
-        return (trial.Outcome, string.Join("; ", reasons));
-    }
-
-    private (Outcome Outcome, string Reason) Hit(Trial trial, double t)
-    {
-        if (trial.Index == shown) return (Outcome.Shows, "the nearest that counts: the pixel shows it");
-        var name = ModelName.Plain(scene, shown!.Value);
-        if (t == cast.HitParameter) return (Outcome.Hidden, $"a tie: {name} has the same t and stands earlier in the scene");
+        if (model == pixel.Winner) return (Outcome.Shows, "the nearest that counts: the pixel shows it");
+        var shown = pixel.NameOf(pixel.Winner);
+        if (t == cast.HitParameter) return (Outcome.Hidden, $"a tie: {shown} has the same t and stands earlier in the scene");
         var (a, b) = Digits.Apart(cast.HitParameter, t);
-        return (Outcome.Hidden, $"hidden by {name}, whose t = {a} < {b}");
+        return (Outcome.Hidden, $"hidden by {shown}, whose t = {a} < {b}");
     }
 
-    private List<CrossingExplanation> Crossings(Trial trial, Model shape, Crossings<Derivation> derived,
-        IReadOnlyList<FormulaStep> steps, TermText writer)
+    private List<CrossingExplanation> Crossings(Trial trial, Crossings<Derivation> derived, Func<Term, string> noCrossing, TermText writer)
     {
         var crossings = new List<CrossingExplanation>();
-        var isHit = false;
-        foreach (var crossing in (Derivation[])[derived.Near, derived.Far])
+        foreach (var term in (Term[])[derived.Near.Term, derived.Far.Term])
         {
-            var (t, term) = (crossing.Value, crossing.Term);
+            var t = term.Value;
             if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed only once, or the same reason again
             var (outcome, reason) = Outcomes.Of(t, cast) switch
             {
-                Outcome.Shows when isHit => (Outcome.NotNeeded, "the crossing before it counts already"),
-                Outcome.Shows => Hit(trial, t),
-                Outcome.NoNumber => (Outcome.NoNumber, Reasons.NoCrossing(shape, steps, term)),
-                var refused => (refused, Reasons.Of(refused, t, t * cast.ZPerT, scene.Camera)),
+                Outcome.Shows when crossings is [{ Outcome: Outcome.Shows or Outcome.Hidden }] =>
+                    (Outcome.NotNeeded, "the crossing before it counts already"),
+                Outcome.Shows => Hit(trial.Index, t),
+                Outcome.NoNumber => (Outcome.NoNumber, noCrossing(term)),
+                var refused => (refused, Reasons.Of(refused, t, t * cast.ZPerT, camera)),
             };
-            isHit |= outcome.Counts();
-            crossings.Add(new(t, t * cast.ZPerT, outcome, reason, IsStep(term) ? "" : writer.Of(term), Untested(term)));
+            var isStep = term.Chosen.Operation is Operation.Name;
+            crossings.Add(new(t, t * cast.ZPerT, outcome, reason, isStep ? "" : writer.Of(term), Untested(term)));
         }
         return crossings;
+    }
+
+    /// <summary>The t that a crossing would have without the test that failed.</summary>
+    private static double? Untested(Term term) =>
+        double.IsNaN(term.Value) && term.Operation is Operation.If && double.IsFinite(term.B.Value) ? term.B.Value : null;
+
+    /// <summary>The crossing of a model in plain doubles and ifs.</summary>
+    private CrossingExplanation OfPlainDoubles(Trial trial)
+    {
+        var (t, z) = (trial.Near, trial.Near * cast.ZPerT);
+        var (outcome, reason) = trial.Hit is { } hit ? Hit(trial.Index, hit) : trial.Outcome switch
+        {
+            Outcome.NoNumber => (Outcome.NoNumber, "its Intersect finds no crossing"),
+            Outcome.Shows => (Outcome.NoNumber, "its Intersect gives no hit, though this t counts"),
+            var refused => (refused, Reasons.Of(refused, t, z, camera)),
+        };
+        return new(t, z, outcome, reason);
     }
 
     /// <summary>
@@ -86,33 +91,21 @@ internal sealed class ModelExplainer(Scene scene, Ray cast, int? shown)
         return FormulaStep.LeadingTo(a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z);
     }
 
-    private static bool IsStep(Term term) => term.Chosen.Operation is Operation.Name;
-
-    /// <summary>The t that a crossing would have without the test that failed.</summary>
-    private static double? Untested(Term term) =>
-        double.IsNaN(term.Value) && term.Operation is Operation.If && double.IsFinite(term.B.Value) ? term.B.Value : null;
-
-    private CrossingExplanation Plain(Trial trial)
+    /// <summary>The slabs of a box, by the steps t0 and t1 of its formula; empty for other shapes.</summary>
+    private static SlabExplanation[] Slabs(Model shape, Crossings<Derivation> derived)
     {
-        var (t, z) = (trial.Near, trial.Near * cast.ZPerT);
-        var (outcome, reason) = trial.Hit is { } hit ? Hit(trial, hit) : Outcomes.Of(t, cast) switch
-        {
-            Outcome.NoNumber => (Outcome.NoNumber, "its Intersect finds no crossing"),
-            Outcome.Shows => (Outcome.NoNumber, "its Intersect gives no hit, though this t counts"),
-            var refused => (refused, Reasons.Of(refused, t, z, scene.Camera)),
-        };
-        return new(t, z, outcome, reason, "", null);
+        if (shape is not Model<Aabb> { Primitive: var (B0, B1) }) return [];
+        var steps = FormulaStep.LeadingTo(derived.Near).ToLookup(step => step.Name, step => step.Number);
+        if ((steps["t0"].ToArray(), steps["t1"].ToArray()) is not ([var x0, var y0, var z0], [var x1, var y1, var z1])) return [];
+        SlabExplanation[] slabs = [new('x', B0.X, B1.X, x0, x1), new('y', B0.Y, B1.Y, y0, y1), new('z', B0.Z, B1.Z, z0, z1)];
+        var (last, first) = (slabs.MaxBy(slab => slab.Enters), slabs.MinBy(slab => slab.Leaves));
+        return Array.ConvertAll(slabs, slab => slab with { DecidesEntry = slab == last, DecidesExit = slab == first });
     }
 
-    private static IReadOnlyList<SlabExplanation> Slabs(Model shape, IReadOnlyList<FormulaStep> steps)
+    /// <summary>Which neighbouring pixels show a model that this pixel does not show; null for none.</summary>
+    private string? Beside(int model)
     {
-        if (shape is not Model<Aabb> { Primitive: var box }) return [];
-        var (t0, t1) = (Reasons.Values(steps, "t0"), Reasons.Values(steps, "t1"));
-        if ((t0.Length, t1.Length) is not (3, 3)) return [];
-        var (enters, leaves) = Reasons.Slabs(t0, t1);
-        var (entry, exit) = (Array.IndexOf(enters, enters.Max()), Array.IndexOf(leaves, leaves.Min()));
-        double[] lo = [box.Min.X, box.Min.Y, box.Min.Z], hi = [box.Max.X, box.Max.Y, box.Max.Z];
-        return [.. Enumerable.Range(0, 3).Select(i =>
-            new SlabExplanation("xyz"[i], lo[i], hi[i], t0[i], t1[i], enters[i], leaves[i], i == entry, i == exit))];
+        string[] where = [.. pixel.Neighbours.Where(neighbour => neighbour.Model == model).Select(neighbour => neighbour.Where)];
+        return model == pixel.Winner || where.Length == 0 ? null : string.Join(", ", where);
     }
 }

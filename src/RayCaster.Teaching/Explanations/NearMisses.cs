@@ -9,22 +9,23 @@ internal static class NearMisses
     /// The model that shows; the nearest hidden models; the models whose crossings nearly count; and the models that a neighbouring pixel
     /// shows. In the scene's order.
     /// </summary>
-    public static IEnumerable<Trial> Of(IReadOnlyList<Trial> trials, int? winner, IReadOnlyList<Neighbour> neighbours, Ray ray, Camera camera)
+    public static IReadOnlyList<Trial> Of(PixelExplanation pixel)
     {
-        var chosen = new HashSet<int>();
-        if (winner is { } index) chosen.Add(index);
-        chosen.UnionWith(trials.Where(trial => trial.Hit is not null && trial.Index != winner)
-            .OrderBy(trial => trial.Hit).Take(OfEachKind).Select(trial => trial.Index));
-        chosen.UnionWith(trials.Where(trial => !trial.Outcome.Counts() && !trial.Outcome.IsMiss())
-            .OrderBy(trial => Lacking(trial, ray, camera)).Take(OfEachKind).Select(trial => trial.Index));
-        foreach (var neighbour in neighbours)
-            if (neighbour.Model is { } model) chosen.Add(model);
-        return trials.Where(trial => chosen.Contains(trial.Index));
+        var hidden = pixel.Trials.Where(trial => trial.Hit is not null && trial.Index != pixel.Winner).OrderBy(trial => trial.Hit);
+        var refused = pixel.Trials.Where(trial => !trial.Outcome.Counts() && !trial.Outcome.IsMiss()).OrderBy(trial => Lacking(trial, pixel));
+        HashSet<int?> chosen =
+        [
+            pixel.Winner,
+            .. pixel.Neighbours.Select(neighbour => neighbour.Model),
+            .. hidden.Take(OfEachKind).Concat(refused.Take(OfEachKind)).Select(trial => (int?)trial.Index),
+        ];
+        return [.. pixel.Trials.Where(trial => chosen.Contains(trial.Index))];
     }
 
     /// <summary>How far a crossing is from counting.</summary>
-    private static double Lacking(Trial trial, Ray ray, Camera camera)
+    private static double Lacking(Trial trial, PixelExplanation pixel)
     {
+        var (ray, camera) = (pixel.Ray, pixel.Scene.Camera);
         return Math.Min(Distance(trial.Near), Distance(trial.Far));
 
         double Distance(double t) => Outcomes.Of(t, ray) switch

@@ -42,8 +42,6 @@ public enum Outcome
 /// <summary>Decides which crossings count, and puts outcomes into groups.</summary>
 internal static class Outcomes
 {
-    public const int Count = (int)Outcome.NoNumber + 1;
-
     /// <summary>Why a crossing does not count; <see cref="Outcome.Shows"/> if it does, whatever else is in the scene.</summary>
     /// <param name="t">The crossing; where it is NaN or infinite, the outcome is <see cref="Outcome.NoNumber"/>.</param>
     public static Outcome Of(double t, Ray ray) =>
@@ -65,4 +63,19 @@ internal static class Outcomes
     public static string Refusal(this Outcome outcome) => outcome.Counts() ? "none" : Word(outcome.IsMiss() ? Outcome.NoNumber : outcome);
 
     private static string Word(Outcome outcome) => JsonNamingPolicy.CamelCase.ConvertName(outcome.ToString());
+}
+
+/// <summary>How many models, triangles or rays have each outcome.</summary>
+public class Tally
+{
+    private readonly long[] counts = new long[Enum.GetValues<Outcome>().Length];
+
+    /// <summary>The number of those with an outcome.</summary>
+    public long this[Outcome outcome]
+    {
+        get => counts[(int)outcome];
+        internal set => counts[(int)outcome] = value;
+    }
+
+    internal long Total => counts.Sum();
 }

@@ -7,17 +7,19 @@ namespace RayCaster.Teaching;
 public sealed class PixelExplanation
 {
     /// <summary>If there are more models, only those that matter for the pixel are explained one by one.</summary>
-    public const int ManyModels = 12;
+    private const int ManyModels = 12;
 
     private PixelExplanation(Scene scene, int column, int line)
     {
         (Scene, Column, Line) = (scene, column, line);
         Ray = ScalarRenderer.Cast(scene, column, Row);
-        Trials = [.. scene.Models.Select((model, i) => Trial.Of(model, i, Ray))];
-        Winner = Ray.HitModel is { } hit ? IndexOf(hit) : null;
+        Winner = IndexOf(Ray.HitModel);
         Neighbours = [.. FindNeighbours()];
-        Models = Explain();
-        Others = Count(Trials.Where(trial => Models.All(model => model.Index != trial.Index)));
+        Trials = [.. scene.Models.Select((model, i) => Trial.Of(model, i, Ray))];
+        var explained = Trials.Count <= ManyModels ? Trials : NearMisses.Of(this);
+        Explainer = new(this);
+        Models = [.. explained.Select(Explainer.Explain)];
+        foreach (var trial in Trials.Except(explained)) Others[trial.Outcome]++;
         (CameraSteps, RaySteps) = (PixelSteps.OfCamera(scene.Camera), PixelSteps.OfRay(scene.Camera, column, Row));
         (AttenuationSteps, ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
         Notes = PixelNotes.Of(this);
@@ -36,61 +38,60 @@ public sealed class PixelExplanation
         return new(scene, column, line);
     }
 
-    /// <summary>The scene.</summary>
-    public Scene Scene { get; }
+    internal Scene Scene { get; }
 
-    /// <summary>c, from the left, from 0.</summary>
-    public int Column { get; }
+    internal int Column { get; }
 
-    /// <summary>The picture's line, from the top, from 0.</summary>
-    public int Line { get; }
+    internal int Line { get; }
 
     /// <summary>r, from the bottom, from 0.</summary>
-    public int Row => Scene.Camera.Height - 1 - Line;
+    internal int Row => Scene.Camera.Height - 1 - Line;
 
     /// <summary>W, U, V, h and w: the same for all pixels.</summary>
-    public IReadOnlyList<FormulaStep> CameraSteps { get; }
+    internal IReadOnlyList<FormulaStep> CameraSteps { get; }
 
     /// <summary>uc, ur, the direction before and after normalising.</summary>
-    public IReadOnlyList<FormulaStep> RaySteps { get; }
+    internal IReadOnlyList<FormulaStep> RaySteps { get; }
 
     /// <summary>The ray with its nearest hit.</summary>
-    public Ray Ray { get; }
-
-    /// <summary>The models in the scene's order; if there are more than <see cref="ManyModels"/>, those that matter for the pixel.</summary>
-    public IReadOnlyList<ModelExplanation> Models { get; }
-
-    /// <summary>The models that are not among <see cref="Models"/>.</summary>
-    public OtherModels Others { get; }
+    internal Ray Ray { get; }
 
     /// <summary>The place in the scene of the model that the pixel shows; null for the background.</summary>
-    public int? Winner { get; }
+    internal int? Winner { get; }
 
     /// <summary>What the pixels beside it show.</summary>
-    public IReadOnlyList<Neighbour> Neighbours { get; }
-
-    /// <summary>The steps of the attenuation; empty for the background, which is not attenuated.</summary>
-    public IReadOnlyList<FormulaStep> AttenuationSteps { get; }
-
-    /// <summary>The steps of each channel and its level; the byte is the whole part of the level.</summary>
-    public IReadOnlyList<FormulaStep> ColorSteps { get; }
-
-    /// <summary>The colour before it is clamped.</summary>
-    public Color Color { get; }
-
-    /// <summary>The pixel's bytes in the picture.</summary>
-    public (byte R, byte G, byte B) Bytes => Color.ToBytes();
-
-    /// <summary>What is special about this pixel, in words.</summary>
-    public IReadOnlyList<string> Notes { get; }
+    internal IReadOnlyList<Neighbour> Neighbours { get; }
 
     /// <summary>The crossings of all models, in plain doubles.</summary>
     internal IReadOnlyList<Trial> Trials { get; }
 
+    internal ModelExplainer Explainer { get; }
+
+    /// <summary>The models in the scene's order; of more than <see cref="ManyModels"/> those that matter for the pixel.</summary>
+    internal IReadOnlyList<ModelExplanation> Models { get; }
+
+    /// <summary>The models that are not among <see cref="Models"/>; one that shows would show if no other were nearer.</summary>
+    internal Tally Others { get; } = new();
+
+    /// <summary>The steps of the attenuation; empty for the background, which is not attenuated.</summary>
+    internal IReadOnlyList<FormulaStep> AttenuationSteps { get; }
+
+    /// <summary>The steps of each channel and its level; the byte is the whole part of the level.</summary>
+    internal IReadOnlyList<FormulaStep> ColorSteps { get; }
+
+    /// <summary>The colour before it is clamped.</summary>
+    internal Color Color { get; }
+
+    /// <summary>The pixel's bytes in the picture.</summary>
+    internal (byte R, byte G, byte B) Bytes => Color.ToBytes();
+
+    /// <summary>What is special about this pixel, in words.</summary>
+    internal IReadOnlyList<string> Notes { get; }
+
     /// <summary>A model's name, or its path in the scene file.</summary>
     internal string NameOf(int? index) => index is { } i ? ModelName.Plain(Scene, i) : ModelName.Background;
 
-    private int IndexOf(Model hit) => Scene.Models.Index().First(model => ReferenceEquals(model.Item, hit)).Index;
+    private int? IndexOf(Model? hit) => hit is null ? null : Scene.Models.TakeWhile(model => model != hit).Count();
 
     private IEnumerable<Neighbour> FindNeighbours()
     {
@@ -99,37 +100,13 @@ public sealed class PixelExplanation
         {
             if (column < 0 || line < 0 || column >= Scene.Camera.Width || line >= Scene.Camera.Height) continue;
             var ray = ScalarRenderer.Cast(Scene, column, Scene.Camera.Height - 1 - line);
-            yield return new(where, column, line, ray.HitModel is { } hit ? IndexOf(hit) : null, ray.HitParameter);
+            yield return new(where, column, line, IndexOf(ray.HitModel), ray.HitParameter);
         }
-    }
-
-    private List<ModelExplanation> Explain()
-    {
-        var explainer = new ModelExplainer(Scene, Ray, Winner);
-        var trials = Trials.Count <= ManyModels ? Trials : NearMisses.Of(Trials, Winner, Neighbours, Ray, Scene.Camera);
-        return [.. trials.Select(trial => explainer.Explain(trial) with { Beside = Beside(trial.Index) })];
-    }
-
-    private string? Beside(int index)
-    {
-        if (index == Winner) return null;
-        var where = Neighbours.Where(neighbour => neighbour.Model == index).Select(neighbour => neighbour.Where).ToArray();
-        return where.Length == 0 ? null : string.Join(", ", where);
-    }
-
-    private static OtherModels Count(IEnumerable<Trial> trials)
-    {
-        var counts = new int[Outcomes.Count];
-        foreach (var trial in trials) counts[(int)trial.Outcome]++;
-        return new(counts.Sum(), counts[(int)Outcome.Shows], counts[(int)Outcome.Behind], counts[(int)Outcome.UnderBias],
-            counts[(int)Outcome.BeforeNear], counts[(int)Outcome.BeyondFar], counts[(int)Outcome.NoNumber]);
     }
 }
 
 /// <summary>What a neighbouring pixel shows.</summary>
 /// <param name="Where">left, right, above or below.</param>
-/// <param name="Column">c, from the left.</param>
-/// <param name="Line">The picture's line, from the top.</param>
 /// <param name="Model">The model's place in the scene; null for the background.</param>
 /// <param name="T">The t of its hit; +∞ for none.</param>
-public sealed record Neighbour(string Where, int Column, int Line, int? Model, double T);
+internal sealed record Neighbour(string Where, int Column, int Line, int? Model, double T);

@@ -43,7 +43,7 @@ internal static class PixelNotes
     {
         foreach (var model in pixel.Models)
             foreach (var slab in model.Slabs)
-                if (double.IsNaN(slab.T0) || double.IsNaN(slab.T1))
+                if (slab.HoldsRay)
                     yield return $"{model.Name}: the ray runs in a face of the {slab.Axis} slab, " +
                         "where (B − P) / d is 0 / 0; the face belongs to the slab, so the ray is in it for ever";
     }
@@ -54,7 +54,6 @@ internal static class PixelNotes
             yield return $"all light is lost: {Reasons.Compare("t", pixel.Ray.HitParameter, "≥", "2 |T − P|", pixel.Scene.Camera.Reach)}" +
                 ", so the attenuation is 0";
         if (pixel.Color is { R: > 1 } or { G: > 1 } or { B: > 1 })
-            yield return $"a channel is more than 1 and is clamped: the colour is ({Digits.Of(pixel.Color.R)}, {Digits.Of(pixel.Color.G)}, " +
-                $"{Digits.Of(pixel.Color.B)})";
+            yield return $"a channel is more than 1 and is clamped: the colour is {Digits.Of(pixel.Color)}";
     }
 }

@@ -4,36 +4,37 @@ namespace RayCaster.Teaching;
 internal static class Reasons
 {
     /// <summary>Why a crossing does not count.</summary>
-    public static string Of(Outcome outcome, double t, double z, Camera camera) => outcome switch
+    public static string Of(Outcome refusal, double t, double z, Camera camera) => refusal switch
     {
         Outcome.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",
         Outcome.UnderBias => Compare("t", t, "≤", "bias", camera.Bias) + ": too near to where the ray starts",
         Outcome.BeforeNear => Compare("z", z, "<", "zNear", camera.ZNear) + ": clipped away, nearer than the near plane",
-        Outcome.BeyondFar => Compare("z", z, ">", "zFar", camera.ZFar) + ": clipped away, beyond the far plane",
-        _ => "counts",
+        _ => Compare("z", z, ">", "zFar", camera.ZFar) + ": clipped away, beyond the far plane",
     };
 
     /// <summary>Why a ray does not cross a model, in the slides' words for the slides' shapes.</summary>
     /// <param name="model">The model, or a triangle of a mesh.</param>
+    /// <param name="slabs">Those of a box.</param>
     /// <param name="near">The crossing, which is NaN.</param>
-    public static string NoCrossing(Model model, IReadOnlyList<FormulaStep> steps, Term near) => model switch
-    {
-        Model<Plane> => "d·n = 0: the ray runs along the plane",
-        Model<Sphere> { Primitive: var sphere } when Find(steps, "D") is { } D && D.Vector.Length > sphere.Radius =>
-            Compare("|D|", D.Vector.Length, ">", "R", sphere.Radius) + ": the ray passes the sphere by",
-        Model<Circle> { Primitive: var circle } => Circle(circle, steps) ?? Why.IsNoNumber(near),
-        Model<Aabb> when (Find(steps, "t_min"), Find(steps, "t_max")) is ({ } tMin, { } tMax) => Box(steps, tMin.Value, tMax.Value),
-        Model<Triangle> when Weights(steps) is [var w, var u, var v] => Triangle(w, u, v) ?? Why.IsNoNumber(near),
-        Model<Triangle> => "d·n = 0: the triangle is seen edge-on",
-        _ => Why.IsNoNumber(near),
-    };
+    public static string NoCrossing(Model model, IReadOnlyList<FormulaStep> steps, IReadOnlyList<SlabExplanation> slabs, Term near) =>
+        model switch
+        {
+            Model<Plane> => "d·n = 0: the ray runs along the plane",
+            Model<Circle> when !double.IsFinite(Find(steps, "t")?.Number ?? double.NaN) => "d·n = 0: the ray runs along the circle's plane",
+            Model<Circle> { Primitive.Radius: var R } => Beyond(R, "|X − C|", Find(steps, "CX"), "outside the circle"),
+            Model<Sphere> { Primitive.Radius: var R } => Beyond(R, "|D|", Find(steps, "D"), "the ray passes the sphere by"),
+            Model<Aabb> when (Find(steps, "t_min"), Find(steps, "t_max")) is ({ Number: var tMin }, { Number: var tMax }) =>
+                $"{Compare("t_min", tMin, ">", "t_max", tMax)}: {BesideSlabs(slabs, tMin, tMax)}",
+            Model<Triangle> => Weights(steps) is [var w, var u, var v] ? Outside(w, u, v) : "d·n = 0: the triangle is seen edge-on",
+            _ => null,
+        } ?? Why.IsNoNumber(near);
 
     /// <summary>The barycentric numbers w, u, v of a triangle, which add up to 1; null for a triangle seen edge-on.</summary>
     public static IReadOnlyList<double>? Weights(IReadOnlyList<FormulaStep> steps)
     {
-        if ((Find(steps, "w"), Find(steps, "u"), Find(steps, "v")) is not ({ } w, { } u, { } v)) return null;
-        var sum = w.Value + u.Value + v.Value;
-        return sum != 0 && double.IsFinite(sum) ? [w.Value / sum, u.Value / sum, v.Value / sum] : null;
+        if ((Find(steps, "w"), Find(steps, "u"), Find(steps, "v")) is not ({ Number: var w }, { Number: var u }, { Number: var v })) return null;
+        var sum = w + u + v;
+        return sum != 0 && double.IsFinite(sum) ? [w / sum, u / sum, v / sum] : null;
     }
 
     /// <summary>"|X − C| = 2.3 > R = 2", with enough digits to show the difference.</summary>
@@ -43,37 +44,20 @@ internal static class Reasons
         return $"{left} = {first} {sign} {right} = {second}";
     }
 
-    public static FormulaStep? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name);
+    private static FormulaStep? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name);
 
-    public static double[] Values(IReadOnlyList<FormulaStep> steps, string name) =>
-        [.. steps.Where(step => step.Name == name).Select(step => step.Value)];
+    private static string? Beyond(double R, string name, FormulaStep? distance, string reason) =>
+        distance?.Vector.Length is { } length && length > R ? $"{Compare(name, length, ">", "R", R)}: {reason}" : null;
 
-    /// <summary>Where a ray enters and leaves the slabs of a box: the lesser and the greater of t0 and t1. NaN, for a ray within a face of a slab,
-    /// becomes −∞ and +∞: the ray is always in that slab.</summary>
-    public static (double[] Enters, double[] Leaves) Slabs(double[] t0, double[] t1) => (
-        [.. t0.Zip(t1, (a, b) => Math.Min(a, b) is var t && double.IsNaN(t) ? double.NegativeInfinity : t)],
-        [.. t0.Zip(t1, (a, b) => Math.Max(a, b) is var t && double.IsNaN(t) ? double.PositiveInfinity : t)]);
-
-    private static string? Circle(Circle circle, IReadOnlyList<FormulaStep> steps)
+    private static string BesideSlabs(IReadOnlyList<SlabExplanation> slabs, double tMin, double tMax)
     {
-        if (Find(steps, "t") is not { } t || !double.IsFinite(t.Value)) return "d·n = 0: the ray runs along the circle's plane";
-        return Find(steps, "CX") is { } CX && CX.Vector.Length > circle.Radius
-            ? Compare("|X − C|", CX.Vector.Length, ">", "R", circle.Radius) + ": outside the circle"
-            : null;
+        var (entered, left) = (slabs.FirstOrDefault(slab => slab.Enters == tMin), slabs.FirstOrDefault(slab => slab.Leaves == tMax));
+        return entered is null || left is null ? "the ray passes the box by"
+            : entered == left ? $"the ray runs beside the {entered.Axis} slab, never in it"
+            : $"it leaves the {left.Axis} slab before it enters the {entered.Axis} slab";
     }
 
-    private static string Box(IReadOnlyList<FormulaStep> steps, double tMin, double tMax)
-    {
-        var (enters, leaves) = Slabs(Values(steps, "t0"), Values(steps, "t1"));
-        var (entered, left) = (Array.IndexOf(enters, tMin), Array.IndexOf(leaves, tMax));
-        var compared = Compare("t_min", tMin, ">", "t_max", tMax);
-        if (entered < 0 || left < 0) return compared + ": the ray passes the box by";
-        return entered == left
-            ? $"{compared}: the ray runs beside the {"xyz"[entered]} slab, never in it"
-            : $"{compared}: it leaves the {"xyz"[left]} slab before it enters the {"xyz"[entered]} slab";
-    }
-
-    private static string? Triangle(double w, double u, double v)
+    private static string? Outside(double w, double u, double v)
     {
         var failed = new List<string>();
         if (u < 0) failed.Add($"u = {Digits.Of(u)} < 0");

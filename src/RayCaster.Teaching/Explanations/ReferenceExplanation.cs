@@ -1,6 +1,7 @@
 namespace RayCaster.Teaching;
 
-/// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour.</summary>
+/// <summary>Compares an explained pixel with another picture, and finds what would give the other picture's colour. Its properties are its
+/// fields in the JSON.</summary>
 /// <param name="Bytes">The other picture's bytes.</param>
 /// <param name="Difference">The other picture's bytes minus the pixel's.</param>
 /// <param name="Agrees">Whether each channel differs by at most 1, as by rounding.</param>
@@ -17,32 +18,29 @@ public sealed record ReferenceExplanation(
         var (mine, other) = (pixel.Bytes, reference[pixel.Column, pixel.Line]);
         var agrees = AreNear(mine, other);
         return new(other, (other.R - mine.R, other.G - mine.G, other.B - mine.B), agrees,
-            agrees ? [] : [.. FindCauses(pixel, other).Take(MostCauses)]);
+            agrees ? [] : [.. FindCauses(pixel, other).Take(MostCauses).Select(cause => "the other picture's colour is " + cause)]);
     }
 
     private static IEnumerable<string> FindCauses(PixelExplanation pixel, (byte R, byte G, byte B) other)
     {
         var scene = pixel.Scene;
-        var background = scene.Background.ToBytes();
-        if (pixel.Winner is not null && AreNear(background, other))
-            yield return "the other picture's colour is the background's: there the ray hits nothing";
+        if (pixel.Winner is not null && AreNear(scene.Background.ToBytes(), other)) yield return "the background's: there the ray hits nothing";
 
-        var explainer = new ModelExplainer(scene, pixel.Ray, pixel.Winner);
         foreach (var trial in pixel.Trials)
         {
-            var model = pixel.Models.FirstOrDefault(model => model.Index == trial.Index) ?? explainer.Explain(trial);
+            var model = pixel.Models.FirstOrDefault(model => model.Index == trial.Index) ?? pixel.Explainer.Explain(trial);
             foreach (var crossing in model.Crossings)
             {
                 var t = crossing.Untested ?? crossing.T;
                 if (crossing.Outcome is Outcome.Shows || !double.IsFinite(t) || !AreNear(scene.Shade(t, trial.Model).ToBytes(), other)) continue;
-                yield return $"the other picture's colour is what {model.Name} would give: its crossing at t = {Digits.Of(t)} {Fate(crossing)}";
+                yield return $"what {model.Name} would give: its crossing at t = {Digits.Of(t)} {Fate(crossing)}";
             }
-            if (AreNear(trial.Model.Color.ToBytes(), other)) yield return $"the other picture's colour is that of {model.Name}, not attenuated";
+            if (AreNear(trial.Model.Color.ToBytes(), other)) yield return $"that of {model.Name}, not attenuated";
         }
         foreach (var neighbour in pixel.Neighbours)
             if (neighbour.Model != pixel.Winner && neighbour.Model is { } shown
                 && AreNear(scene.Shade(neighbour.T, scene.Models[shown]).ToBytes(), other))
-                yield return $"the other picture's colour is that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
+                yield return $"that of the pixel {neighbour.Where} of this one, which shows {pixel.NameOf(shown)}";
     }
 
     private static string Fate(CrossingExplanation crossing) => crossing.Outcome switch
@@ -53,6 +51,5 @@ public sealed record ReferenceExplanation(
         _ => $"does not count, for {crossing.Reason}",
     };
 
-    private static bool AreNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>
-        PictureDifference.Levels(a, b) <= 1;
+    private static bool AreNear((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) => PictureDifference.Levels(a, b) <= 1;
 }

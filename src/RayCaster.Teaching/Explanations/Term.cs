@@ -7,7 +7,7 @@ internal enum Operation
     Add, Subtract, Negate, Multiply, Divide,
     Less, Greater, LessOrEqual, GreaterOrEqual, And, Or,
     SquareRoot, Min, Max,
-    Select, If, Instead,
+    Select, If,
 }
 
 /// <summary>A number and what it was computed from: a formula with its numbers, as a tree.</summary>
@@ -44,7 +44,6 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
         Operation.Name or Operation.Constant => 1,
         Operation.Select => a!.Value != 0 ? b!.Size : c!.Size,
         Operation.If => b!.Size,
-        Operation.Instead => double.IsNaN(a!.Value) ? b!.Size : a.Size,
         _ => Math.Min(Huge, 1 + (a?.Size ?? 0) + (b?.Size ?? 0)),
     };
 
@@ -53,7 +52,6 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
     {
         Operation.Select => (A.Value != 0 ? B : C).Chosen,
         Operation.If => B.Chosen,
-        Operation.Instead => (double.IsNaN(A.Value) ? B : A).Chosen,
         _ => this,
     };
 

@@ -5,7 +5,7 @@ namespace RayCaster.Teaching;
 /// (20, 0, 0) + 15 · (−1, 0, 0), and a sum of three products as a dot product.
 /// </summary>
 /// <param name="known">Values that the reader has seen already; a part with such a value stands as the value.</param>
-internal sealed class TermText(IReadOnlySet<double>? known = null)
+internal sealed class TermText(HashSet<double>? known = null)
 {
     // An operator with higher precedence has a higher rank.
     private const int Condition = 0, Sum = 1, Product = 2, Sign = 3, Whole = 4;

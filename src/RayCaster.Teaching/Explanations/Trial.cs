@@ -4,43 +4,41 @@ namespace RayCaster.Teaching;
 /// <param name="Hit">The t of the first crossing that counts, or null.</param>
 /// <param name="Near">The first crossing; NaN for none.</param>
 /// <param name="Outcome">Why it is not hit, for the crossing that comes closer to counting; <see cref="Outcome.Shows"/> for a hit.</param>
-/// <param name="Mesh">The outcomes of a mesh's triangles; null for other shapes.</param>
-internal readonly record struct Trial(
-    Model Model, int Index, double? Hit, double Near, double Far, Outcome Outcome, MeshExplanation? Mesh = null)
+/// <param name="Mesh">What becomes of a mesh's triangles; null for other shapes.</param>
+internal sealed record Trial(Model Model, int Index, double? Hit, double Near, double Far, Outcome Outcome, MeshTrial? Mesh)
 {
+    /// <summary>What is explained: the model, or one triangle of a mesh; null where the ray crosses none.</summary>
+    public Model? Shape => Model is not RayCaster.Mesh mesh ? Model : Mesh!.Triangle is { } triangle ? Model.Of(mesh[triangle]) : null;
+
     public static Trial Of(Model model, int index, Ray ray)
     {
-        var hit = model.Intersect(ray);
-        if (model is Mesh mesh)
-        {
-            var tried = TryTriangles(mesh, ray, hit);
-            return Of(tried.Triangle is { } part ? mesh[part].Intersect(Plain(ray)).Near : double.NaN, double.NaN) with { Mesh = tried };
-        }
-        return model.Intersect(Plain(ray)) is { } crossings ? Of(crossings.Near, crossings.Far)
+        var (hit, mesh) = (model.Intersect(ray), model is Mesh triangles ? MeshTrial.Of(triangles, ray) : null);
+        var (near, far) = mesh is not null ? (mesh.T, double.NaN)
+            : model.Intersect(new Ray<Scalar>(ray.Origin, ray.Direction)) is { } crossings ? (crossings.Near.Value, crossings.Far.Value)
             // a model in plain doubles and ifs: without clipping it returns where it would be hit
-            : Of(hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
-
-        Trial Of(double near, double far) =>
-            new(model, index, hit, near, far, hit is null ? Outcomes.Of(double.IsFinite(far) ? far : near, ray) : Outcome.Shows);
+            : (hit ?? model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN, double.NaN);
+        return new(model, index, hit, near, far, hit is null ? Outcomes.Of(double.IsFinite(far) ? far : near, ray) : Outcome.Shows, mesh);
     }
+}
 
-    public static Ray<Scalar> Plain(Ray ray) => new(ray.Origin, ray.Direction);
-
-    private static MeshExplanation TryTriangles(Mesh mesh, Ray ray, double? hit)
+/// <summary>The crossings of a mesh's triangles with a ray.</summary>
+/// <param name="Triangle">The index of the nearest triangle that counts, else of the nearest one that does not; null for none.</param>
+/// <param name="T">Where the ray crosses that triangle; NaN for none.</param>
+internal sealed record MeshTrial(int? Triangle, double T, Tally Triangles)
+{
+    public static MeshTrial Of(Mesh mesh, Ray ray)
     {
-        var counts = new int[Outcomes.Count];
-        var along = new AlongRay<Scalar>(Plain(ray));
-        int? chosen = null;
-        var nearest = double.PositiveInfinity; // the least |t| of crossings that do not count
+        var tally = new Tally();
+        var along = new AlongRay<Scalar>(new Ray<Scalar>(ray.Origin, ray.Direction));
+        var (best, chosen) = ((IsRefused: true, Distance: double.PositiveInfinity), new MeshTrial(null, double.NaN, tally));
         for (var i = 0; i < mesh.TriangleCount; i++)
         {
             double t = mesh[i].Intersect(along).Near;
             var outcome = Outcomes.Of(t, ray);
-            counts[(int)outcome]++;
-            if (outcome.IsMiss()) continue;
-            if (hit is null ? Math.Abs(t) < nearest : chosen is null && t == hit && outcome.Counts()) (chosen, nearest) = (i, Math.Abs(t));
+            tally[outcome]++;
+            var rank = (outcome != Outcome.Shows, Math.Abs(t));
+            if (!outcome.IsMiss() && rank.CompareTo(best) < 0) (best, chosen) = (rank, chosen with { Triangle = i, T = t });
         }
-        return new(mesh.TriangleCount, chosen, counts[(int)Outcome.NoNumber], counts[(int)Outcome.Behind], counts[(int)Outcome.UnderBias],
-            counts[(int)Outcome.BeforeNear], counts[(int)Outcome.BeyondFar], counts[(int)Outcome.Shows]);
+        return chosen;
     }
 }

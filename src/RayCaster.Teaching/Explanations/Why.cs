@@ -9,7 +9,7 @@ internal static class Why
     private static IEnumerable<string> Find(Term term) => !RuntimeHelpers.TryEnsureSufficientExecutionStack() ? [] : term.Operation switch
     {
         Operation.If when term.A.Value == 0 => FindFailure(term.A),
-        Operation.If or Operation.Instead => Find(term.B),
+        Operation.If => Find(term.B),
         Operation.Name => Find(term.A),
         Operation.Select => Find(term.A.Value != 0 ? term.B : term.C),
         Operation.Constant => ["the formula says NaN"],

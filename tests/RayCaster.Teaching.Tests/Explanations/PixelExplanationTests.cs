@@ -94,7 +94,9 @@ public class PixelExplanationTests
             new(3, 9, -9), new(3, 0, 9)],
             [3, 4, 5, 6, 7, 8, 0, 1, 2]);
         var model = Explain(mesh);
-        Assert.Equal(new MeshExplanation(3, 2, 1, 1, 0, 0, 0, 1), model.Mesh);
+        var (triangle, _, tally) = model.Mesh!;
+        Assert.Equal((2, 3, 1, 1, 1),
+            (triangle, tally.Total, tally[Outcome.NoNumber], tally[Outcome.Behind], tally[Outcome.Shows]));
         Assert.Equal(5, model.Crossings[0].T, 12);
     }
 
@@ -131,7 +133,8 @@ public class PixelExplanationTests
         var pixel = PixelExplanation.Of(Scene(models), 0, 0);
         Assert.Equal(30, pixel.Winner); // the camera is in it
         Assert.Equal([27, 28, 29, 30, 31, 32, 33], pixel.Models.Select(model => model.Index));
-        Assert.Equal(new OtherModels(73, 27, 6, 0, 0, 0, 40), pixel.Others);
+        Assert.Equal((73, 27, 6, 40),
+            (pixel.Others.Total, pixel.Others[Outcome.Shows], pixel.Others[Outcome.Behind], pixel.Others[Outcome.NoNumber]));
     }
 
     [Fact]
