@@ -37,35 +37,27 @@ internal sealed class ChangeFinder
 
     private Recognition? Find()
     {
-        var candidates = new List<(Change Change, int Misses, int Number)>();
-        foreach (var turn in Enum.GetValues<Turn>())
-        {
-            if (TurnedPlaces.SwapsSides(turn) ? (mine.Height, mine.Width) != Size : (mine.Width, mine.Height) != Size) continue;
-            for (var down = -MaxShift; down <= MaxShift; down++)
-                for (var right = -MaxShift; right <= MaxShift; right++)
-                {
-                    Try(new(turn, right, down));
-                    foreach (var order in ColorChange.Orders) Try(new(turn, right, down, order));
-                    if (Math.Abs(right) > 1 || Math.Abs(down) > 1) continue;
-                    foreach (var tone in Tones(turn, right, down)) Try(new(turn, right, down, tone));
-                }
-        }
-        if ((mine.Width, mine.Height) == Size)
-            foreach (var bytes in (ReadOnlySpan<int>)[-1, 1, -2, 2, -4, 4]) candidates.Add((new(Bytes: bytes), 0, 0));
-        else if ((mine.Height, mine.Width) == Size) candidates.Add((new(SidesSwapped: true), 0, 0));
+        var size = (reference.Width, reference.Height);
+        var (hasItsSize, hasItsSidesSwapped) = ((mine.Width, mine.Height) == size, (mine.Height, mine.Width) == size);
+        var shifts = Enumerable.Range(-MaxShift, 2 * MaxShift + 1).ToArray();
+        var candidates =
+            from turn in Enum.GetValues<Turn>()
+            where TurnedPlaces.SwapsSides(turn) ? hasItsSidesSwapped : hasItsSize
+            from down in shifts
+            from right in shifts
+            from colors in (ColorChange?[])[null, .. ColorChange.Orders, .. Tones(turn, right, down)]
+            let change = new Change(turn, right, down, colors)
+            where change != new Change()
+            let misses = Misses(change)
+            where misses is not null
+            orderby misses, change.Complexity
+            select change;
+        IEnumerable<Change> ofBytes = hasItsSize ? ((int[])[-1, 1, -2, 2, -4, 4]).Select(bytes => new Change(Bytes: bytes))
+            : hasItsSidesSwapped ? [new(SidesSwapped: true)] : [];
 
-        void Try(Change change)
-        {
-            if (change != new Change() && Misses(change) is { } misses) candidates.Add((change, misses, candidates.Count));
-        }
-
-        candidates.Sort((a, b) =>
-            (a.Misses, a.Change.Complexity, a.Number).CompareTo((b.Misses, b.Change.Complexity, b.Number)));
         Recognition? best = null;
-        var fullTests = 0;
-        foreach (var (change, _, _) in candidates)
+        foreach (var change in ofBytes.Concat(candidates.Take(Finalists)))
         {
-            if (change.Bytes == 0 && !change.SidesSwapped && fullTests++ >= Finalists) continue;
             var difference = new PictureDifference(change.Undo(mine, reference), reference);
             var recognition = new Recognition(change, difference, VerdictOn(change, difference));
             if (recognition.IsReported(before) && (best is null || Rank(recognition).CompareTo(Rank(best)) < 0)) best = recognition;
@@ -86,8 +78,6 @@ internal sealed class ChangeFinder
             _ => verdict,
         };
     }
-
-    private (int, int) Size => (reference.Width, reference.Height);
 
     private static (bool, int, int) Rank(Recognition r) =>
         (r.Likeness == Likeness.Wrong, r.Likeness == Likeness.Wrong ? r.Difference.Wrong : 0, r.Change.Complexity);
@@ -115,10 +105,12 @@ internal sealed class ChangeFinder
         return misses;
     }
 
-    /// <summary>Formulas that may have changed the reference's channels to those of a picture that was turned and moved like this.</summary>
+    /// <summary>Formulas that may have changed the reference's channels to those of a picture that was turned, and moved by a pixel at
+    /// most.</summary>
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
     private List<ColorChange> Tones(Turn turn, int right, int down)
     {
+        if (Math.Abs(right) > 1 || Math.Abs(down) > 1) return [];
         var pixels = new MendedPixels(new(turn, right, down), mine, reference);
         // Sums of least squares, over the channels that are neither black nor clamped: powers, factors, straight lines.
         double logs = 0, logSquares = 0, n = 0, sumA = 0, sumB = 0, sumAA = 0, sumAB = 0;

@@ -14,7 +14,8 @@ internal sealed class SceneDifference
 
     private readonly Scene scene;
     private readonly PictureDifference difference;
-    private readonly HitMap hits, others;
+    private readonly HitMap hits, others; // others: of the scene with fewer models
+    private readonly ILookup<int, int> pixels; // by the model that they show in the scene's own picture; −1 for the background
     private readonly int? threads;
 
     private SceneDifference(Scene scene, PictureDifference difference, HitMap hits, Picture own, int? threads)
@@ -25,6 +26,7 @@ internal sealed class SceneDifference
         IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
         IsReferenceOwn = IsOwn(ReferenceToOwn) && !IsMineOwn;
         others = new(hits.Width, hits.Height);
+        pixels = Enumerable.Range(0, difference.Pixels).ToLookup(i => hits.Model[i]);
         Models = IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
     }
 
@@ -62,19 +64,16 @@ internal sealed class SceneDifference
 
     private List<ModelDifference> FindModels()
     {
-        var wrong = Enumerable.Range(0, difference.Pixels).Where(IsWrong).CountBy(i => hits.Model[i]).ToDictionary();
         List<ModelDifference> models =
         [
-            .. from shows in hits.Model.CountBy(model => model)
-               let model = shows.Key
-               select new ModelDifference(model, ModelName.Of(scene, model), shows.Value, wrong.GetValueOrDefault(model))
-               {
-                   Color = model < 0 ? scene.Background : scene.Models[model].Color,
-               },
+            .. pixels.Select(shows => new ModelDifference(shows.Key, ModelName.Of(scene, shows.Key), shows.Count(), shows.Count(IsWrong))
+            {
+                Color = shows.Key < 0 ? scene.Background : scene.Models[shows.Key].Color,
+            }),
         ];
         models.Sort((a, b) => (-a.Share, -a.Wrong, a.Model).CompareTo((-b.Share, -b.Wrong, b.Model)));
 
-        var shown = Tally(Shown(models));
+        var shown = Shown(models);
         var leftOut = 0;
         for (var i = 0; i < models.Count && models[i].Wrong > 0; i++)
         {
@@ -87,35 +86,30 @@ internal sealed class SceneDifference
         return models;
     }
 
-    /// <summary>
-    /// What each wrong pixel shows, of all models with a hit there: a model's place plus 2, 1 for the background, 0 if none fits, −1 if several do.
-    /// </summary>
-    private int[] Shown(List<ModelDifference> models)
+    /// <summary>What the wrong pixels of each model show, the most frequent first: another model that alone fits, and in how many pixels.</summary>
+    private ILookup<int, (int Model, int Pixels)> Shown(List<ModelDifference> models)
     {
-        var shown = new int[difference.Pixels];
+        var wrong = Enumerable.Range(0, difference.Pixels).Where(IsWrong).ToArray();
+        var fitting = new Dictionary<int, int?>(); // the model that a wrong pixel shows; null where several fit
         var background = scene.Background.ToBytes();
-        for (var i = 0; i < shown.Length; i++)
-            if (IsWrong(i) && hits.Model[i] >= 0) Note(i, -1, background);
+        foreach (var i in wrong)
+            if (hits.Model[i] >= 0) Try(i, -1, background);
 
         foreach (var model in models.Where(model => model.Model >= 0).OrderByDescending(model => model.Pixels).Take(MostTried))
         {
             var alone = scene with { Models = [scene.Models[model.Model]] };
             new Renderer(alone, threads).CastHits(others);
-            for (var i = 0; i < shown.Length; i++)
-                if (IsWrong(i) && others.Model[i] >= 0 && hits.Model[i] != model.Model) Note(i, model.Model, alone.BytesAt(others, i));
+            foreach (var i in wrong)
+                if (others.Model[i] >= 0 && hits.Model[i] != model.Model) Try(i, model.Model, alone.BytesAt(others, i));
         }
-        return shown;
+        return fitting.Where(fit => fit.Value is not null).CountBy(fit => (Of: hits.Model[fit.Key], Other: fit.Value!.Value))
+            .OrderBy(count => (-count.Value, count.Key.Other)).ToLookup(count => count.Key.Of, count => (count.Key.Other, count.Value));
 
-        void Note(int pixel, int model, (byte, byte, byte) color)
+        void Try(int pixel, int model, (byte, byte, byte) color)
         {
-            if (Shows(pixel, color)) shown[pixel] = shown[pixel] == 0 ? model + 2 : -1;
+            if (Shows(pixel, color)) fitting[pixel] = fitting.ContainsKey(pixel) ? null : model;
         }
     }
-
-    /// <summary>What the wrong pixels of each model show, and in how many of them.</summary>
-    private ILookup<int, (int Model, int Pixels)> Tally(int[] shown) => Enumerable.Range(0, shown.Length).Where(i => shown[i] > 0)
-        .CountBy(i => (Of: hits.Model[i], Other: shown[i] - 2)).OrderBy(count => (-count.Value, count.Key.Other))
-        .ToLookup(count => count.Key.Of, count => (count.Key.Other, count.Value));
 
     private bool IsMissing(ModelDifference model)
     {
@@ -135,15 +129,15 @@ internal sealed class SceneDifference
 
     /// <summary>Whether nearly all of a model's pixels have some colours.</summary>
     private bool IsExplained(ModelDifference model, Func<int, (byte, byte, byte)> color) =>
-        Enumerable.Range(0, difference.Pixels).Count(i => hits.Model[i] == model.Model && Shows(i, color(i))) >= Nearly * model.Pixels;
+        pixels[model.Model].Count(i => Shows(i, color(i))) >= Nearly * model.Pixels;
 
     /// <summary>The sum of a channel's bytes divided by the sum of the attenuations; rounding changes it little.</summary>
     private double Channel(ModelDifference model, int channel)
     {
         double bytes = 0, light = 0;
-        for (var i = 0; i < difference.Pixels; i++)
+        foreach (var i in pixels[model.Model])
         {
-            if (hits.Model[i] != model.Model || difference.Mine.Rgb[3 * i + channel] == 255) continue;
+            if (difference.Mine.Rgb[3 * i + channel] == 255) continue;
             bytes += difference.Mine.Rgb[3 * i + channel];
             light += 255 * LightAt(i, model.Model);
         }
@@ -154,6 +148,5 @@ internal sealed class SceneDifference
 
     private bool IsWrong(int pixel) => difference.LevelsAt(pixel) > 1;
 
-    private bool Shows(int pixel, (byte, byte, byte) color) =>
-        PictureDifference.Levels(difference.Mine[pixel % hits.Width, pixel / hits.Width], color) <= 1;
+    private bool Shows(int pixel, (byte, byte, byte) color) => PictureDifference.Levels(difference.Mine.At(pixel), color) <= 1;
 }

@@ -19,16 +19,15 @@ public static class MapMaker
                 $"a map of {width} × {height} has {pixels:N0} pixels; the limit is {MostPixels:N0}, for all of it is in memory at once"));
         try
         {
-            var hits = new Renderer(scene, threads).CastHits();
+            var hits = new MapHits(scene, new Renderer(scene, threads).CastHits());
             var map = new NumberMap(width, height, kind.Channels());
-            var surfaces = kind.Channels() == 3 ? new SurfaceHits(scene, hits) : null;
             Parallel.For(0, height, new() { MaxDegreeOfParallelism = threads ?? Environment.ProcessorCount }, y =>
             {
                 for (var x = 0; x < width; x++)
                 {
-                    var numbers = Numbers(scene, kind, hits, surfaces, x, y);
-                    map[x, y][0] = ToFloat(numbers.X);
-                    if (surfaces is not null) (map[x, y][1], map[x, y][2]) = (ToFloat(numbers.Y), ToFloat(numbers.Z));
+                    var numbers = hits.Numbers(kind, x, y);
+                    ReadOnlySpan<float> floats = [ToFloat(numbers.X), ToFloat(numbers.Y), ToFloat(numbers.Z)];
+                    floats[..map.Channels].CopyTo(map[x, y]);
                 }
             });
             return map;
@@ -37,19 +36,6 @@ public static class MapMaker
         {
             throw new PictureFileException($"there is not enough memory for a map of {width} × {height}", e);
         }
-    }
-
-    private static Vector3 Numbers(Scene scene, MapKind kind, HitMap hits, SurfaceHits? surfaces, int x, int y)
-    {
-        var (place, row) = (y * hits.Width + x, hits.Height - 1 - y);
-        return kind switch
-        {
-            MapKind.T => new(hits.T[place], 0, 0),
-            MapKind.Depth => new(hits.T[place] * -(scene.Camera.Direction<Scalar>(x, row) * scene.Camera.W), 0, 0),
-            MapKind.Model => new(hits.Model[place], 0, 0),
-            MapKind.Normal => surfaces!.Normal(x, row),
-            _ => surfaces!.Parameters(x, row),
-        };
     }
 
     /// <summary>Rounds to float. A finite number stays finite, because infinity means that nothing is hit.</summary>
