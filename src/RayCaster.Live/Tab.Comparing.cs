@@ -9,7 +9,7 @@ internal sealed partial class Tab
     private async Task TellMapAsync(SceneState state)
     {
         if (isMoving || !Takes(Pending.Map) || map is not { } kind) return;
-        var scene = (view with { Look = Teaching.Look.Plain, Model = -1 }).Of(state.Scene!);
+        var scene = (view with { Look = Live.Look.Plain, Model = -1 }).Of(state.Scene!);
         var drawn = await server.Studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
         await SendAsync(drawn.Legend());
         await SendFrameAsync(drawn.Frame, Layer.Map, state.Version, isFinal: true);

@@ -69,18 +69,13 @@ internal sealed class ToneTable
             low[before] = (int)Math.Floor(Math.Min(a, b));
             high[before] = (int)Math.Floor(Math.Max(a, b) + 0.5);
         }
+        var away = new int[256]; // by how many levels a byte fails to become the changed one
         for (var after = 0; after < 256; after++)
         {
-            var (first, last, nearest, distance) = (-1, -1, 0, int.MaxValue);
-            for (var before = 0; before < 256; before++)
-            {
-                var away = Math.Max(0, Math.Max(low[before] - after, after - high[before]));
-                if (away < distance) (nearest, distance) = (before, away);
-                if (away > 0) continue;
-                if (first < 0) first = before;
-                last = before;
-            }
-            (least[after], greatest[after]) = first < 0 ? ((byte)nearest, (byte)nearest) : ((byte)first, (byte)last);
+            for (var before = 0; before < 256; before++) away[before] = Math.Max(0, Math.Max(low[before] - after, after - high[before]));
+            var nearest = away.Min();
+            least[after] = (byte)Array.IndexOf(away, nearest);
+            greatest[after] = nearest == 0 ? (byte)Array.LastIndexOf(away, 0) : least[after];
         }
     }
 

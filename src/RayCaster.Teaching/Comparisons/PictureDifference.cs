@@ -15,9 +15,7 @@ public sealed class PictureDifference
                 $"a picture of {mine.Width} x {mine.Height} pixels beside one of {reference.Width} x {reference.Height}", nameof(mine));
         (Mine, Reference) = (mine, reference);
         levels = new byte[mine.Width * mine.Height];
-        var channels = new int[3];
-        for (var pixel = 0; pixel < levels.Length; pixel++) Look(pixel, channels);
-        WrongByChannel = (channels[0], channels[1], channels[2]);
+        for (var pixel = 0; pixel < levels.Length; pixel++) Look(pixel);
         Largest = Array.FindLastIndex(count, pixels => pixels > 0);
     }
 
@@ -40,7 +38,7 @@ public sealed class PictureDifference
     public int Wrong => CountBeyond(1);
 
     /// <summary>The same for each channel.</summary>
-    public (int R, int G, int B) WrongByChannel { get; }
+    public (int R, int G, int B) WrongByChannel { get; private set; }
 
     /// <summary>The largest difference of a channel anywhere.</summary>
     public int Largest { get; }
@@ -70,32 +68,20 @@ public sealed class PictureDifference
         Math.Max(Math.Abs(a.R - b.R), Math.Max(Math.Abs(a.G - b.G), Math.Abs(a.B - b.B)));
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private void Look(int pixel, int[] channels)
+    private void Look(int pixel)
     {
-        var a = Mine.Rgb.AsSpan(3 * pixel, 3);
-        var b = Reference.Rgb.AsSpan(3 * pixel, 3);
-        if (a.SequenceEqual(b))
-        {
-            count[0]++;
-            return;
-        }
-        var (dark, light) = (0, 0);
-        for (var channel = 0; channel < 3; channel++)
-        {
-            var difference = a[channel] - b[channel];
-            dark = Math.Max(dark, -difference);
-            light = Math.Max(light, difference);
-            if (difference is < -1 or > 1) channels[channel]++;
-        }
-        var largest = Math.Max(dark, light);
+        var (a, b) = (Mine.At(pixel), Reference.At(pixel));
+        var largest = Levels(a, b);
         levels[pixel] = (byte)largest;
         count[largest]++;
-        if (largest > 1)
-        {
-            var (x, y) = (pixel % Mine.Width, pixel / Mine.Width);
-            WrongArea = WrongArea is var (left, top, right, _) ? (Math.Min(left, x), top, Math.Max(right, x), y) : (x, y, x, y);
-        }
-        else if (light == 0) OneDarker++;
+        if (largest == 1 && a.R <= b.R && a.G <= b.G && a.B <= b.B) OneDarker++;
+        if (largest <= 1) return;
+
+        var ((red, green, blue), (y, x)) = (WrongByChannel, Math.DivRem(pixel, Mine.Width));
+        WrongByChannel = (red + IsWrong(a.R, b.R), green + IsWrong(a.G, b.G), blue + IsWrong(a.B, b.B));
+        WrongArea = WrongArea is var (left, top, right, _) ? (Math.Min(left, x), top, Math.Max(right, x), y) : (x, y, x, y);
+
+        static int IsWrong(byte a, byte b) => Math.Abs(a - b) > 1 ? 1 : 0;
     }
 
     /// <summary>The middle one of the pixels that are farthest from right ones, in steps that may be diagonal.</summary>

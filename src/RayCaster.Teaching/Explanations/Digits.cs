@@ -3,6 +3,13 @@ namespace RayCaster.Teaching;
 /// <summary>Numbers for people: six significant digits, a true minus sign.</summary>
 internal static class Digits
 {
+    private static readonly NumberFormatInfo format = new()
+    {
+        NegativeSign = "−",
+        PositiveInfinitySymbol = "∞",
+        NegativeInfinitySymbol = "−∞",
+    };
+
     public static string Of(double value) => Of(value, 6);
 
     /// <summary>A number for one value, a vector for three.</summary>
@@ -21,17 +28,7 @@ internal static class Digits
         return (Of(a, digits), Of(b, digits));
     }
 
-    private static string Of(double value, int digits)
-    {
-        if (double.IsNaN(value)) return "NaN";
-        if (double.IsInfinity(value)) return value > 0 ? "∞" : "−∞";
-        var text = value.ToString("G" + digits.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
-        if (text == "-0") text = "0";
-        if (text.IndexOf('E') is var e and > 0)
-        {
-            var exponent = int.Parse(text.AsSpan(e + 1), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture);
-            text = string.Create(CultureInfo.InvariantCulture, $"{text[..e]}e{exponent}");
-        }
-        return text.StartsWith('-') ? $"−{text[1..]}" : text;
-    }
+    /// <summary>0 for −0, and 1e-7 for 1E−07.</summary>
+    private static string Of(double value, int digits) => (value + 0).ToString($"G{digits}", format)
+        .Replace("E+0", "e").Replace("E+", "e").Replace("E−0", "e-").Replace("E−", "e-");
 }

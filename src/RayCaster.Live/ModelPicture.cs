@@ -1,20 +1,10 @@
-namespace RayCaster.Teaching;
+namespace RayCaster.Live;
 
-/// <summary>How one model is shown.</summary>
-public enum Look
-{
-    /// <summary>Like all others.</summary>
-    Plain,
-
-    /// <summary>The model is lit, all others are dark.</summary>
-    Lit,
-
-    /// <summary>The model also shows where others hide it.</summary>
-    Behind,
-}
+/// <summary>How one model is shown: like all others; lit, and all others dark; or lit also where others hide it.</summary>
+internal enum Look { Plain, Lit, Behind }
 
 /// <summary>Pictures in which one model stands out.</summary>
-public static class ModelPicture
+internal static class ModelPicture
 {
     private const int Stripe = 4; // pixels
 
@@ -27,16 +17,19 @@ public static class ModelPicture
         cancellation.ThrowIfCancellationRequested();
         var picture = new Picture(hits.Width, hits.Height);
         for (var i = 0; i < hits.T.Length; i++)
-            picture[i % hits.Width, i / hits.Width] = hits.Model[i] == model ? scene.BytesAt(hits, i) : Dark(scene.BytesAt(hits, i));
+        {
+            var shown = scene.Shade(hits.T[i], hits.Model[i] < 0 ? null : scene.Models[hits.Model[i]]).ToBytes();
+            picture[i % hits.Width, i / hits.Width] = hits.Model[i] == model ? shown : Dark(shown);
+        }
         if (look != Look.Behind || model < 0) return picture;
 
-        var alone = scene with { Models = [scene.Models[model]] };
-        var own = new Renderer(alone).CastHits();
+        var alone = new Renderer(scene with { Models = [scene.Models[model]] }).CastHits();
         cancellation.ThrowIfCancellationRequested();
-        for (var i = 0; i < own.T.Length; i++)
+        for (var i = 0; i < alone.T.Length; i++)
         {
-            var (x, y) = (i % own.Width, i / own.Width);
-            if (own.Model[i] == 0 && hits.Model[i] != model && (x + y) / Stripe % 2 == 0) picture[x, y] = alone.BytesAt(own, i);
+            var (y, x) = Math.DivRem(i, alone.Width);
+            if (alone.Model[i] == 0 && hits.Model[i] != model && (x + y) / Stripe % 2 == 0)
+                picture[x, y] = scene.Shade(alone.T[i], scene.Models[model]).ToBytes();
         }
         return picture;
     }
