@@ -3,40 +3,26 @@ namespace RayCaster.Teaching;
 /// <summary>
 /// Finds a change of the whole picture. Thousands of changes are tried on a few hundred pixels, and the best few on all pixels.
 /// </summary>
-internal sealed class ChangeFinder
+/// <param name="before">The difference without a change; null if the sizes differ.</param>
+/// <param name="holdAllWrong">Whether all wrong pixels of a difference are on outlines.</param>
+internal sealed class ChangeFinder(
+    Picture mine, Picture reference, PictureDifference? before, Func<PictureDifference, bool> holdAllWrong)
 {
     /// <summary>The largest shift that is tried, in pixels.</summary>
     public const int MaxShift = 16;
 
     private const int SampleCount = 384, Finalists = 6, Edge = 12;
 
-    private readonly Picture mine, reference;
-    private readonly PictureDifference? before;
-    private readonly Func<PictureDifference, bool> holdAllWrong; // whether all wrong pixels are on outlines
-    private readonly List<(int X, int Y)> edges = [], anywhere = [];
+    private readonly (int X, int Y)[] anywhere = [.. SomePlaces(reference).Take(SampleCount)];
 
-    private ChangeFinder(Picture mine, Picture reference, PictureDifference? before, Func<PictureDifference, bool> holdAllWrong)
-    {
-        (this.mine, this.reference, this.before, this.holdAllWrong) = (mine, reference, before, holdAllWrong);
-        var random = new Random(1);
-        for (var i = 0; i < SampleCount; i++) anywhere.Add((random.Next(reference.Width), random.Next(reference.Height)));
-        for (var i = 0; i < 50 * SampleCount && edges.Count < SampleCount; i++)
-        {
-            var (x, y) = (random.Next(reference.Width), random.Next(reference.Height));
-            if (reference.IsEdge(x, y, Edge)) edges.Add((x, y));
-        }
-    }
+    private readonly (int X, int Y)[] edges = [.. SomePlaces(reference).Skip(SampleCount).Take(50 * SampleCount)
+        .Where(place => reference.IsEdge(place.X, place.Y, Edge)).Take(SampleCount)];
 
     /// <summary>The simplest change that makes the pictures agree, else the one that nearly does; null if there is none.</summary>
-    public static Recognition? Find(Picture mine, Picture reference, PictureDifference? before, Func<PictureDifference, bool> holdAllWrong)
+    public Recognition? Find()
     {
         // No change turns a picture of one colour into one of several.
         if (mine.IsOneColor || reference.IsOneColor) return null;
-        return new ChangeFinder(mine, reference, before, holdAllWrong).Find();
-    }
-
-    private Recognition? Find()
-    {
         var size = (reference.Width, reference.Height);
         var (hasItsSize, hasItsSidesSwapped) = ((mine.Width, mine.Height) == size, (mine.Height, mine.Width) == size);
         var shifts = Enumerable.Range(-MaxShift, 2 * MaxShift + 1).ToArray();
@@ -55,28 +41,27 @@ internal sealed class ChangeFinder
         IEnumerable<Change> ofBytes = hasItsSize ? ((int[])[-1, 1, -2, 2, -4, 4]).Select(bytes => new Change(Bytes: bytes))
             : hasItsSidesSwapped ? [new(SidesSwapped: true)] : [];
 
-        Recognition? best = null;
-        foreach (var change in ofBytes.Concat(candidates.Take(Finalists)))
-        {
-            var difference = new PictureDifference(change.Undo(mine, reference), reference);
-            var recognition = new Recognition(change, difference, VerdictOn(change, difference));
-            if (recognition.IsReported(before) && (best is null || Rank(recognition).CompareTo(Rank(best)) < 0)) best = recognition;
-        }
-        return best;
+        return ofBytes.Concat(candidates.Take(Finalists)).Select(Recognise).Where(recognition => recognition.IsReported(before)).MinBy(Rank);
     }
 
-    /// <summary>A guessed formula allows each byte a range that includes truncation, so it cannot tell exact, rounded and truncated bytes
-    /// apart.</summary>
-    private Likeness VerdictOn(Change change, PictureDifference difference)
+    private static IEnumerable<(int X, int Y)> SomePlaces(Picture picture)
     {
+        for (var random = new Random(1); ;) yield return (random.Next(picture.Width), random.Next(picture.Height));
+    }
+
+    private Recognition Recognise(Change change)
+    {
+        var difference = new PictureDifference(change.Undo(mine, reference), reference);
         var verdict = Likenesses.Of(difference, holdAllWrong);
-        if (change.Colors is null or { IsOrder: true } || change.Colors == ColorChange.Inverted) return verdict;
-        return verdict switch
-        {
-            Likeness.Identical => Likeness.WithinRounding,
-            Likeness.RoundedOtherwise => Likeness.Wrong,
-            _ => verdict,
-        };
+        // A guessed formula allows each byte a range that includes truncation, so it cannot tell exact, rounded and truncated bytes apart.
+        if (change.Colors is { IsOrder: false } && change.Colors != ColorChange.Inverted)
+            verdict = verdict switch
+            {
+                Likeness.Identical => Likeness.WithinRounding,
+                Likeness.RoundedOtherwise => Likeness.Wrong,
+                _ => verdict,
+            };
+        return new(change, difference, verdict);
     }
 
     private static (bool, int, int) Rank(Recognition r) =>
@@ -86,19 +71,19 @@ internal sealed class ChangeFinder
     private int? Misses(Change change)
     {
         var pixels = new MendedPixels(change, mine, reference);
-        var onEdges = Misses(pixels, edges, edges.Count * 3 / 5);
-        return onEdges is null ? null : onEdges + Misses(pixels, anywhere, anywhere.Count / 20);
+        var onEdges = Misses(pixels, edges, edges.Length * 3 / 5);
+        return onEdges is null ? null : onEdges + Misses(pixels, anywhere, anywhere.Length / 20);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveOptimization)]
-    private int? Misses(in MendedPixels pixels, List<(int X, int Y)> samples, int limit)
+    private int? Misses(in MendedPixels pixels, (int X, int Y)[] samples, int limit)
     {
         var (misses, beside) = (0, 0);
         foreach (var (x, y) in samples)
         {
             if (!pixels.TryGet(x, y, out var r, out var g, out var b))
             {
-                if (++beside * 2 > samples.Count) return null;
+                if (++beside * 2 > samples.Length) return null;
             }
             else if (PictureDifference.Levels((r, g, b), reference[x, y]) > 1 && ++misses > limit) return null;
         }

@@ -18,7 +18,7 @@ public sealed class PictureComparison
             ? new SceneOutlines(SceneDifference.InSizeOf(scene!, reference)).HoldAllWrong
             : PictureOutlines.HoldAllWrong;
         Likeness = Difference is null ? Likeness.Wrong : Likenesses.Of(Difference, holdAllWrong);
-        if (Likeness == Likeness.Wrong) Recognition = ChangeFinder.Find(mine, reference, Difference, holdAllWrong);
+        if (Likeness == Likeness.Wrong) Recognition = new ChangeFinder(mine, reference, Difference, holdAllWrong).Find();
     }
 
     /// <summary>The picture in question.</summary>

@@ -15,18 +15,18 @@ internal sealed class SceneDifference
     private readonly Scene scene;
     private readonly PictureDifference difference;
     private readonly HitMap hits, others; // others: of the scene with fewer models
-    private readonly ILookup<int, int> pixels; // by the model that they show in the scene's own picture; −1 for the background
     private readonly int? threads;
 
-    private SceneDifference(Scene scene, PictureDifference difference, HitMap hits, Picture own, int? threads)
+    private SceneDifference(Scene scene, PictureDifference difference, int? threads)
     {
-        (this.scene, this.difference, this.hits, this.threads) = (scene, difference, hits, threads);
+        (this.scene, this.difference, this.threads) = (scene, difference, threads);
+        hits = new Renderer(scene, threads).CastHits();
+        var own = Picture.Of(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
         ReferenceToOwn = new(difference.Reference, own);
         var mineToOwn = new PictureDifference(difference.Mine, own);
         IsMineOwn = IsOwn(mineToOwn) && mineToOwn.Wrong < ReferenceToOwn.Wrong / 10;
         IsReferenceOwn = IsOwn(ReferenceToOwn) && !IsMineOwn;
         others = new(hits.Width, hits.Height);
-        pixels = Enumerable.Range(0, difference.Pixels).ToLookup(i => hits.Model[i]);
         Models = IsReferenceOwn && difference.Wrong > 0 ? FindModels() : [];
     }
 
@@ -43,22 +43,17 @@ internal sealed class SceneDifference
     public IReadOnlyList<ModelDifference> Models { get; }
 
     /// <summary>The model that each pixel shows in the scene's own picture, in reading order; −1 for the background.</summary>
-    internal IReadOnlyList<int> ModelAt => hits.Model;
+    public IReadOnlyList<int> ModelAt => hits.Model;
+
+    private ILookup<int, int> PixelsOf => field ??= Enumerable.Range(0, difference.Pixels).ToLookup(i => hits.Model[i]);
 
     /// <param name="scene">The scene, in any size.</param>
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
-    public static SceneDifference Find(Scene scene, PictureDifference difference, int? threads = null)
-    {
-        scene = InSizeOf(scene, difference.Reference);
-        var hits = new Renderer(scene, threads).CastHits();
-        var own = Picture.Of(hits.Width, hits.Height, (x, y) => scene.BytesAt(hits, y * hits.Width + x));
-        return new(scene, difference, hits, own, threads);
-    }
+    public static SceneDifference Find(Scene scene, PictureDifference difference, int? threads = null) =>
+        new(InSizeOf(scene, difference.Reference), difference, threads);
 
-    internal static Scene InSizeOf(Scene scene, Picture picture) =>
-        (scene.Camera.Width, scene.Camera.Height) == (picture.Width, picture.Height)
-            ? scene
-            : scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
+    public static Scene InSizeOf(Scene scene, Picture picture) =>
+        scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
 
     private static bool IsOwn(PictureDifference d) => d.Wrong <= d.Pixels / 50;
 
@@ -66,7 +61,7 @@ internal sealed class SceneDifference
     {
         List<ModelDifference> models =
         [
-            .. pixels.Select(shows => new ModelDifference(shows.Key, ModelName.Of(scene, shows.Key), shows.Count(), shows.Count(IsWrong))
+            .. PixelsOf.Select(shows => new ModelDifference(shows.Key, ModelName.Of(scene, shows.Key), shows.Count(), shows.Count(IsWrong))
             {
                 Color = shows.Key < 0 ? scene.Background : scene.Models[shows.Key].Color,
             }),
@@ -113,9 +108,7 @@ internal sealed class SceneDifference
 
     private bool IsMissing(ModelDifference model)
     {
-        var rest = new List<Model>(scene.Models);
-        rest.RemoveAt(model.Model);
-        var without = scene with { Models = rest };
+        var without = scene with { Models = [.. scene.Models.Where((_, i) => i != model.Model)] };
         new Renderer(without, threads).CastHits(others);
         return IsExplained(model, pixel => without.BytesAt(others, pixel));
     }
@@ -129,13 +122,13 @@ internal sealed class SceneDifference
 
     /// <summary>Whether nearly all of a model's pixels have some colours.</summary>
     private bool IsExplained(ModelDifference model, Func<int, (byte, byte, byte)> color) =>
-        pixels[model.Model].Count(i => Shows(i, color(i))) >= Nearly * model.Pixels;
+        PixelsOf[model.Model].Count(i => Shows(i, color(i))) >= Nearly * model.Pixels;
 
     /// <summary>The sum of a channel's bytes divided by the sum of the attenuations; rounding changes it little.</summary>
     private double Channel(ModelDifference model, int channel)
     {
         double bytes = 0, light = 0;
-        foreach (var i in pixels[model.Model])
+        foreach (var i in PixelsOf[model.Model])
         {
             if (difference.Mine.Rgb[3 * i + channel] == 255) continue;
             bytes += difference.Mine.Rgb[3 * i + channel];

@@ -18,8 +18,7 @@ public static class StoredReference
         if (!ScalarRenderer.IsChanged || Find(path) is not { } file) return null;
         var reference = PictureFile.Read(file);
         if ((long)reference.Width * reference.Height * scene.ShapeCount > MostWork) return null;
-        var inItsSize = scene with { Camera = scene.Camera.WithSize(reference.Width, reference.Height) };
-        var comparison = new PictureComparison(ScalarRenderer.Render(inItsSize), reference);
+        var comparison = new PictureComparison(ScalarRenderer.Render(SceneDifference.InSizeOf(scene, reference)), reference);
         return comparison.Likeness.IsSame() ? null
             : $"src/RayCaster has been changed: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}";
     }

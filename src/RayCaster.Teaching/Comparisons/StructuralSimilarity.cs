@@ -28,8 +28,7 @@ internal static class StructuralSimilarity
     /// <summary>exp(−k² / 2σ²), scaled to the sum 1; the window is the product of one such row and one such column.</summary>
     private static double[] Weights()
     {
-        var weights = new double[Taps];
-        for (var k = 0; k < Taps; k++) weights[k] = Math.Exp(-(k - Radius) * (k - Radius) / (2 * Sigma * Sigma));
+        var weights = Enumerable.Range(-Radius, Taps).Select(k => Math.Exp(-k * k / (2 * Sigma * Sigma))).ToArray();
         var sum = weights.Sum();
         return Array.ConvertAll(weights, weight => weight / sum);
     }

@@ -88,17 +88,13 @@ internal sealed class StepName(string name, string formula)
     private static string Tidy(string formula)
     {
         var text = string.Join(' ', formula.Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
-        return text.StartsWith('(') && ClosingOf(text) == text.Length - 1 ? Tidy(text[1..^1]) : text;
+        return text.StartsWith('(') && IsOpenToItsEnd(text) ? Tidy(text[1..^1]) : text;
     }
 
-    private static int ClosingOf(string text)
+    /// <summary>Whether the first bracket is closed by the last character only.</summary>
+    private static bool IsOpenToItsEnd(string text)
     {
         var depth = 0;
-        for (var i = 0; i < text.Length; i++)
-        {
-            if (text[i] == '(') depth++;
-            if (text[i] == ')' && --depth == 0) return i;
-        }
-        return -1;
+        return text.SkipLast(1).All(c => (depth += c switch { '(' => 1, ')' => -1, _ => 0 }) > 0);
     }
 }

@@ -16,8 +16,7 @@ internal sealed class TermText(HashSet<double>? known = null)
     /// <summary>The formula of a number or a vector, with its numbers; for a step, the formula behind its name.</summary>
     public string Of(params IReadOnlyList<Term> terms)
     {
-        var formula = terms is [var x, var y, var z] ? new Three(x, y, z) : new Three(terms[0]);
-        formula = formula.Chosen;
+        var formula = (terms is [var x, var y, var z] ? new Three(x, y, z) : new Three(terms[0])).Chosen;
         return Text(formula.Is(Operation.Name) ? formula.A.Chosen : formula, Condition, leads: true, isRoot: true);
     }
 
