@@ -72,15 +72,14 @@ public sealed class ExplanationText
         foreach (var crossing in model.Crossings) Crossing(model, crossing);
     }
 
-    private void Crossing(ModelExplanation model, CrossingExplanation crossing)
+    private static string Mesh(MeshTrial mesh)
     {
-        if (double.IsNaN(crossing.T))
-        {
-            if (crossing.Untested is { } untested) Line(6, $"→ no crossing; the test fails at t = {Digits.Of(untested)}");
-            return;
-        }
-        var t = $"t = {(crossing.Numbers.Length == 0 ? "" : $"{crossing.Numbers} = ")}{Digits.Of(crossing.T)}";
-        Line(6, $"→ {t}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Outcome) : crossing.Reason)}");
+        var tally = mesh.Triangles;
+        var which = mesh.Triangle is { } triangle
+            ? $"; number {triangle}, from 0, is {(tally[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest")}:"
+            : "";
+        return $"{tally.Total} {(tally.Total == 1 ? "triangle" : "triangles")} tried: " +
+            Counted(tally, [(Outcome.NoNumber, "passed by"), .. refused, (Outcome.Shows, "hit")]) + which;
     }
 
     private void Slabs(IReadOnlyList<SlabExplanation> slabs)
@@ -99,6 +98,31 @@ public sealed class ExplanationText
 
     private static string Decides(SlabExplanation slab) =>
         string.Join(", ", new[] { slab.DecidesEntry ? "t_min" : "", slab.DecidesExit ? "t_max" : "" }.Where(name => name != ""));
+
+    private void Crossing(ModelExplanation model, CrossingExplanation crossing)
+    {
+        if (double.IsNaN(crossing.T))
+        {
+            if (crossing.Untested is { } untested) Line(6, $"→ no crossing; the test fails at t = {Digits.Of(untested)}");
+            return;
+        }
+        var t = $"t = {(crossing.Numbers.Length == 0 ? "" : $"{crossing.Numbers} = ")}{Digits.Of(crossing.T)}";
+        Line(6, $"→ {t}, z = {Digits.Of(crossing.Z)}: {(model.Crossings.Count == 1 ? Word(crossing.Outcome) : crossing.Reason)}");
+    }
+
+    private static string Word(Outcome outcome) => outcome switch
+    {
+        Outcome.Shows => "shows",
+        Outcome.Hidden => "counts, but is hidden",
+        >= Outcome.Outside => "no crossing",
+        _ => "does not count",
+    };
+
+    private static string Others(Tally others) => $"{others.Total} other {(others.Total == 1 ? "model" : "models")}: " +
+        Counted(others, [(Outcome.Shows, "hidden by a nearer one"), .. refused, (Outcome.NoNumber, "passed by")]);
+
+    private static string Counted(Tally tally, (Outcome Outcome, string Words)[] parts) =>
+        string.Join(", ", parts.Where(part => tally[part.Outcome] > 0).Select(part => $"{tally[part.Outcome]} {part.Words}"));
 
     private void Color(PixelExplanation pixel)
     {
@@ -125,30 +149,6 @@ public sealed class ExplanationText
     }
 
     private static string Signed(int difference) => difference > 0 ? $"+{difference}" : Digits.Of(difference);
-
-    private static string Word(Outcome outcome) => outcome switch
-    {
-        Outcome.Shows => "shows",
-        Outcome.Hidden => "counts, but is hidden",
-        >= Outcome.Outside => "no crossing",
-        _ => "does not count",
-    };
-
-    private static string Mesh(MeshTrial mesh)
-    {
-        var tally = mesh.Triangles;
-        var which = mesh.Triangle is { } triangle
-            ? $"; number {triangle}, from 0, is {(tally[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest")}:"
-            : "";
-        return $"{tally.Total} {(tally.Total == 1 ? "triangle" : "triangles")} tried: " +
-            Counted(tally, [(Outcome.NoNumber, "passed by"), .. refused, (Outcome.Shows, "hit")]) + which;
-    }
-
-    private static string Others(Tally others) => $"{others.Total} other {(others.Total == 1 ? "model" : "models")}: " +
-        Counted(others, [(Outcome.Shows, "hidden by a nearer one"), .. refused, (Outcome.NoNumber, "passed by")]);
-
-    private static string Counted(Tally tally, (Outcome Outcome, string Words)[] parts) =>
-        string.Join(", ", parts.Where(part => tally[part.Outcome] > 0).Select(part => $"{tally[part.Outcome]} {part.Words}"));
 
     /// <summary>Steps in lines, with the equals signs in one column.</summary>
     private void Steps(int indent, IReadOnlyList<FormulaStep> steps)

@@ -24,8 +24,6 @@ internal static class PixelSteps
         return FormulaStep.LeadingTo(d.X, d.Y, d.Z);
     }
 
-    private static FormulaStep Vector(string name, string formula, string numbers, Vector3 v) => new(name, formula, numbers, [v.X, v.Y, v.Z]);
-
     /// <summary>The steps from the hit to the channels, and from the channels to their levels.</summary>
     public static (IReadOnlyList<FormulaStep> Attenuation, IReadOnlyList<FormulaStep> Color, Color Value) OfColor(Scene scene, Ray ray)
     {
@@ -38,6 +36,8 @@ internal static class PixelSteps
         Derivation red = attenuation * model.Color.R, green = attenuation * model.Color.G, blue = attenuation * model.Color.B;
         return (FormulaStep.LeadingTo(attenuation), Channels("attenuation * color", red, green, blue), new(red.Value, green.Value, blue.Value));
     }
+
+    private static FormulaStep Vector(string name, string formula, string numbers, Vector3 v) => new(name, formula, numbers, [v.X, v.Y, v.Z]);
 
     private static List<FormulaStep> Channels(string formula, Derivation red, Derivation green, Derivation blue)
     {
