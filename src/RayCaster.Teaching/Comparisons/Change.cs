@@ -67,8 +67,7 @@ internal sealed record Change(
             return new(reference.Width, reference.Height, rgb);
         }
         var pixels = new MendedPixels(this, mine, reference);
-        return Picture.Of(reference.Width, reference.Height,
-            (x, y) => pixels.TryGet(x, y, out var r, out var g, out var b) ? (r, g, b) : reference[x, y]);
+        return Picture.Of(reference.Width, reference.Height, (x, y) => pixels.At(x, y) ?? reference[x, y]);
     }
 }
 
@@ -81,16 +80,14 @@ internal readonly struct MendedPixels(Change change, Picture mine, Picture refer
     private readonly Picture mine = mine, reference = reference;
     private readonly int right = change.Right, down = change.Down;
 
-    /// <summary>Gets a pixel as it becomes; false where nothing moves to.</summary>
+    /// <summary>A pixel as it becomes; null where nothing moves to.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public bool TryGet(int x, int y, out byte r, out byte g, out byte b)
+    public (byte R, byte G, byte B)? At(int x, int y)
     {
-        r = g = b = 0;
         var (fromX, fromY) = (x - right, y - down);
-        if ((uint)fromX >= (uint)reference.Width || (uint)fromY >= (uint)reference.Height) return false;
+        if ((uint)fromX >= (uint)reference.Width || (uint)fromY >= (uint)reference.Height) return null;
         var from = mine.Rgb.AsSpan((places.Start + fromX * places.Right + fromY * places.Down) * 3, 3);
         var to = reference.Rgb.AsSpan((y * reference.Width + x) * 3, 3);
-        (r, g, b) = (tones.Undo(from[order.R], to[0]), tones.Undo(from[order.G], to[1]), tones.Undo(from[order.B], to[2]));
-        return true;
+        return (tones.Undo(from[order.R], to[0]), tones.Undo(from[order.G], to[1]), tones.Undo(from[order.B], to[2]));
     }
 }

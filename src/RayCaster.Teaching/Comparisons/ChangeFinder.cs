@@ -81,11 +81,11 @@ internal sealed class ChangeFinder(
         var (misses, beside) = (0, 0);
         foreach (var (x, y) in samples)
         {
-            if (!pixels.TryGet(x, y, out var r, out var g, out var b))
+            if (pixels.At(x, y) is not { } mended)
             {
                 if (++beside * 2 > samples.Length) return null;
             }
-            else if (PictureDifference.Levels((r, g, b), reference[x, y]) > 1 && ++misses > limit) return null;
+            else if (PictureDifference.Levels(mended, reference[x, y]) > 1 && ++misses > limit) return null;
         }
         return misses;
     }
@@ -101,7 +101,7 @@ internal sealed class ChangeFinder(
         double logs = 0, logSquares = 0, n = 0, sumA = 0, sumB = 0, sumAA = 0, sumAB = 0;
         foreach (var (x, y) in anywhere)
         {
-            if (!pixels.TryGet(x, y, out var red, out var green, out var blue)) continue;
+            if (pixels.At(x, y) is not var (red, green, blue)) continue;
             var (r, g, b) = reference[x, y];
             Add(r, red);
             Add(g, green);

@@ -45,7 +45,7 @@ internal static class LedgerVerdict
                 var least = group.Min(entry => entry.LeastBeyondFar);
                 return Invariant($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {least:G7} and more. Make zFar greater.");
             case Outcome.Outside:
-                return HitsOf(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
+                return PercentHit(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
                     ? Invariant($"They lie beside the picture: aim target at them (it is {camera.Target}), ") +
                         Invariant($"or make fovY greater (it is {camera.FovY:G7} degrees).")
                     : Invariant($"The camera looks past them: it stands at {camera.Position} and looks towards {camera.Target}. ") +
@@ -59,22 +59,21 @@ internal static class LedgerVerdict
     private static string OfLookingAway(Scene scene)
     {
         var (position, target) = (scene.Camera.Position, scene.Camera.Target);
-        if (HitsOf(scene, target, position, scene.Camera.FovY) is > 0 and var swapped)
-            return Invariant($"Are position and target swapped? From {target} towards {position} {swapped * 100.0 / (Side * Side):0} % ") +
+        if (PercentHit(scene, target, position, scene.Camera.FovY) is > 0 and var swapped)
+            return Invariant($"Are position and target swapped? From {target} towards {position} {swapped:0} % ") +
                 "of the rays hit something.";
         var other = 2 * position - target;
-        return HitsOf(scene, position, other, scene.Camera.FovY) is > 0 and var turned
-            ? Invariant($"The camera looks away from them: towards target = {other} {turned * 100.0 / (Side * Side):0} % of the rays hit something.")
+        return PercentHit(scene, position, other, scene.Camera.FovY) is > 0 and var turned
+            ? Invariant($"The camera looks away from them: towards target = {other} {turned:0} % of the rays hit something.")
             : Invariant($"The camera stands at {position} and looks towards {target}: is the sign of a coordinate wrong?");
     }
 
-    private const int Side = 32;
-
-    /// <summary>How many rays of a small picture from another camera position hit something.</summary>
-    private static int HitsOf(Scene scene, Vector3 position, Vector3 target, double fovY)
+    /// <summary>How many percent of the rays of a small picture from another camera position hit something.</summary>
+    private static double PercentHit(Scene scene, Vector3 position, Vector3 target, double fovY)
     {
-        var camera = new Camera(scene.Camera.Parameters with { Position = position, Target = target, FovY = fovY, Width = Side, Height = Side });
-        return new Renderer(scene with { Camera = camera }, 1).CastHits().Model.Count(model => model >= 0);
+        const int side = 32;
+        var camera = new Camera(scene.Camera.Parameters with { Position = position, Target = target, FovY = fovY, Width = side, Height = side });
+        return new Renderer(scene with { Camera = camera }, 1).CastHits().Model.Count(model => model >= 0) * 100.0 / (side * side);
     }
 
     private static IEnumerable<string> OfLight(HitLedger ledger)

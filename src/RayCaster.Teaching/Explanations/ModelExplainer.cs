@@ -18,7 +18,8 @@ internal sealed class ModelExplainer(PixelExplanation pixel)
         if (shape?.Intersect(ray) is { } derived)
         {
             (var corners, slabs) = (Corners(shape), Slabs(shape, derived));
-            var writer = new TermText([.. corners.SelectMany(step => step.Values), .. slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
+            var writer = new TermText(
+                [.. corners.SelectMany(step => step.Values), .. slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
             steps = [.. corners, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
             crossings = Crossings(trial, derived, term => Reasons.NoCrossing(shape, steps, slabs, term), writer);
         }

@@ -12,7 +12,8 @@ public static class RaySection
     private const int MostLines = 4000;
 
     /// <summary>The drawing for an explanation, an object for JSON. Points are (u, v), near and far the u of the clip planes; they are null where
-    /// zNear and zFar are distances, whose sections are circles. Models stand in the explanation's order, and crossings lie at t · direction.</summary>
+    /// zNear and zFar are distances, whose sections are circles. Models stand in the explanation's order; crossings lie at t · direction.
+    /// </summary>
     public static object Of(PixelExplanation pixel)
     {
         var (camera, d) = (pixel.Scene.Camera, pixel.Ray.Direction);
