@@ -21,6 +21,10 @@ internal abstract class Command
         ["help"] = () => new HelpCommand(),
     };
 
+    /// <summary>The command that a command line names, even if it is wrong in other ways; null for drawing and for help.</summary>
+    public static string? NameIn(string[] arguments) =>
+        arguments.FirstOrDefault(word => word is not ("draw" or "help") && All.ContainsKey(word));
+
     /// <summary>The text of its help page: lines of at most 90 characters. The options are those that begin a line.</summary>
     public abstract string Help { get; }
 

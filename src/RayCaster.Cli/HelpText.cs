@@ -13,8 +13,7 @@ internal static class HelpText
     /// <summary>Shown after a wrong command line: the usage of its command, and how to read more.</summary>
     public static string HintAfter(string[] arguments)
     {
-        var name = arguments.FirstOrDefault(word => word is not ("draw" or "help") && Command.All.ContainsKey(word));
-        if (name is null) return "Try 'raycaster help', or dotnet run --project src/RayCaster.Cli -- help.\n";
+        if (Command.NameIn(arguments) is not { } name) return "Try 'raycaster help', or dotnet run --project src/RayCaster.Cli -- help.\n";
         var help = Command.All[name]().Help;
         var usage = help.AsSpan(help.IndexOf("Usage:", StringComparison.Ordinal));
         return $"{usage[..usage.IndexOf("\n\n")]}\nTry 'raycaster help {name}', or dotnet run --project src/RayCaster.Cli -- help {name}.\n";

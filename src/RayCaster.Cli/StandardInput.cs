@@ -14,23 +14,13 @@ internal static class StandardInput
         {
             if (!Directory.Exists(Descriptors)) return false; // not Linux
             if (TargetOf("0") is not { } input) return true;
-            if (!Path.GetFileName(input).StartsWith("pipe:", StringComparison.Ordinal)) return false;
-            return Directory.GetFileSystemEntries(Descriptors).Any(
-                descriptor => TargetOf(Path.GetFileName(descriptor)) == input && IsForWriting(Path.GetFileName(descriptor)));
+            return Path.GetFileName(input).StartsWith("pipe:", StringComparison.Ordinal) && Directory.GetFileSystemEntries(Descriptors)
+                .Select(descriptor => Path.GetFileName(descriptor)).Any(descriptor => TargetOf(descriptor) == input && IsForWriting(descriptor));
         }
     }
 
-    private static string? TargetOf(string descriptor)
-    {
-        try
-        {
-            return new FileInfo(Path.Combine(Descriptors, descriptor)).LinkTarget;
-        }
-        catch (IOException)
-        {
-            return null; // closed in the meantime: the descriptor that listed the folder
-        }
-    }
+    /// <summary>What a descriptor leads to; null if it is closed.</summary>
+    private static string? TargetOf(string descriptor) => new FileInfo(Path.Combine(Descriptors, descriptor)).LinkTarget;
 
     /// <summary>Whether the access mode, the last octal digit of a descriptor's flags, is "write only".</summary>
     private static bool IsForWriting(string descriptor) =>
