@@ -36,47 +36,34 @@ internal sealed class CheckCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         if (line.Operands.Count == 0) throw ProblemException.Usage("check takes <scene>..., but nothing is given");
-        var threads = line.ThreadCount();
-        var (scenes, warnings) = (new List<Scene>(), new List<string>());
+        var (threads, json, quiet) = (line.ThreadCount(), line.Has(Option.Json), line.Has(Option.Quiet));
+        var scenes = new List<Scene>();
         var exitCode = ExitCode.Done;
         foreach (var path in line.Operands)
         {
             cancellation.ThrowIfCancellationRequested();
-            var reading = SceneInput.Read(path, threads);
-            if (reading.Scene is { } scene)
-            {
-                scenes.Add(scene);
-                if (SceneInput.WarnOfChangedFormulas(path, scene) is { } warning) warnings.Add(warning);
-            }
-            var unread = reading.Problems.Any(problem => problem.IsError && problem.Line == 0);
-            if (line.Has(Option.Json)) StandardFile.WriteError(reading.Report());
+            var reading = SceneInput.Read(path, line, judges: true);
+            if (json) StandardFile.WriteError(reading.Report());
             else StandardFile.WriteOutput(reading.Report());
-            if (reading.Scene is null) exitCode = Math.Max(exitCode, unread ? ExitCode.CouldNot : ExitCode.No);
+            if (reading.Scene is { } scene) scenes.Add(scene);
+            else exitCode = Math.Max(exitCode, reading.IsUnread ? ExitCode.CouldNot : ExitCode.No);
         }
-        var required = line[Option.Require] is { } ids
-            ? NameList.Of(ids, ',', [.. MistakeCatalog.All.Select(mistake => mistake.Id)], "a mistake") : [];
-        if (exitCode != ExitCode.Done || (line.Has(Option.Quiet) && required.Length == 0)) return exitCode;
+        var required = line.Names(Option.Require, ',', MistakeOutput.Ids, "a mistake");
+        if (exitCode != ExitCode.Done || (quiet && required.Length == 0)) return exitCode;
 
-        var (json, quiet) = (line.Has(Option.Json), line.Has(Option.Quiet));
         if (!json && !quiet)
             StandardFile.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors." + Environment.NewLine);
         if (!scenes.TrueForAll(SceneFitness.CanJudge))
             throw new ProblemException($"A scene has more than {SceneFitness.MostModels} models: too many to try mistakes on.");
-        var fitness = SceneFitness.Of(scenes, threads, Asked(line[Option.For]));
+        var shapes = line.Names(Option.For, ',', SceneReader.ModelTypes, "a kind of shape");
+        var fitness = SceneFitness.Of(
+            scenes, threads, [.. MistakeCatalog.All.Where(mistake => shapes.Length == 0 || mistake.Touches(shapes))]);
         var absent = required.Where(id => fitness.Asked.All(mistake => mistake.Id != id)
             || fitness.Hidden.Concat(fitness.NotTried).Any(mistake => mistake.Id == id)).ToArray();
-        if (json) StandardFile.WriteOutput(FitnessReport.Json(fitness, absent, warnings.Count > 0 ? string.Join(' ', warnings) : null));
+        if (json) StandardFile.WriteOutput(FitnessReport.Json(fitness, absent, line.Warning));
         else if (!quiet) StandardFile.WriteOutput(FitnessReport.Text(fitness));
         if (absent.Length == 0) return ExitCode.Done;
         StandardFile.WriteError($"required, but not shown: {string.Join(", ", absent)}{Environment.NewLine}");
         return ExitCode.No;
-    }
-
-    /// <summary>The mistakes that a program can have if it draws only these shapes; all mistakes if the option is missing.</summary>
-    private static Mistake[] Asked(string? shapes)
-    {
-        if (shapes is null) return [.. MistakeCatalog.All];
-        var names = NameList.Of(shapes, ',', SceneReader.ModelTypes, "a kind of shape");
-        return [.. MistakeCatalog.All.Where(mistake => mistake.Touches(names))];
     }
 }

@@ -31,6 +31,16 @@ internal sealed class CommandLine
         if (!Has(Option.Quiet)) StandardFile.WriteError(FormattableString.Invariant(text) + Environment.NewLine);
     }
 
+    /// <summary>The warnings so far, for an answer in JSON; null if there are none.</summary>
+    public string? Warning { get; private set; }
+
+    /// <summary>Prints a warning about the answer, also if only errors are wanted.</summary>
+    public void Warn(string text)
+    {
+        Warning = Warning is null ? text : $"{Warning} {text}";
+        StandardFile.WriteError(text + Environment.NewLine);
+    }
+
     public static CommandLine Parse(string[] arguments)
     {
         foreach (var word in arguments) FileWord.Check(word);
@@ -103,6 +113,30 @@ internal sealed class CommandLine
         var text => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
     };
 
+    /// <summary>The names in a list such as "plane,sphere" or "rows+bgr", each once; none if the option is not given.</summary>
+    /// <param name="what">What a name stands for, in messages: "a mistake".</param>
+    public string[] Names(Option option, char separator, IReadOnlyList<string> known, string what)
+    {
+        if (this[option] is not { } text) return [];
+        var names = text.Split(separator, StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries);
+        if (names.Length == 0) throw ProblemException.Usage($"the name of {what} is missing");
+        if (Array.Find(names, name => !known.Contains(name)) is { } unknown)
+            throw ProblemException.Usage($"'{unknown}' is not {what}; {HintFor(unknown)}");
+        return [.. names.Distinct()];
+
+        string HintFor(string name)
+        {
+            var other = separator == ',' ? '+' : ',';
+            return name.Contains(other) ? $"join names by '{separator}', not by '{other}'"
+                : Spelling.Nearest(name, known) is { } nearest ? $"did you mean '{nearest}'?"
+                : known.Count < 10 ? $"choose {string.Join(", ", known)}" : "docs/mistakes.md lists them all";
+        }
+    }
+
+    /// <summary>"; did you mean …?" for the end of a message about an unknown word; empty if no known word is like it.</summary>
+    public static string DidYouMean(string word, IEnumerable<string> known) =>
+        Spelling.Nearest(word, known) is { } near ? $"; did you mean '{near}'?" : "";
+
     /// <summary>A whole number greater than 0; null for any other text.</summary>
     public static int? ParseCount(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count > 0 ? count : null;
@@ -110,7 +144,8 @@ internal sealed class CommandLine
     private void ReadOption(string word, string[] arguments, ref int next)
     {
         var (name, value) = word.StartsWith("--") && word.Split('=', 2) is [var left, var right] ? (left, right) : (word, null);
-        if (Option.Named(name) is not { } option) throw UnknownOption(name);
+        if (Option.Named(name) is not { } option)
+            throw ProblemException.Usage($"unknown option '{name}'{DidYouMean(name, Option.All.Select(known => known.Name))}");
         if (values.ContainsKey(option)) throw ProblemException.Usage($"option '{option.Name}' is given twice");
         if (!option.TakesValue && value is not null)
             throw ProblemException.Usage($"option '{option.Name}' takes no value, but '{value}' is given");
@@ -122,8 +157,4 @@ internal sealed class CommandLine
     }
 
     private static bool IsNumber(string word) => double.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out _);
-
-    private static ProblemException UnknownOption(string name) =>
-        ProblemException.Usage($"unknown option '{name}'" +
-            (Spelling.Nearest(name, Option.All.ConvertAll(option => option.Name)) is { } near ? $"; did you mean '{near}'?" : ""));
 }

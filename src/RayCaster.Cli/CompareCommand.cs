@@ -46,18 +46,13 @@ internal sealed class CompareCommand : Command
         if (output is not null) InputFiles.Keep(output);
         var format = output is null ? PictureFormat.Png : PictureFormats.ByExtension(output);
         var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
-        var (scene, warning) = (default(Scene), default(string));
-        if (line[Option.Scene] is { } path)
-        {
-            scene = SceneInput.Read(path, line, cancellation, warns: false);
-            if (scene is null) return ExitCode.CouldNot;
-            warning = SceneInput.WarnOfChangedFormulas(path, scene);
-        }
+        var scene = line[Option.Scene] is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;
+        if (scene is null && line.Has(Option.Scene)) return ExitCode.CouldNot;
 
         var comparison = new PictureComparison(mine, reference, scene, threads);
         if (output is not null) PictureOutput.Write(output, SideBySide.Draw(comparison), format, cancellation);
         StandardFile.WriteOutput(line.Has(Option.Json)
-            ? ComparisonJson.Of(comparison, mineFile, referenceFile, warning)
+            ? ComparisonJson.Of(comparison, mineFile, referenceFile, line.Warning)
             : Text(comparison, mineFile, referenceFile, output, line.Has(Option.Measures)));
         return comparison.Likeness.IsSame() ? ExitCode.Done : ExitCode.No;
     }

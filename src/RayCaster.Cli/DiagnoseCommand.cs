@@ -52,14 +52,13 @@ internal sealed class DiagnoseCommand : Command
         var operands = line.Exactly("<scene>", "<mine>");
         var (scenePath, picturePath) = (operands[0], operands[1]);
         var level = Level(line[Option.Hint]);
-        string[] done = line[Option.Done] is { } named ? NameList.Of(named, ',', Diagnosis.Parts, "a part of a program") : [];
+        var done = line.Names(Option.Done, ',', Diagnosis.Parts, "a part of a program");
         var (threads, json) = (line.ThreadCount(), line.Has(Option.Json));
-        if (SceneInput.Read(scenePath, line, cancellation, warns: false) is not { } scene)
+        if (SceneInput.Read(scenePath, line, cancellation, warns: false, judges: true) is not { } scene)
         {
             if (json) StandardFile.WriteOutput(DiagnosisReport.Json($"{scenePath} has errors"));
             return ExitCode.CouldNot;
         }
-        var warning = SceneInput.WarnOfChangedFormulas(scenePath, scene);
 
         var picture = PictureFile.Read(picturePath);
         var size = (scene.Camera.Width, scene.Camera.Height);
@@ -74,7 +73,7 @@ internal sealed class DiagnoseCommand : Command
         var diagnosis = prepared.Judge(picture, done);
         var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
         StandardFile.WriteOutput(json
-            ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, warning)
+            ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
             : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden));
         return diagnosis.Finding == Finding.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
     }

@@ -39,16 +39,13 @@ internal sealed class HandOutCommand : Command
         return ExitCode.Done;
     }
 
-    private static (int First, int Last) OpenSteps(CommandLine line)
+    private static LineRange OpenSteps(CommandLine line)
     {
         if (line.Has(Option.Solution))
-            return line.Has(Option.Open) ? throw ProblemException.Usage("with '--solution' no step is open: leave '--open' out") : (0, 0);
-        if (line[Option.Open] is not { } text) return (1, LabSteps.Count);
-        var ends = text.Split("..");
-        if (ends.Length <= 2 && CommandLine.ParseCount(ends[0]) is { } first && CommandLine.ParseCount(ends[^1]) is { } last
-            && first <= last && last <= LabSteps.Count)
-            return (first, last);
-        throw ProblemException.Usage(
-            $"'{text}' names no steps: write one from 1 to {LabSteps.Count}, or the first and the last as in 1..4");
+            return line.Has(Option.Open) ? throw ProblemException.Usage("with '--solution' no step is open: leave '--open' out") : default;
+        if (line[Option.Open] is not { } text) return new(1, LabSteps.Count);
+        return LineRange.Parse(text.Contains("..") ? text : $"{text}..{text}") is { First: > 0, Last: <= LabSteps.Count } steps ? steps
+            : throw ProblemException.Usage(
+                $"'{text}' names no steps: write one from 1 to {LabSteps.Count}, or the first and the last as in 1..4");
     }
 }

@@ -8,11 +8,10 @@ internal sealed class HelpCommand : Command
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
-        var text = line.Operands is [var name, ..] ? (All.GetValueOrDefault(name) ?? throw Unknown(name))().Help : Help;
-        StandardFile.WriteOutput(text);
+        var name = line.Operands is [var first, ..] ? first : "help";
+        if (!All.TryGetValue(name, out var command))
+            throw ProblemException.Usage($"there is no command '{name}'{CommandLine.DidYouMean(name, All.Keys)}");
+        StandardFile.WriteOutput(command().Help);
         return ExitCode.Done;
     }
-
-    private static ProblemException Unknown(string name) =>
-        ProblemException.Usage($"there is no command '{name}'" + (Spelling.Nearest(name, All.Keys) is { } near ? $"; did you mean '{near}'?" : ""));
 }

@@ -3,17 +3,19 @@ namespace RayCaster.Cli;
 /// <summary>Drawing with --mistake: the picture of a wrong program, for exams and for testing a rubric.</summary>
 internal static class MistakeOutput
 {
+    /// <summary>The names of all mistakes.</summary>
+    public static IReadOnlyList<string> Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
+
     /// <summary>Reads the scene, draws it with the mistakes, and writes the picture.</summary>
     public static int Run(CommandLine line, string path, CancellationToken cancellation)
     {
-        var mistakes = NameList.Of(line[Option.Mistake]!, '+', [.. MistakeCatalog.All.Select(mistake => mistake.Id)], "a mistake")
-            .Select(id => MistakeCatalog.Named(id)!).ToArray();
-        var output = line[Option.Output] ?? $"{DrawCommand.NameOf(path)}.{string.Join('+', mistakes.Select(mistake => mistake.Id))}.png";
+        var ids = line.Names(Option.Mistake, '+', Ids, "a mistake");
+        var output = line[Option.Output] ?? $"{DrawCommand.NameOf(path)}.{string.Join('+', ids)}.png";
         var format = PictureOutput.FormatOf(line, output);
         PictureOutput.KeepOffTerminal(output);
-        if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
-        SceneInput.WarnOfChangedFormulas(path, scene);
+        if (SceneInput.Read(path, line, cancellation, judges: true) is not { } scene) return ExitCode.CouldNot;
 
+        var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!);
         var picture = MistakeCatalog.Draw(scene, mistakes, line.ThreadCount());
         PictureOutput.Write(output, picture, format, cancellation);
         line.Tell($"{PictureOutput.NameOf(output)}: wrong on purpose: {string.Join("; ", mistakes.Select(mistake => mistake.Cause))}");

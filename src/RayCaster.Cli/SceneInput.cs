@@ -8,35 +8,28 @@ internal static class SceneInput
 
     /// <summary>Reads a scene and prints its errors and warnings.</summary>
     /// <param name="path">The file, or "-".</param>
+    /// <param name="warns">Whether to print the warnings, too.</param>
     /// <returns>The scene; null if it has errors.</returns>
-    public static Scene? Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true)
+    /// <inheritdoc cref="Read(string, CommandLine, bool, Action{ReadOnlySpan{byte}}?)"/>
+    public static Scene? Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true, bool judges = false)
     {
-        var size = line.PictureSize();
-        var (wide, high) = size ?? (0, 0); // the scene's own size is not known yet
-        var reading = Read(path, line.ThreadCount(), text => WarmUp.Begin(text, (long)wide * high));
+        var (width, height) = line.PictureSize() ?? default; // 0: the scene's own, which is not known yet
+        var reading = Read(path, line, judges, text => WarmUp.Begin(text, (long)width * height));
         cancellation.ThrowIfCancellationRequested();
         if (reading.Scene is null || (warns && !line.Has(Option.Quiet))) StandardFile.WriteError(reading.Report());
-        if (reading.Scene is not { } scene || size is not var (width, height)) return reading.Scene;
-        return scene with { Camera = scene.Camera.WithSize(width, height) };
+        return reading.Scene is { } scene && width > 0 ? scene with { Camera = scene.Camera.WithSize(width, height) } : reading.Scene;
     }
 
-    /// <summary>Prints a warning if this build's picture of the scene differs from the stored reference: then it cannot judge other
-    /// pictures.</summary>
-    /// <returns>The warning; null if there is none.</returns>
-    public static string? WarnOfChangedFormulas(string path, Scene scene)
-    {
-        if (path == Standard || StoredReference.Contradiction(path, scene) is not { } message) return null;
-        var warning = $"{message}. What follows may be wrong.";
-        StandardFile.WriteError(warning + Environment.NewLine);
-        return warning;
-    }
-
-    /// <param name="threads">How many threads read a large mesh file; null for one per core.</param>
+    /// <summary>Reads a scene.</summary>
+    /// <param name="judges">Whether the command judges pictures by this scene: warns if this build's picture of it differs from the stored
+    /// reference.</param>
     /// <param name="look">Gets the text before it is parsed.</param>
-    public static SceneReading Read(string path, int? threads, Action<ReadOnlySpan<byte>>? look = null)
+    public static SceneReading Read(string path, CommandLine line, bool judges, Action<ReadOnlySpan<byte>>? look = null)
     {
-        var reading = path == Standard ? ReadStandardInput(threads, look) : SceneReader.Read(path, threads, look);
+        var reading = path == Standard ? ReadStandardInput(line.ThreadCount(), look) : SceneReader.Read(path, line.ThreadCount(), look);
         InputFiles.Note([path, .. reading.MeshFiles]);
+        if (judges && path != Standard && reading.Scene is { } scene && StoredReference.Contradiction(path, scene) is { } message)
+            line.Warn($"{message}. What follows may be wrong.");
         return reading;
     }
 

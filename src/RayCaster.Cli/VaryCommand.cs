@@ -34,10 +34,9 @@ internal sealed class VaryCommand : Command
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("vary needs a name for the scene, as in -o mine.json");
         InputFiles.Note([path]);
         InputFiles.Keep(output);
-        var reading = SceneReader.Read(path);
+        var reading = SceneInput.Read(path, line, judges: true);
         StandardFile.WriteError(reading.Report());
-        if (reading.Scene is not { } scene) return reading.Text.IsEmpty ? ExitCode.CouldNot : ExitCode.No;
-        SceneInput.WarnOfChangedFormulas(path, scene);
+        if (reading.Scene is not { } scene) return reading.IsUnread ? ExitCode.CouldNot : ExitCode.No;
 
         var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
         var newFolder = Path.GetDirectoryName(Path.GetFullPath(output))!;

@@ -17,6 +17,9 @@ public sealed record SceneReading(Scene? Scene, IReadOnlyList<Problem> Problems)
     /// <summary>The file's bytes, also if they contain mistakes; empty if it cannot be read.</summary>
     public ReadOnlyMemory<byte> Text { get; init; }
 
+    /// <summary>Whether the file cannot be read at all, for example because it is not there.</summary>
+    public bool IsUnread => Problems.Any(problem => problem.IsError && problem.Line == 0);
+
     /// <summary>The first problems as text for people, errors before warnings; empty if there are none.</summary>
     public string Report()
     {

@@ -39,7 +39,7 @@ public class BodiesTests
             // END SOLUTION
         }
 
-        """, Bodies.Parse("Circle.cs", File).With(_ => true));
+        """, Bodies.With("Circle.cs", File, _ => true));
 
     [Theory]
     [MemberData(nameof(LabSources))]
@@ -55,15 +55,23 @@ public class BodiesTests
     }
 
     [Theory]
-    [InlineData("// BEGIN SOLUTION \"Circle\"\nx\n", "Circle.cs(1): error: the body that begins here has no // END SOLUTION")]
-    [InlineData("x\n// END SOLUTION\n", "Circle.cs(2): error: a body ends here that has no // BEGIN SOLUTION")]
-    [InlineData("// BEGIN SOLUTION \"Circle\"\n// BEGIN SOLUTION \"Ray\"\n",
-        "Circle.cs(2): error: a body begins here, but that of line 1 has no // END SOLUTION")]
-    [InlineData("// BEGIN SOLUTION Circle\n// END SOLUTION\n", "Circle.cs(1): error: after // BEGIN SOLUTION stands the slide's title in quotes")]
-    [InlineData("// BEGIN SOLUTION \"Circel\"\n// END SOLUTION\n", "Circle.cs(1): error: no step has the slide \"Circel\"")]
-    [InlineData("\n\n// STUB return 0;\n", "Circle.cs(3): error: a stub stands between // BEGIN SOLUTION and // END SOLUTION")]
-    public void AMarkerOutOfPlaceIsAnErrorWithFileAndLine(string text, string message) =>
-        Assert.Equal(message, Assert.Throws<ProblemException>(() => Bodies.Parse("Circle.cs", text)).Message);
+    [InlineData("// BEGIN SOLUTION \"Circle\"\nx\n", 1)]
+    [InlineData("x\n// END SOLUTION\n", 2)]
+    [InlineData("// BEGIN SOLUTION \"Circle\"\n// BEGIN SOLUTION \"Ray\"\n// END SOLUTION\n", 1)]
+    [InlineData("// BEGIN SOLUTION Circle\n// END SOLUTION\n", 1)]
+    [InlineData("// BEGIN SOLUTION \"Ray\"\n// END SOLUTION\n// STUB return 0;\n", 3)]
+    public void AMarkerOutOfPlaceIsAnErrorWithFileAndLine(string text, int line) => Assert.Equal(
+        $"Circle.cs({line}): error: a body stands between // BEGIN SOLUTION \"slide\" and // END SOLUTION, and with it its // STUB",
+        Assert.Throws<ProblemException>(() => Bodies.With("Circle.cs", text, _ => true)).Message);
+
+    [Fact]
+    public void AnUnknownSlideIsAnError() => Assert.Equal("Circle.cs: error: no step has the slide \"Circel\"",
+        Assert.Throws<ProblemException>(() => Bodies.With("Circle.cs", "// BEGIN SOLUTION \"Circel\"\n// END SOLUTION\n", _ => true)).Message);
+
+    [Fact]
+    public void EachStepHasABody() => Assert.Equal(Enumerable.Range(1, LabSteps.Count), HandOutFiles.All()
+        .Where(file => file.Path.StartsWith("src/Lab/")).SelectMany(file => Bodies.SlidesOf(Encoding.UTF8.GetString(file.Content)))
+        .Select(LabSteps.StepOf).Distinct().Order());
 
     [Fact]
     public void OnlyTheOpenStepsHaveStubs()
@@ -88,7 +96,7 @@ public class BodiesTests
             // END SOLUTION
         }
 
-        """, Bodies.Parse("Circle.cs", File).With(slide => slide == "Ray"));
+        """, Bodies.With("Circle.cs", File, step => step == LabSteps.StepOf("Ray")));
 
     [Fact]
     public void TheLabHasNoConditionalCode() => // a beginner need not know it, and it would be handed out
@@ -102,7 +110,7 @@ public class BodiesTests
         var readme = files["README.md"];
         foreach (var (path, text) in files)
             if (path.StartsWith("src/Lab/") && path.EndsWith(".cs"))
-                Assert.All(Bodies.Parse(path, text).All, body => Assert.Contains($"\"{body.Slide}\"", readme));
+                Assert.All(Bodies.SlidesOf(text), slide => Assert.Contains($"\"{slide}\"", readme));
         for (var step = 1; step <= LabSteps.Count; step++) Assert.Contains($"    dotnet test --filter step={step}\n", readme);
     }
 }
