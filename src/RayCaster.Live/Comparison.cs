@@ -17,7 +17,6 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
         Text = Result is null ? null : ComparisonText.Of(Result, Name!, SceneName),
         Verdict = Result is null ? null : ComparisonText.Of(Result.Likeness),
         HasLayers = Result?.Difference is not null,
-        Wrong = Result?.Difference?.Wrong ?? 0,
         Middle = Result?.Difference?.WrongMiddle is var (x, y) ? (int[])[x, y] : null,
     });
 

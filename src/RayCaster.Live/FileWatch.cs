@@ -4,16 +4,27 @@ namespace RayCaster.Live;
 /// Reports that one of some files may have changed. The system notifies within a millisecond. Where it does not, as on many network drives,
 /// times and lengths of the files are compared a few times a second.
 /// </summary>
-internal sealed class FileWatch : IDisposable
+internal sealed class FileWatch
 {
     private const int PollMilliseconds = 250;
 
     private readonly SemaphoreSlim changes = new(0, 1);
     private readonly Dictionary<string, FileSystemWatcher?> folders = [];
-    private readonly Timer poll;
+    private readonly CancellationToken end;
     private Dictionary<string, (DateTime, long)> stamps = [];
 
-    public FileWatch() => poll = new(_ => Poll(), null, PollMilliseconds, PollMilliseconds);
+    /// <param name="end">When to stop watching.</param>
+    public FileWatch(CancellationToken end)
+    {
+        this.end = end;
+        var poll = new Timer(_ => Poll(), null, PollMilliseconds, PollMilliseconds);
+        end.Register(() =>
+        {
+            poll.Dispose();
+            lock (folders)
+                foreach (var watcher in folders.Values) watcher?.Dispose();
+        });
+    }
 
     /// <summary>Chooses the files to watch from now on, by their full paths.</summary>
     public void Watch(IEnumerable<string> files)
@@ -33,15 +44,8 @@ internal sealed class FileWatch : IDisposable
         }
     }
 
-    /// <summary>Waits until a file may have changed, or until the time is over (−1 for no limit); false in that case.</summary>
-    public Task<bool> WaitAsync(int milliseconds, CancellationToken cancellation) => changes.WaitAsync(milliseconds, cancellation);
-
-    public void Dispose()
-    {
-        poll.Dispose();
-        lock (folders)
-            foreach (var watcher in folders.Values) watcher?.Dispose();
-    }
+    /// <summary>Waits until a file may have changed, or until the time is over; false in that case.</summary>
+    public Task<bool> WaitAsync(int milliseconds = Timeout.Infinite) => changes.WaitAsync(milliseconds, end);
 
     /// <summary>Watches a folder; null where the system cannot, and only <see cref="Poll"/> sees changes.</summary>
     private FileSystemWatcher? Open(string folder)
@@ -95,16 +99,6 @@ internal sealed class FileWatch : IDisposable
     }
 
     /// <summary>When a file was written, and its length: −1 for a file that is not there.</summary>
-    public static (DateTime Time, long Length) StampOf(string file)
-    {
-        var info = new FileInfo(file);
-        try
-        {
-            return info.Exists ? (info.LastWriteTimeUtc, info.Length) : (default, -1);
-        }
-        catch (IOException)
-        {
-            return (default, -1);
-        }
-    }
+    public static (DateTime Time, long Length) StampOf(string file) =>
+        new FileInfo(file) is { Exists: true } info ? (info.LastWriteTimeUtc, info.Length) : (default, -1);
 }

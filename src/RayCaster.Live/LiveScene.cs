@@ -10,7 +10,7 @@ internal sealed record SceneState(
     int Version, ReadOnlyMemory<byte> Text, IReadOnlyList<Problem> Problems, Scene? Scene, bool IsGood, ReadOnlyMemory<byte>? InFileOrder = null);
 
 /// <summary>Reads a scene file again whenever it, or a mesh that it names, is saved.</summary>
-internal sealed class LiveScene : IDisposable
+internal sealed class LiveScene
 {
     /// <summary>
     /// How long a file must be broken before it is reported: an editor may be saving it. A file that is empty or missing is most likely about to
@@ -18,14 +18,14 @@ internal sealed class LiveScene : IDisposable
     /// </summary>
     private const int PatienceMilliseconds = 150, PatienceWithNothing = 600;
 
-    private readonly FileWatch watch = new();
-    private readonly CancellationTokenSource end = new();
+    private readonly FileWatch watch;
     private CancellationTokenSource outdated = new();
     private (DateTime, long)[] stamps = []; // of the meshes that are shown
 
-    public LiveScene(string path)
+    /// <param name="end">When to stop watching the file.</param>
+    public LiveScene(string path, CancellationToken end)
     {
-        (Path, FullPath) = (path, System.IO.Path.GetFullPath(path));
+        (Path, FullPath, watch) = (path, System.IO.Path.GetFullPath(path), new(end));
         watch.Watch([FullPath]);
         State = Next(SceneReader.Read(path));
     }
@@ -46,10 +46,9 @@ internal sealed class LiveScene : IDisposable
 
     public async Task FollowAsync()
     {
-        while (!end.IsCancellationRequested)
+        while (await watch.WaitAsync())
         {
-            await watch.WaitAsync(Timeout.Infinite, end.Token);
-            await Task.Delay(1, end.Token); // most editors cause a second notice within this time
+            await Task.Delay(1); // most editors cause a second notice within this time
             var reading = await ReadPatiently();
             var isSame = reading.Text.Span.SequenceEqual(State.Text.Span) && reading.Scene is not null == State.IsGood;
             if (isSame && stamps.AsSpan().SequenceEqual(StampsOf(reading))) continue; // a second notice of the same save
@@ -78,12 +77,6 @@ internal sealed class LiveScene : IDisposable
         return null;
     }
 
-    public void Dispose()
-    {
-        end.Cancel();
-        watch.Dispose();
-    }
-
     /// <summary>Reads until the file is good, or stays broken for a while.</summary>
     private async Task<SceneReading> ReadPatiently()
     {
@@ -92,7 +85,7 @@ internal sealed class LiveScene : IDisposable
             var reading = SceneReader.Read(Path);
             if (reading.Scene is not null) return reading;
             var patience = reading.Text.IsEmpty ? PatienceWithNothing : PatienceMilliseconds;
-            if (!await watch.WaitAsync(patience, end.Token)) return reading;
+            if (!await watch.WaitAsync(patience)) return reading;
         }
     }
 

@@ -39,7 +39,7 @@ internal static class Messages
             ShownHeight = height,
             Models = state.Scene?.Models.Take(MostModels).Select((model, i) => new
             {
-                Name = NameOf(model, i),
+                Name = ModelName.Plain(state.Scene, i),
                 Type = model.Kind,
                 Color = Hex(model.Color.ToBytes()),
             }),
@@ -73,7 +73,7 @@ internal static class Messages
             Column = column,
             Line = line,
             Row = scene.Camera.Height - 1 - line,
-            Model = ray.HitModel is { } hit ? NameOf(hit, scene.Models.TakeWhile(model => model != hit).Count()) : "the background",
+            Model = ray.HitModel is null ? ModelName.Background : ModelName.Plain(scene, scene.Models.TakeWhile(model => model != ray.HitModel).Count()),
             T = ray.HitParameter,
             Depth = ray.HitParameter * -(ray.Direction * scene.Camera.W),
             Bytes = (int[])[r, g, b],
@@ -103,9 +103,6 @@ internal static class Messages
         }),
         Report = ledger.Report(),
     });
-
-    /// <summary>A model's name, or without one its place in the scene file.</summary>
-    public static string NameOf(Model model, int index) => model.Name is { Length: > 0 } name ? name : $"models[{index}]";
 
     /// <summary>A colour for a style sheet: "#rrggbb".</summary>
     public static string Hex((byte R, byte G, byte B) color) => $"#{color.R:x2}{color.G:x2}{color.B:x2}";

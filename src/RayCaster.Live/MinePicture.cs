@@ -1,49 +1,41 @@
 namespace RayCaster.Live;
 
 /// <summary>The picture of the user's own program: a watched file, or one that was dropped on the page.</summary>
-internal sealed class MinePicture : IDisposable
+/// <param name="path">The file to watch; null for none.</param>
+/// <param name="end">When to stop watching it.</param>
+internal sealed class MinePicture(string? path, CancellationToken end)
 {
     /// <summary>How long a file must be broken before it is reported: the user's program may still be writing it.</summary>
     private const int PatienceMilliseconds = 300;
 
     private readonly Lock sync = new();
-    private readonly FileWatch watch = new();
-    private readonly CancellationTokenSource end = new();
-    private readonly string? path;
     private (int Version, string? Name, Picture? Picture, string? Problem) now;
     private (SceneState? State, int Version, Task<Comparison>? Comparison) last;
-
-    /// <param name="path">The file to watch; null for none.</param>
-    public MinePicture(string? path)
-    {
-        this.path = path;
-        if (path is null) return;
-        watch.Watch([Path.GetFullPath(path)]);
-        Put(path, Read(path));
-    }
 
     /// <summary>Called when the picture changes, or is taken away.</summary>
     public event Action? Changed;
 
-    /// <summary>Follows the file until the end.</summary>
+    /// <summary>Reads the file, and again after each change.</summary>
     public async Task FollowAsync()
     {
         if (path is null) return;
-        while (!end.IsCancellationRequested)
+        var watch = new FileWatch(end);
+        watch.Watch([Path.GetFullPath(path)]);
+        do
         {
-            await watch.WaitAsync(Timeout.Infinite, end.Token);
-            var read = Read(path);
-            while (read.Picture is null && await watch.WaitAsync(PatienceMilliseconds, end.Token)) read = Read(path);
-            Put(path, read);
+            var (picture, problem) = Read(path);
+            while (picture is null && await watch.WaitAsync(PatienceMilliseconds)) (picture, problem) = Read(path);
+            Put(path, picture, problem);
         }
+        while (await watch.WaitAsync());
     }
 
     /// <summary>Takes a picture that was dropped on the page.</summary>
     /// <param name="mostPixels">The most pixels that its header may promise.</param>
     /// <exception cref="PictureFileException">The file is no picture, or too large.</exception>
-    public void Take(string name, Stream bytes, long mostPixels) => Put(name, (PictureFile.Read(bytes, 3 * mostPixels), null));
+    public void Take(string name, Stream bytes, long mostPixels) => Put(name, PictureFile.Read(bytes, 3 * mostPixels));
 
-    public void Forget() => Put(null, default);
+    public void Forget() => Put(null, null);
 
     /// <summary>The picture, if it has a camera's size; otherwise null.</summary>
     public Picture? PictureFor(Camera camera)
@@ -64,19 +56,12 @@ internal sealed class MinePicture : IDisposable
         }
     }
 
-    public void Dispose()
-    {
-        end.Cancel();
-        watch.Dispose();
-    }
-
     private async Task<Comparison> CompareAsync(Comparison comparison, Picture? picture, Studio studio)
     {
         if (picture is null || comparison.Scene is not { } scene) return comparison;
         if (View.SizeOf(scene.Camera) != (scene.Camera.Width, scene.Camera.Height))
             return comparison with { Problem = $"the page compares at most {View.MostPixels:N0} pixels; use \"raycaster compare\"" };
-        var result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(scene), scene), end.Token);
-        return comparison with { Result = result };
+        return comparison with { Result = await studio.DoAsync(() => new PictureComparison(picture, Renderer.Render(scene), scene), end) };
     }
 
     private static (Picture? Picture, string? Problem) Read(string path)
@@ -91,9 +76,9 @@ internal sealed class MinePicture : IDisposable
         }
     }
 
-    private void Put(string? name, (Picture? Picture, string? Problem) read)
+    private void Put(string? name, Picture? picture, string? problem = null)
     {
-        lock (sync) now = (now.Version + 1, name, read.Picture, read.Problem);
+        lock (sync) now = (now.Version + 1, name, picture, problem);
         Changed?.Invoke();
     }
 }

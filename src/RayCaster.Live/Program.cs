@@ -1,25 +1,24 @@
 using System.Diagnostics;
 using System.Runtime.InteropServices;
+using RayCaster.Cli;
 
 namespace RayCaster.Live;
 
 internal static class Program
 {
-    private const int CouldNot = 2, InternalError = 70, Interrupted = 130, Terminated = 143;
-
     private static async Task<int> Main(string[] arguments)
     {
         // The process ends with this method, even with open pages: they hold nothing that could be lost.
         var end = new TaskCompletionSource<int>(TaskCreationOptions.RunContinuationsAsynchronously);
-        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => End(context, Interrupted));
-        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => End(context, Terminated));
+        using var interrupt = PosixSignalRegistration.Create(PosixSignal.SIGINT, context => End(context, ExitCode.Interrupted));
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => End(context, ExitCode.Terminated));
         try
         {
             var options = LiveOptions.Parse(arguments);
             if (options.WantsHelp)
             {
                 Console.Out.Write(LiveHelp.Text);
-                return 0;
+                return ExitCode.Done;
             }
             // The page shows a scene's mistakes; a file that does not exist is a mistake on the command line.
             if (!File.Exists(options.Scene))
@@ -32,12 +31,12 @@ internal static class Program
         catch (ProblemException problem)
         {
             Console.Error.WriteLine(problem.Message);
-            return CouldNot;
+            return ExitCode.CouldNot;
         }
         catch (Exception unexpected)
         {
             Console.Error.WriteLine(Fault.InWords("raycaster-live", unexpected));
-            return InternalError;
+            return ExitCode.InternalError;
         }
 
         void End(PosixSignalContext context, int exitCode)

@@ -10,9 +10,9 @@ internal sealed partial class Tab
     {
         if (isMoving || !Takes(Pending.Map) || map is not { } kind) return;
         var scene = (view with { Look = Live.Look.Plain, Model = -1 }).Of(state.Scene!);
-        var drawn = await server.Studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
-        await SendAsync(drawn.Legend());
-        await SendFrameAsync(drawn.Frame, Layer.Map, state.Version, isFinal: true);
+        var (legend, frame) = await server.Studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
+        await SendAsync(legend);
+        await SendFrameAsync(frame, Layer.Map, state.Version, isFinal: true);
     }
 
     private async Task TellComparisonAsync(SceneState state)

@@ -23,7 +23,7 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidde
     {
         var (width, height) = SizeOf(scene.Camera);
         var camera = (Camera ?? scene.Camera).WithSize(Math.Max(1, width / Divisor), Math.Max(1, height / Divisor));
-        return scene with { Camera = camera, Models = Hidden.Length == 0 ? scene.Models : Select(scene.Models) };
+        return scene with { Camera = camera, Models = Hidden.Length == 0 ? scene.Models : Select(scene) };
     }
 
     /// <summary>The size at which a page shows a scene's picture.</summary>
@@ -34,14 +34,14 @@ internal sealed record View(Camera? Camera = null, int Divisor = 1, string Hidde
         return (Math.Max(1, camera.Width / divisor), Math.Max(1, camera.Height / divisor));
     }
 
-    private Model[] Select(IReadOnlyList<Model> all)
+    private Model[] Select(Scene scene)
     {
-        if (selections.TryGetValue(all, out var last) && last.Hidden == Hidden) return last.Models;
-        var models = all.ToArray();
+        if (selections.TryGetValue(scene.Models, out var last) && last.Hidden == Hidden) return last.Models;
+        var models = scene.Models.ToArray();
         foreach (var index in Hidden.Split(',').Select(int.Parse))
             if (index < models.Length)
-                models[index] = new Mesh([], []) { Name = $"{Messages.NameOf(all[index], index)} (hidden)" };
-        selections.AddOrUpdate(all, new(Hidden, models));
+                models[index] = new Mesh([], []) { Name = $"{ModelName.Plain(scene, index)} (hidden)" };
+        selections.AddOrUpdate(scene.Models, new(Hidden, models));
         return models;
     }
 

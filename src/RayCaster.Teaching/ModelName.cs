@@ -1,8 +1,9 @@
 namespace RayCaster.Teaching;
 
 /// <summary>The names of models in texts for people.</summary>
-internal static class ModelName
+public static class ModelName
 {
+    /// <summary>What a ray sees that hits nothing.</summary>
     public const string Background = "the background";
 
     /// <summary>For a sentence: the name in backquotes. A model without a name of its own gets its path in the scene file and its type.</summary>

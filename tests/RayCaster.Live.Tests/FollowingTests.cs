@@ -193,7 +193,7 @@ public class FollowingTests
         File.WriteAllText(folder["scan.json"], """
             { "camera": { "position": [0, 0, 3], "target": [0, 0, 0], "up": [0, 1, 0] }, "models": [{ "type": "mesh", "file": "scan.ply" }] }
             """);
-        using var live = new LiveScene(folder["scan.json"]);
+        var live = new LiveScene(folder["scan.json"], CancellationToken.None);
         var inFile = live.InFileOrder(live.State);
         Assert.Equal(indices, ((Mesh)inFile.Models[0]).Indices);
         Assert.NotEqual(indices, ((Mesh)live.State.Scene!.Models[0]).Indices);
