@@ -31,7 +31,9 @@ internal static class Messages
             state.Version,
             live.Path,
             Good = state.IsGood,
-            Problems = state.Problems.Take(SceneReading.Printed).Select(problem => Shown(problem, live.FullPath)),
+            IsGone = !state.IsGood && !File.Exists(live.FullPath),
+            Problems = state.Problems.OrderByDescending(problem => problem.IsError).Take(SceneReading.Printed)
+                .Select(problem => Shown(problem, live.FullPath)),
             More = Math.Max(0, state.Problems.Count - SceneReading.Printed),
             Width = camera?.Width ?? 0,
             Height = camera?.Height ?? 0,
@@ -81,24 +83,22 @@ internal static class Messages
     }
 
     /// <summary>The explanation of a pixel, with the drawing of its ray.</summary>
-    public static byte[] OfExplanation(Scene scene, int column, int line, Picture? mine, int version)
+    public static byte[] OfExplanation(Scene scene, int column, int line, Picture? mine)
     {
         var pixel = PixelExplanation.Of(scene, column, line);
         var text = ExplanationJson.Of(pixel, mine is null ? null : ReferenceExplanation.Of(pixel, mine));
         var section = JsonSerializer.Serialize(RaySection.Of(pixel), options);
-        return Encoding.UTF8.GetBytes($$"""{"kind":"explanation","version":{{version}},"pixel":{{text}},"section":{{section}}}""");
+        return Encoding.UTF8.GetBytes($$"""{"kind":"explanation","pixel":{{text}},"section":{{section}}}""");
     }
 
     /// <summary>The ledger: in how many pixels each model shows, or why it does not.</summary>
-    public static byte[] OfLedger(HitLedger ledger, int version) => Of(new
+    public static byte[] OfLedger(HitLedger ledger) => Of(new
     {
         Kind = "ledger",
-        Version = version,
         ledger.Rays,
         Models = ledger.Models.Take(MostModels).Select(entry => new
         {
             Shows = entry[Outcome.Shows],
-            Hidden = entry[Outcome.Hidden],
             Reason = entry[Outcome.Shows] > 0 ? "" : InWords(entry.Reason),
         }),
         Report = ledger.Report(),

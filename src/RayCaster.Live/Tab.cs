@@ -165,7 +165,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         {
             var scene = seen.Of(server.Scene.InFileOrder(state));
             var mine = seen.Camera is null ? server.Mine.PictureFor(scene.Camera) : null;
-            return Messages.OfExplanation(scene, place.Column, place.Line, mine, state.Version);
+            return Messages.OfExplanation(scene, place.Column, place.Line, mine);
         }));
     }
 
@@ -174,7 +174,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         if (isMoving || !Takes(Pending.Ledger)) return;
         var scene = view.Of(state.Scene!);
         var ledger = await Task.Run(() => HitLedger.Take(scene, Outdated()));
-        await SendAsync(Messages.OfLedger(ledger, state.Version));
+        await SendAsync(Messages.OfLedger(ledger));
     }
 
     /// <summary>Cancelled when the scene or the view changes, or the page closes.</summary>

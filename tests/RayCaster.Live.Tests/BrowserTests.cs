@@ -39,6 +39,19 @@ public class BrowserTests(Chromium chromium)
     }
 
     [BrowserFact]
+    public async Task ADeletedSceneIsGone()
+    {
+        await using var live = await LivePage.OpenAsync();
+        var (page, complaints) = await chromium.OpenAsync(live);
+        File.Delete(live.Scene);
+        await page.GetByRole(AriaRole.Heading, new() { Name = "The scene file is gone" }).WaitForAsync();
+        Assert.Equal($"{live.Scene} is gone.", await page.GetByRole(AriaRole.Status).First.InnerTextAsync());
+        File.WriteAllText(live.Scene, LivePage.Ball);
+        await page.WaitForSelectorAsync("#problems", new() { State = WaitForSelectorState.Hidden });
+        Assert.Empty(complaints);
+    }
+
+    [BrowserFact]
     public async Task AClickExplainsThePixelAndArrowKeysStepOn()
     {
         await using var live = await LivePage.OpenAsync();

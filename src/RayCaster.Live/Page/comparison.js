@@ -13,7 +13,7 @@ on("comparison", message => {
   $("compare-text").textContent = message.text ?? "";
   show($("diagnosis-text"), false);
   middle = message.middle;
-  show($("mine-worst"), middle !== null && middle !== undefined);
+  show($("mine-worst"), middle !== null);
   for (const option of $("mine-show").options) option.disabled = !message.hasLayers && option.value !== "none";
   if (!message.hasLayers) $("mine-show").value = "none";
   $("diagnose").disabled = false;
@@ -32,8 +32,7 @@ on("closed", () => { $("diagnose").disabled = false; });
 $("mine-show").addEventListener("change", arrange);
 $("mine-split").addEventListener("input", arrange);
 $("mine-flip").addEventListener("click", () => {
-  if ($("mine-show").value === "mine") $("mine-show").value = "none";
-  else $("mine-show").value = "mine";
+  $("mine-show").value = $("mine-show").value === "mine" ? "none" : "mine";
   arrange();
 });
 $("mine-forget").addEventListener("click", () => ask({ forgetMine: true }));

@@ -10,7 +10,7 @@ const stepOfKey = 0.06;       // of the picture's height
 const stage = $("stage");
 const pointers = new Map();   // the last place of each pointer that is down
 let travelled = 0, wasMany = false;
-let pending = null;           // moves that are not sent yet
+let pending = null;           // moves that are not sent yet: the turn, the shift, and the logarithm of the approach
 let timer = 0;
 let asked = 0;                // the time of the request whose frame has not come yet; 0 for none
 let divisor = 1, took = 16, taken = 0;
@@ -82,14 +82,9 @@ stage.addEventListener("keydown", event => {
 });
 
 /** Adds to the pending moves. */
-function move(request) {
-  if (!pending) {
-    pending = { turn: [0, 0], shift: [0, 0], approach: 0 };
-    requestAnimationFrame(send);
-  }
-  for (const name of ["turn", "shift"])
-    if (request[name]) pending[name] = pending[name].map((value, i) => value + request[name][i]);
-  if (request.approach) pending.approach += Math.log(request.approach);
+function move({ turn = [0, 0], shift = [0, 0], approach = 1 }) {
+  if (!pending) requestAnimationFrame(send);
+  pending = [...turn, ...shift, Math.log(approach)].map((value, i) => value + (pending?.[i] ?? 0));
   clearTimeout(timer);
   timer = setTimeout(rest, restAfter);
 }
@@ -102,21 +97,16 @@ function send(isLast = false) {
   if (!pending) return;
   const now = performance.now();
   if (isLast !== true && asked > 0 && now - asked < longest) return void requestAnimationFrame(send);
-  const left = Math.max(...pending.turn.map(Math.abs), ...pending.shift.map(Math.abs), Math.abs(pending.approach));
-  const part = isLast === true || left < 0.004 || still.matches ? 1 : glide;
-  const [turn, shift, approach] = [pending.turn.map(value => value * part), pending.shift.map(value => value * part), pending.approach * part];
+  const part = isLast === true || Math.max(...pending.map(Math.abs)) < 0.004 || still.matches ? 1 : glide;
+  const [right, up, across, along, approach] = pending.map(value => value * part);
   const requests = { divisor };
-  if (turn.some(Boolean)) requests.turn = turn;
-  if (shift.some(Boolean)) requests.shift = shift;
-  if (approach !== 0) requests.approach = Math.exp(approach);
+  if (right || up) requests.turn = [right, up];
+  if (across || along) requests.shift = [across, along];
+  if (approach) requests.approach = Math.exp(approach);
   asked = now;
   ask(requests);
-  if (part === 1) pending = null;
-  else {
-    const rest = 1 - part;
-    pending = { turn: pending.turn.map(value => value * rest), shift: pending.shift.map(value => value * rest), approach: pending.approach * rest };
-    requestAnimationFrame(send);
-  }
+  pending = part === 1 ? null : pending.map(value => value * (1 - part));
+  if (pending) requestAnimationFrame(send);
 }
 
 function rest() {

@@ -3,7 +3,7 @@ import { $, digits, show } from "./dom.js";
 import { hand } from "./hand.js";
 import { explain, step } from "./pixel.js";
 import { setSize, size } from "./picture.js";
-import { count } from "./problems.js";
+import { count, mistakes } from "./problems.js";
 import { ask, connect, on, remember } from "./server.js";
 import "./comparison.js";
 import "./models.js";
@@ -27,10 +27,10 @@ on("scene", message => {
   document.title = `${$("title").textContent} – RayCaster live`;
   if (scene.width > 0) setSize(scene.shownWidth, scene.shownHeight);
   const smaller = scene.shownWidth !== scene.width ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
-  const errors = scene.problems.filter(problem => problem.isError).length;
+  const errors = mistakes(scene);
   say(scene.good
     ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`
-    : `${count(errors, "mistake")} in ${scene.path}: ${scene.problems.find(problem => problem.isError)?.message ?? ""}`);
+    : scene.isGone ? `${scene.path} is gone.` : `${count(errors.length, "mistake")} in ${scene.path}: ${errors[0].message}`);
   const picture = `The picture of ${scene.path}, ${scene.width} by ${scene.height} pixels, ${count(scene.modelCount, "model")}` +
     (scene.good ? "" : "; it is the last good one");
   for (const id of ["picture", "stage"]) $(id).setAttribute("aria-label", picture);

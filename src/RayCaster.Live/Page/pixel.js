@@ -34,7 +34,6 @@ on("explanation", message => {
   if (!chosen || pixel.pixel.column !== chosen[0] || pixel.pixel.line !== chosen[1]) return; // it explains a pixel that was chosen before
   mark(chosen);
   const box = $("pixel-explained");
-  box.dataset.bytes = pixel.color.bytes.join(" ");
   box.replaceChildren(...[head(pixel), ...notes(pixel), section(message.section, pixel),
     part("camera", "Camera, the same for every pixel", pixel.camera.slide, steps(pixel.camera.steps)),
     part("ray", "Ray through this pixel", pixel.ray.slide, steps(pixel.ray.steps), counts(pixel), true),
@@ -57,7 +56,7 @@ function notes(pixel) {
 
 /** A part that can be opened and closed, and keeps that state for the next pixel. */
 function part(key, title, slide, content, more = null, open = false) {
-  const details = make("details", { open: opened.get(key) ?? open, "data-part": key },
+  const details = make("details", { open: opened.get(key) ?? open },
     make("summary", {}, title, slide ? make("span", { class: "slide" }, ` slide “${slide}”`) : ""), content, more);
   details.addEventListener("toggle", () => opened.set(key, details.open));
   return details;

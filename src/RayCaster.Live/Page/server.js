@@ -1,7 +1,7 @@
 // The connection to the server: sends requests, receives messages and frames, and connects again after a break.
 
 const patience = { first: 200, most: 3000 }; // milliseconds between attempts
-const listeners = new Map();
+const listeners = {};
 let socket = null;
 let wait = patience.first;
 let everOpen = false;
@@ -10,8 +10,7 @@ const remembered = new Set(["camera", "hidden", "look", "explain", "map", "hint"
 
 /** Registers a function for each message of a kind. "frame", "open" and "closed" are kinds, too. */
 export function on(kind, listener) {
-  if (!listeners.has(kind)) listeners.set(kind, []);
-  listeners.get(kind).push(listener);
+  (listeners[kind] ??= []).push(listener);
 }
 
 /** Sends one or several requests; the server takes them in order. */
@@ -47,7 +46,7 @@ export function connect() {
 }
 
 function tell(kind, message) {
-  for (const listener of listeners.get(kind) ?? []) listener(message);
+  for (const listener of listeners[kind] ?? []) listener(message);
 }
 
 /** Six numbers, then the pixels in the format of a canvas: nothing is copied. */
