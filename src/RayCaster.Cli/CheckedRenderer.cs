@@ -28,17 +28,10 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
     }
 
     /// <summary>Compares with the definition before any line is written.</summary>
+    /// <exception cref="FastWayDisagreesException">Some lines differ.</exception>
     public void CheckInAdvance(LineRange lines, CancellationToken cancellation)
     {
-        if (isByDefinition || !ScalarRenderer.IsChanged) return;
-        try
-        {
-            DrawChecked(lines, _ => { }, null, cancellation);
-        }
-        catch (FastWayDisagreesException)
-        {
-            // The message was shown; from now on, the definition draws.
-        }
+        if (!isByDefinition && ScalarRenderer.IsChanged) DrawChecked(lines, _ => { }, null, cancellation);
     }
 
     private void DrawChecked(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)

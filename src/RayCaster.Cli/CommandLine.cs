@@ -91,10 +91,9 @@ internal sealed class CommandLine
         : throw ProblemException.Usage($"'{text}' is not a number of {what}: it is a whole number from 1 to {most}");
 
     /// <summary>The picture's size; null for the scene's.</summary>
-    public (int Width, int Height)? PictureSize() => this[Option.Size] is { } text ? ParseSize(text) : null;
-
-    private static (int Width, int Height) ParseSize(string text)
+    public (int Width, int Height)? PictureSize()
     {
+        if (this[Option.Size] is not { } text) return null;
         if (text.Split('x', 'X') is not [var w, var h] || ParseCount(w) is not { } width || ParseCount(h) is not { } height)
             throw ProblemException.Usage($"'{text}' is not a size: write width and height in pixels as in 640x480");
         if (width > Camera.MaxSide || height > Camera.MaxSide || (long)width * height > Camera.MaxPixels)

@@ -38,34 +38,37 @@ internal sealed class DrawCommand : Command
             return ExitCode.Done;
         }
 
-        var odd = new OddPicture(scene.Background);
-        var preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
+        var (odd, preview) = (default(OddPicture), default(TerminalPreview));
         scene = SpatialOrder.Of(scene, threads);
         var renderer = new CheckedRenderer(scene, threads, line.Has(Option.Plain));
-        PictureOutput.Draw(output, format, renderer, lines, part, line.ShowsProgress, cancellation, quiet && preview is null ? null : Watch);
+        PictureOutput.Draw(
+            output, format, renderer, lines, part, line.ShowsProgress, cancellation, quiet && !line.Has(Option.Preview) ? null : Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
-        var isOdd = odd.IsOdd && lines.Count == scene.Camera.Height; // a part may have one colour without a mistake
+        var isOdd = odd!.IsOdd && lines.Count == scene.Camera.Height; // a part may have one colour without a mistake
         if (line.Has(Option.Ledger) || (isOdd && HitLedger.IsQuick(scene))) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         else if (isOdd)
             StandardFile.WriteError("The picture shows nothing, or one colour; --ledger says why, which takes a while with so many triangles.\n");
         return ExitCode.Done;
 
-        void Watch(int first, ReadOnlySpan<byte> drawn)
+        Action<ReadOnlySpan<byte>> Watch()
         {
-            if (first == 0 && preview is not null) preview = TerminalScreen.Preview(scene.Camera.Width, lines.Count);
-            if (first == 0) odd = new(scene.Background);
-            odd.Take(drawn);
-            preview?.Take(drawn);
+            odd = new(scene.Background);
+            preview = line.Has(Option.Preview) ? TerminalScreen.Preview(scene.Camera.Width, lines.Count) : null;
+            return drawn =>
+            {
+                odd.Take(drawn);
+                preview?.Take(drawn);
+            };
         }
     }
 
-    private static string ScenePath(CommandLine line) => line.Operands is [{ Length: > 0 } scene] ? scene : throw NotOneScene(line.Operands);
+    private static string ScenePath(CommandLine line) => line.Operands is [var scene] ? scene : throw NotOneScene(line.Operands);
 
     private static ProblemException NotOneScene(IReadOnlyList<string> operands) => operands switch
     {
-        [] or [_] => ProblemException.Usage("no scene is given: name a scene file, for example scenes/room.json"),
+        [] => ProblemException.Usage("no scene is given: name a scene file, for example scenes/room.json"),
         [var word, ..] when Spelling.Nearest(word, Command.All.Keys) is { } name =>
             ProblemException.Usage($"there is no command '{word}'; did you mean '{name}'?"),
         [var word, ..] when !File.Exists(word) && word.All(char.IsAsciiLetter) =>

@@ -9,16 +9,15 @@ internal static class InputFiles
     public static void Note(IEnumerable<string> files)
     {
         foreach (var file in files)
-            if (file.Length > 0 && file != SceneInput.Standard)
-                read.Add(PlaceOf(file));
+            if (file != SceneInput.Standard) read.Add(PlaceOf(file));
     }
 
     /// <summary>Refuses an output that is one of the files that were read.</summary>
     /// <exception cref="ProblemException">It is one of them.</exception>
     public static void Keep(string output)
     {
-        if (output.Length == 0 || !read.Contains(PlaceOf(output))) return;
-        throw new ProblemException($"raycaster: {output} is one of the files that are read\n  Choose another name with -o.");
+        if (read.Contains(PlaceOf(output)))
+            throw new ProblemException($"raycaster: {output} is one of the files that are read\n  Choose another name with -o.");
     }
 
     /// <summary>The full path of a file, with links to folders resolved: the same for all names of the file.</summary>

@@ -56,5 +56,5 @@ internal sealed class Option
 
     /// <summary>The option with a long or a short name; null if there is none.</summary>
     public static Option? Named(string word) =>
-        word == "-?" ? Help : All.Find(option => word == option.Name || (word == option.Short && word.Length > 0));
+        word == "-?" ? Help : All.Find(option => word == option.Name || word == option.Short);
 }

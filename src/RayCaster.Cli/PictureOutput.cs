@@ -42,13 +42,13 @@ internal static class PictureOutput
 
     /// <summary>Draws some lines of a scene's picture.</summary>
     /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
-    /// <param name="watch">Also gets the lines in order; again from the first line if the picture is drawn again.</param>
+    /// <param name="watch">Gives what also gets the lines, in order; called again if the picture is drawn again.</param>
     public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
-        bool showProgress, CancellationToken cancellation, Action<int, ReadOnlySpan<byte>>? watch = null)
+        bool showProgress, CancellationToken cancellation, Func<Action<ReadOnlySpan<byte>>>? watch = null)
     {
-        if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // lines on standard output cannot be replaced later
         try
         {
+            if (output == SceneInput.Standard) renderer.CheckInAdvance(lines, cancellation); // lines on standard output cannot be replaced later
             Write(output, cancellation, WriteOnce);
         }
         catch (FastWayDisagreesException)
@@ -58,7 +58,7 @@ internal static class PictureOutput
 
         void WriteOnce(Stream stream)
         {
-            var (width, height, line) = (renderer.Scene.Camera.Width, lines.Count, 0);
+            var (width, height, watcher) = (renderer.Scene.Camera.Width, lines.Count, watch?.Invoke());
             using var progress = showProgress ? ProgressLine.OnTerminal(width, height) : null;
             using var writer = PictureWriter.Create(format, stream, width, height, part);
             renderer.Draw(lines, Take, progress is null ? null : progress.LinesDone, cancellation);
@@ -66,9 +66,8 @@ internal static class PictureOutput
 
             void Take(ReadOnlySpan<byte> drawn)
             {
-                watch?.Invoke(line, drawn);
+                watcher?.Invoke(drawn);
                 writer.WriteRows(drawn);
-                line += drawn.Length / (3 * width);
             }
         }
     }

@@ -31,10 +31,8 @@ internal sealed class FileWatch
     {
         lock (folders)
         {
-            var wanted = new Dictionary<string, (DateTime, long)>();
-            foreach (var file in files) wanted[file] = stamps.TryGetValue(file, out var known) ? known : StampOf(file);
-            stamps = wanted;
-            var parents = wanted.Keys.Select(file => Path.GetDirectoryName(file)!).ToHashSet();
+            stamps = files.Distinct().ToDictionary(file => file, file => stamps.TryGetValue(file, out var known) ? known : StampOf(file));
+            var parents = stamps.Keys.Select(file => Path.GetDirectoryName(file)!).ToHashSet();
             foreach (var gone in folders.Keys.Except(parents).ToArray())
             {
                 folders[gone]?.Dispose();
@@ -83,10 +81,8 @@ internal sealed class FileWatch
         {
             foreach (var (file, known) in stamps.ToArray())
             {
-                var stamp = StampOf(file);
-                if (stamp == known) continue;
-                stamps[file] = stamp;
-                changed = true;
+                stamps[file] = StampOf(file);
+                changed |= stamps[file] != known;
             }
         }
         if (changed) Signal();

@@ -4,10 +4,11 @@ namespace RayCaster.Live;
 
 /// <param name="Mine">The file of a picture by the user's own program to compare with; null for none.</param>
 /// <param name="Port">The page's port; 0 for any that is free.</param>
-internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser, bool WantsHelp = false)
+internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser)
 {
+    /// <summary>What a command line asks for; null for the help.</summary>
     /// <exception cref="ProblemException">The command line cannot be understood.</exception>
-    public static LiveOptions Parse(string[] arguments)
+    public static LiveOptions? Parse(string[] arguments)
     {
         var (scene, mine, port, opens) = (default(string), default(string), 0, true);
         for (var i = 0; i < arguments.Length; i++)
@@ -15,7 +16,7 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
             switch (arguments[i])
             {
                 case "--help" or "-?" or "-h" or "help":
-                    return new("", null, 0, false, WantsHelp: true);
+                    return null;
                 case "--no-browser":
                     opens = false;
                     break;

@@ -14,8 +14,7 @@ internal static class Program
         using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, context => End(context, ExitCode.Terminated));
         try
         {
-            var options = LiveOptions.Parse(arguments);
-            if (options.WantsHelp)
+            if (LiveOptions.Parse(arguments) is not { } options)
             {
                 Console.Out.Write(LiveHelp.Text);
                 return ExitCode.Done;

@@ -17,6 +17,8 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private readonly ConcurrentQueue<byte[]> posted = new();
     private Task sending = Task.CompletedTask;
     private bool hasFault; // the page shows a fault of the code
+    private Comparison? compared; // the comparison that the page knows
+    private int sent; // frames
 
     private readonly Lock sync = new(); // for the fields below, which the reading loop writes, and the sending loop reads after Takes
     private Pending pending;
@@ -25,7 +27,8 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private int divisor = 1;
     private MapKind? map;
     private Place? hover, explained;
-    private int shown, sent;
+    private HintLevel hint = HintLevel.Question;
+    private int shown; // frames
     private SceneState? known; // the state that the page knows
     private CancellationTokenSource outdated = new();
 
@@ -47,6 +50,13 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     public void Post(byte[] message)
     {
         posted.Enqueue(message);
+        Wake();
+    }
+
+    /// <summary>Compares with the user's picture as it is now.</summary>
+    public void CompareAgain()
+    {
+        lock (sync) pending |= Pending.Comparison | Pending.Explanation;
         Wake();
     }
 
@@ -169,6 +179,36 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         }));
     }
 
+    private async Task TellMapAsync(SceneState state)
+    {
+        if (isMoving || !Takes(Pending.Map) || map is not { } kind) return;
+        var scene = (view with { Look = Live.Look.Plain, Model = -1 }).Of(state.Scene!);
+        var (legend, frame) = await server.Studio.DoAsync(() => MapDrawing.Of(scene, kind), Outdated());
+        await SendAsync(legend);
+        await SendFrameAsync(frame, Layer.Map, state.Version, isFinal: true);
+    }
+
+    private async Task TellComparisonAsync(SceneState state)
+    {
+        if (!Takes(Pending.Comparison)) return;
+        var (diagnoses, level) = (Takes(Pending.Diagnosis), hint);
+        var comparison = await server.Mine.CompareAsync(server.Scene, state, server.Studio).WaitAsync(end.Token);
+        if (!ReferenceEquals(comparison, compared))
+        {
+            compared = comparison;
+            await SendAsync(comparison.Message());
+            foreach (var (layer, frame) in comparison.Frames()) await SendFrameAsync(frame, layer, state.Version, isFinal: true);
+        }
+        if (diagnoses) _ = TellDiagnosisAsync(comparison, level);
+    }
+
+    /// <summary>Sends the diagnosis later: it takes seconds, in which the page can be used.</summary>
+    private async Task TellDiagnosisAsync(Comparison comparison, HintLevel level)
+    {
+        var text = await comparison.DiagnoseAsync(level);
+        if (ReferenceEquals(comparison, compared)) Post(Messages.Of(new { Kind = "diagnosis", Text = text }));
+    }
+
     private async Task TellLedgerAsync(SceneState state)
     {
         if (isMoving || !Takes(Pending.Ledger)) return;
@@ -192,8 +232,8 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private async Task SendFrameAsync(Frame frame, Layer layer, int version, bool isFinal)
     {
         await sending;
-        var number = layer == Layer.Picture ? Interlocked.Increment(ref sent) : 0;
-        sending = SendAsync(frame.Header(layer, version, number, isFinal), frame);
+        if (layer == Layer.Picture) sent++;
+        sending = SendAsync(frame.Header(layer, version, sent, isFinal), frame);
     }
 
     private async Task SendAsync(byte[] header, Frame frame)
