@@ -4,18 +4,6 @@ namespace RayCaster.Cli.Tests;
 
 public class WarmUpTests
 {
-    [Theory]
-    [InlineData("plane")]
-    [InlineData("sphere")]
-    [InlineData("aabb")]
-    [InlineData("circle")]
-    [InlineData("triangle")]
-    [InlineData("mesh")]
-    public void AModelIsGuessedFromItsType(string type) => Assert.Equal(type, Assert.Single(Guess($$"""{ "type": "{{type}}" }""", 1)).Kind);
-
-    [Fact]
-    public void NothingIsGuessedFromOtherWords() => Assert.Empty(Guess("""{ "name": "spheres" } // a plane and a "mesh """, 100));
-
     [Fact]
     public void TheBeginningOfAFileIsASceneOfItsFirstModels()
     {
@@ -33,16 +21,6 @@ public class WarmUpTests
     [Fact]
     public void NoMeshIsReadInAdvance() => Assert.Empty(WarmUp.Beginning("""{ "models": [{ "type": "mesh", "file": "a.ply" }, """u8));
 
-    [Theory]
-    [InlineData(1, true)]
-    [InlineData(1, false)]
-    [InlineData(100, false)]
-    public void WhatIsGuessedCanBeDrawn(int count, bool isPlain)
-    {
-        var models = Guess("\"plane\" \"sphere\" \"aabb\" \"circle\" \"triangle\"" + (isPlain ? "" : " \"mesh\""), count);
-
-        Assert.Null(Record.Exception(() => WarmUp.Draw(models, isPlain)));
-    }
-
-    private static List<Model> Guess(string text, int count) => WarmUp.Guess(Encoding.UTF8.GetBytes(text), count);
+    [Fact]
+    public void AMeshCanBeDrawnInAdvance() => Assert.Null(Record.Exception(() => WarmUp.Draw(WarmUp.Sheet(), isPlain: false)));
 }
