@@ -28,12 +28,7 @@ internal sealed class TerminalPreview
     public string Text(ColorDepth depth)
     {
         var text = new StringBuilder();
-        for (var y = 0; y < down; y += 2)
-        {
-            if (depth == ColorDepth.None) text.Append(Plain(y));
-            else AddColored(text, y, depth);
-            text.Append('\n');
-        }
+        for (var y = 0; y < down; y += 2) text.Append(depth == ColorDepth.None ? Plain(y) : Colored(y, depth)).Append('\n');
         return text.ToString();
     }
 
@@ -48,31 +43,23 @@ internal sealed class TerminalPreview
         }
     }
 
-    private void AddColored(StringBuilder text, int y, ColorDepth depth)
+    private string Colored(int y, ColorDepth depth)
     {
-        (byte, byte, byte)? upperBefore = null, lowerBefore = null;
+        var text = new StringBuilder();
         for (var x = 0; x < across; x++)
         {
-            var upper = cells.Picture[x, y];
-            if (upper != upperBefore) AddColor(text, 38, upper, depth);
-            upperBefore = upper;
-            if (y + 1 < down)
-            {
-                var lower = cells.Picture[x, y + 1];
-                if (lower != lowerBefore) AddColor(text, 48, lower, depth);
-                lowerBefore = lower;
-            }
+            AddColor(38, x, y);
+            if (y + 1 < down) AddColor(48, x, y + 1);
             text.Append('\u2580');
         }
-        text.Append("\e[0m");
-    }
+        return text.Append("\e[0m").ToString();
 
-    private static void AddColor(StringBuilder text, int ground, (byte R, byte G, byte B) color, ColorDepth depth)
-    {
-        text.Append("\e[").Append(ground);
-        if (depth == ColorDepth.Palette) text.Append(";5;").Append(PlaceInPalette(color));
-        else text.Append(CultureInfo.InvariantCulture, $";2;{color.R};{color.G};{color.B}");
-        text.Append('m');
+        void AddColor(int ground, int x, int y)
+        {
+            var color = cells.Picture[x, y];
+            if (x > 0 && color == cells.Picture[x - 1, y]) return;
+            text.Append($"\e[{ground};{(depth == ColorDepth.Palette ? $"5;{PlaceInPalette(color)}" : $"2;{color.R};{color.G};{color.B}")}m");
+        }
     }
 
     /// <summary>The nearest of xterm's 256 colours: a cube of 6 × 6 × 6 from 16 on, and 24 greys from 232 on. Users can change the first 16, so

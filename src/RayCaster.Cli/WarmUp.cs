@@ -38,7 +38,8 @@ internal static class WarmUp
     public static void Begin(ReadOnlySpan<byte> text, long pixels)
     {
         if (!RuntimeFeature.IsDynamicCodeCompiled || Environment.ProcessorCount == 1) return; // the first: a native program
-        var (isLong, start) = (text.Length > LongText, text[..Math.Min(text.Length, Glimpse)]);
+        var isLong = text.Length > LongText;
+        var start = text[..Math.Min(text.Length, Glimpse)];
         var isPlain = !isLong && !NamesMesh(start);
         if ((isPlain && pixels < ManyPixels) || Interlocked.Exchange(ref begun, 1) != 0) return;
         var beginning = Beginning(start);

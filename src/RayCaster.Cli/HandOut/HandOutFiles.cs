@@ -27,18 +27,17 @@ internal static class HandOutFiles
             yield return (Path.GetRelativePath(folder, file).Replace('\\', '/'), File.ReadAllBytes(file));
     }
 
-    /// <summary>
-    /// All files, with stubs in place of the open bodies of the lab, and with texts that fit. If no step is open, they are as <see cref="All"/>.
-    /// </summary>
+    /// <summary>All files, with stubs in place of the open bodies of the lab, and with texts that fit. If no step is open, the markers of the
+    /// bodies stay.</summary>
     /// <exception cref="ProblemException">A body of the lab has wrong markers.</exception>
     public static List<(string Path, byte[] Content)> With(Func<int, bool> isOpen)
     {
         int[] open = [.. Enumerable.Range(1, LabSteps.Count).Where(isOpen)];
-        return [.. All().Select(file => open.Length == 0 ? file : (file.Path, Adapted(file.Path, file.Content)))];
+        return [.. All().Select(file => (file.Path, Adapted(file.Path, file.Content)))];
 
         byte[] Adapted(string path, byte[] content)
         {
-            var isCode = path.StartsWith(Source) && path.EndsWith(".cs");
+            var isCode = path.StartsWith(Source) && path.EndsWith(".cs") && open.Length > 0;
             if (!isCode && !OpenSteps.Concern(path)) return content;
             var text = Encoding.UTF8.GetString(content);
             return Encoding.UTF8.GetBytes(

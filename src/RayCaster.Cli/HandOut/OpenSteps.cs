@@ -5,22 +5,29 @@ namespace RayCaster.Cli;
 /// <summary>Adapts the texts of a hand-out to the steps that its students write: README.md says which ones, CI tests no other.</summary>
 internal static partial class OpenSteps
 {
+    /// <summary>The steps' names in CI.</summary>
+    private static readonly string[] names =
+        ["vectors", "ray", "plane", "camera", "shading", "zNear, zFar, bias", "box", "sphere", "circle", "triangle"];
+
     /// <summary>Whether a file depends on the steps that are open.</summary>
     public static bool Concern(string path) => path is "README.md" or ".github/workflows/classroom.yml" or ".gitlab-ci.yml";
 
-    /// <param name="open">The open steps, at least one.</param>
+    /// <param name="open">The open steps; where none is, CI tests all.</param>
     public static string In(string text, int[] open)
     {
-        if (open.Length == LabSteps.Count) return text;
-        text = Heading().Replace(text, step => IsOpen(step) ? step.Value : $"{step.Value} (done already)");
-        var steps = (open.Length == 1 ? "step " : "the steps ") + string.Join(", ", open);
-        text = HowToWork().Replace(text, $"**You write {steps}.** The others are written already, and so marked below. Those of their tests that " +
-            "draw what you write fail until then.\n\n$0");
-        text = PartOfWorkflow().Replace(text, step => IsOpen(step) ? step.Value : "");
-        text = Runners().Replace(text, "runners: " + string.Join(',', open.Select(step => $"step{step}")));
-        return Matrix().Replace(text, $"STEP: [{string.Join(", ", open)}]");
+        int[] tested = open.Length > 0 ? open : [.. Enumerable.Range(1, LabSteps.Count)];
+        if (tested.Length < LabSteps.Count)
+        {
+            text = Heading().Replace(text, step => open.Contains(int.Parse(step.Groups["step"].Value)) ? step.Value : $"{step} (done already)");
+            var steps = (open.Length == 1 ? "step " : "the steps ") + string.Join(", ", open);
+            text = HowToWork().Replace(text, $"**You write {steps}.** The others are written already, and so marked below. Those of their tests " +
+                "that draw what you write fail until then.\n\n$0");
+        }
+        return OfEachStep().Replace(text, part => string.Concat(tested.Select(step => Of(step, part.Value))))
+            .Replace("{runners}", string.Join(',', tested.Select(step => $"step{step}")))
+            .Replace("{steps}", string.Join(", ", tested));
 
-        bool IsOpen(Match step) => open.Contains(int.Parse(step.Groups["step"].Value));
+        static string Of(int step, string part) => part.Replace("{step}", $"{step}").Replace("{name}", names[step - 1]);
     }
 
     [GeneratedRegex(@"^## Step (?<step>\d+): .*\S", RegexOptions.Multiline)]
@@ -30,12 +37,6 @@ internal static partial class OpenSteps
     private static partial Regex HowToWork();
 
     /// <summary>Of the classroom's workflow, what a step runs, up to an empty line, and where its result goes.</summary>
-    [GeneratedRegex(@"^ +- id: step(?<step>\d+)\s*\n(?:.*\S.*\n)+\s*\n|^ +STEP(?<step>\d+)_RESULTS: .*\n", RegexOptions.Multiline)]
-    private static partial Regex PartOfWorkflow();
-
-    [GeneratedRegex(@"runners: step[\w,]+")]
-    private static partial Regex Runners();
-
-    [GeneratedRegex(@"STEP: \[[\d, ]+\]")]
-    private static partial Regex Matrix();
+    [GeneratedRegex(@"^ +- id: step\{step\}\n(?:.+\n)+\n|^ +STEP\{step\}_RESULTS: .*\n", RegexOptions.Multiline)]
+    private static partial Regex OfEachStep();
 }
