@@ -90,6 +90,29 @@ internal sealed class CommandLine
         : ParseCount(text) is { } count && count <= most ? count
         : throw ProblemException.Usage($"'{text}' is not a number of {what}: it is a whole number from 1 to {most}");
 
+    /// <summary>The lines of a picture that --rows names, or the frames of --only; all if the option is not given.</summary>
+    /// <param name="option">Its value is <c>0..249</c> for the lines 0 to 249, both included, or <c>3/8</c> for the third of eight parts.</param>
+    /// <param name="what">Their name in messages: lines or frames.</param>
+    /// <param name="of">What has them, in messages: a picture or a film.</param>
+    /// <exception cref="ProblemException">The value has another form, or the picture has no such lines.</exception>
+    public LineRange Lines(Option option, int height, string what = "lines", string of = "a picture")
+    {
+        var whole = LineRange.Whole(height);
+        if (this[option] is not { } text) return whole;
+        if (text.Split('/') is [var k, var n] && ParseCount(k) is { } part && ParseCount(n) is { } parts && part <= parts)
+        {
+            if (parts > height) throw new ProblemException($"raycaster: {of} of {height} {what} cannot be divided into {parts} parts");
+            return new((int)((part - 1L) * height / parts), (int)((long)part * height / parts) - 1);
+        }
+        if (LineRange.Parse(text) is not { } lines)
+            throw ProblemException.Usage(
+                $"'{text}' names no {what}: write the first and the last as in 0..249, " +
+                    $"counted from 0{(what == "lines" ? " at the top" : "")}, or 3/8 for the third of eight parts");
+        if (lines.Last > whole.Last)
+            throw new ProblemException($"raycaster: the {what} {lines} do not all exist: {of} of {height} {what} has {whole}");
+        return lines;
+    }
+
     /// <summary>The picture's size; null for the scene's.</summary>
     public (int Width, int Height)? PictureSize()
     {

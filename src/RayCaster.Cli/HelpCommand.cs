@@ -2,7 +2,15 @@ namespace RayCaster.Cli;
 
 internal sealed class HelpCommand : Command
 {
-    public override string Help => HelpText.Full;
+    /// <summary>Shown without arguments: the one command to try.</summary>
+    public const string Usage = """
+        raycaster draws a scene: it casts one ray for each pixel and writes the picture.
+        Try:   dotnet run --project src/RayCaster.Cli -- scenes/first.json
+        More:  dotnet run --project src/RayCaster.Cli -- help
+
+        """;
+
+    public override string Help => new DrawCommand().Help;
 
     public override bool Takes(Option option) => false;
 
@@ -13,5 +21,14 @@ internal sealed class HelpCommand : Command
             throw ProblemException.Usage($"there is no command '{name}'{CommandLine.DidYouMean(name, All.Keys)}");
         StandardFile.WriteOutput(command().Help);
         return ExitCode.Done;
+    }
+
+    /// <summary>Shown after a wrong command line: the usage of its command, and how to read more.</summary>
+    public static string HintAfter(string[] arguments)
+    {
+        if (NameIn(arguments) is not { } name) return "Try 'raycaster help', or dotnet run --project src/RayCaster.Cli -- help.\n";
+        var help = All[name]().Help;
+        var usage = help.AsSpan(help.IndexOf("Usage:", StringComparison.Ordinal));
+        return $"{usage[..usage.IndexOf("\n\n")]}\nTry 'raycaster help {name}', or dotnet run --project src/RayCaster.Cli -- help {name}.\n";
     }
 }

@@ -40,7 +40,7 @@ internal sealed class OrbitCommand : Command
         var (threads, quiet) = (line.ThreadCount(), line.Has(Option.Quiet));
         var frames = line.Count(Option.Frames, "frames", MostFrames)
             ?? throw ProblemException.Usage("orbit needs a number of frames, as in --frames 48");
-        var only = line[Option.Only] is { } some ? Rows.Of(some, frames, "frames", "a film") : LineRange.Whole(frames);
+        var only = line.Lines(Option.Only, frames, "frames", "a film");
 
         if (SceneInput.Read(path, line, cancellation) is not { } scene) return ExitCode.CouldNot;
         scene = SpatialOrder.Of(scene, threads);

@@ -59,7 +59,7 @@ internal static class Program
         catch (Exception e) when (Message(e) is { } message)
         {
             StandardFile.WriteError(message + Environment.NewLine);
-            if (e is ProblemException { IsUsage: true }) StandardFile.WriteError(HelpText.HintAfter(arguments));
+            if (e is ProblemException { IsUsage: true }) StandardFile.WriteError(HelpCommand.HintAfter(arguments));
             return ExitCode.CouldNot;
         }
         catch (Exception unexpected)
@@ -79,7 +79,7 @@ internal static class Program
     {
         if (arguments.Length == 0)
         {
-            StandardFile.WriteError(HelpText.Usage);
+            StandardFile.WriteError(HelpCommand.Usage);
             return ExitCode.CouldNot;
         }
         var line = CommandLine.Parse(arguments);

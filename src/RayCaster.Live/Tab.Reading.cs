@@ -13,15 +13,9 @@ internal sealed partial class Tab
         var bytes = new byte[MostBytes];
         while (true)
         {
-            var length = 0;
-            while (true)
-            {
-                var part = await socket.ReceiveAsync(bytes.AsMemory(length), end.Token);
-                if (part.MessageType != WebSocketMessageType.Text) return;
-                length += part.Count;
-                if (part.EndOfMessage) break;
-                if (length == MostBytes) return;
-            }
+            using var stream = WebSocketStream.CreateReadableMessageStream(socket);
+            var length = await stream.ReadAtLeastAsync(bytes, MostBytes, throwOnEndOfStream: false, end.Token);
+            if (length == MostBytes) return;
             try
             {
                 using var message = JsonDocument.Parse(bytes.AsMemory(0, length));

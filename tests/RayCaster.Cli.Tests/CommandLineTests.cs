@@ -79,7 +79,7 @@ public sealed class CommandLineTests : IDisposable
 
     [Fact]
     public void EveryCommandHasItsUsage() => Assert.All(Command.All.Keys, name =>
-        Assert.EndsWith($"help{(name is "draw" or "help" ? "" : " " + name)}.\n", HelpText.HintAfter([name, "--no-such-option"])));
+        Assert.EndsWith($"help{(name is "draw" or "help" ? "" : " " + name)}.\n", HelpCommand.HintAfter([name, "--no-such-option"])));
 
     [Fact]
     public void AfterTwoDashesEverythingIsAScene()

@@ -73,7 +73,7 @@ public class TerminalPreviewTests
     public void ColoursAreUsedWhereTheyAreWelcome(string depth, string? when, bool isRedirected, params string[] variables)
     {
         string? Variable(string name) => Array.Find(variables, text => text.StartsWith(name + "="))?[(name.Length + 1)..];
-        Assert.Equal(Enum.Parse<ColorDepth>(depth), ColorDepths.Choose(when, isRedirected, Variable));
+        Assert.Equal(Enum.Parse<ColorDepth>(depth), TerminalScreen.Choose(when, isRedirected, Variable));
     }
 
     private static string Text(ColorDepth depth, int width, int height, params byte[][] pixels)
