@@ -86,11 +86,11 @@ internal sealed class DrawCommand : Command
         line.Lines(Option.Rows, int.MaxValue); // refuses another form before the scene is read
         var isPart = line.Has(Option.Rows) || line.Has(Option.Resume);
         var output = line[Option.Output] ?? (line.Has(Option.Rows) ? null : NameOf(path) + ".png"); // the name of a part needs the picture's height
-        var format = Format(line, output, isPart);
+        var format = PictureOutput.FormatOf(line, output ?? ".png", isPart ? PictureFormat.Png : PictureFormat.Ppm);
+        if (isPart && format != PictureFormat.Png)
+            throw ProblemException.Usage("--rows and --resume write a PNG, which records what it shows; choose another name or format");
         if (output == SceneInput.Standard && line.Has(Option.Resume))
             throw ProblemException.Usage("--resume needs a file: it cannot check what was written to standard output");
-        PictureOutput.KeepOffTerminal(output);
-
         var colors = TerminalScreen.Colors(line);
         if (line.Has(Option.Preview) && output == SceneInput.Standard)
             throw ProblemException.Usage("--preview and -o - both write to standard output: write the picture to a file");
@@ -150,15 +150,6 @@ internal sealed class DrawCommand : Command
         operands is [_, var second] && Path.GetExtension(second).ToLowerInvariant() is ".png" or ".ppm"
             ? $"; did you mean -o {second}?"
             : "";
-
-    /// <summary>The picture format. Parts, and pictures drawn with --resume, must be PNG files, which contain what they show.</summary>
-    private static PictureFormat Format(CommandLine line, string? output, bool isPart)
-    {
-        var format = isPart && output is null or SceneInput.Standard ? line.PictureFormat() ?? PictureFormat.Png
-            : PictureOutput.FormatOf(line, output!);
-        return !isPart || format == PictureFormat.Png ? format
-            : throw ProblemException.Usage("--rows and --resume write a PNG, which records what it shows; choose another name or format");
-    }
 
     /// <summary>The name of a scene's pictures: its file name without folder and extension.</summary>
     public static string NameOf(string scene) => scene == SceneInput.Standard ? "scene" : Path.GetFileNameWithoutExtension(scene);

@@ -12,7 +12,6 @@ internal static class MistakeOutput
         var ids = line.Names(Option.Mistake, '+', Ids, "a mistake");
         var output = line[Option.Output] ?? $"{DrawCommand.NameOf(path)}.{string.Join('+', ids)}.png";
         var format = PictureOutput.FormatOf(line, output);
-        PictureOutput.KeepOffTerminal(output);
         if (SceneInput.Read(path, line, cancellation, judges: true) is not { } scene) return ExitCode.CouldNot;
 
         var mistakes = Array.ConvertAll(ids, id => MistakeCatalog.Named(id)!);

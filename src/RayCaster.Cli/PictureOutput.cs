@@ -3,25 +3,22 @@ namespace RayCaster.Cli;
 /// <summary>Writes pictures: to a file, which is complete or unchanged, or to standard output.</summary>
 internal static class PictureOutput
 {
-    /// <summary>Refuses standard output where it is a terminal.</summary>
-    /// <param name="output">The file, or "-"; null if it has no name yet.</param>
-    /// <exception cref="ProblemException">It is a terminal.</exception>
-    public static void KeepOffTerminal(string? output)
-    {
-        if (output == SceneInput.Standard && TerminalScreen.TakesOutput)
-            throw new ProblemException(
-                "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
-    }
-
     /// <summary>Its name in messages.</summary>
     public static string NameOf(string output) => output == SceneInput.Standard ? "standard output" : output;
 
     /// <summary>The format of --format, or that of the file's extension.</summary>
+    /// <param name="ofStandardOutput">The format of standard output without --format.</param>
+    /// <exception cref="ProblemException">The output is a terminal.</exception>
     /// <exception cref="PictureFileException">The output is a folder, or its extension is unknown.</exception>
-    public static PictureFormat FormatOf(CommandLine line, string output) =>
-        line.PictureFormat() ?? (output == SceneInput.Standard ? PictureFormat.Ppm
+    public static PictureFormat FormatOf(CommandLine line, string output, PictureFormat ofStandardOutput = PictureFormat.Ppm)
+    {
+        if (output == SceneInput.Standard && TerminalScreen.TakesOutput)
+            throw new ProblemException(
+                "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
+        return line.PictureFormat() ?? (output == SceneInput.Standard ? ofStandardOutput
             : Directory.Exists(output) ? throw new PictureFileException($"cannot write {output}: it is a folder; name a file in it")
             : PictureFormats.ByExtension(output));
+    }
 
     /// <param name="cancellation">If cancelled, the old file stays.</param>
     /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>

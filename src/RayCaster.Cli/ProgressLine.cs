@@ -3,7 +3,7 @@ namespace RayCaster.Cli;
 /// <summary>
 /// A progress line on the terminal: drawn only if the work takes long, at most ten times a second, and wiped at the end.
 /// </summary>
-/// <param name="columns">The terminal's width; less than 20 means unknown.</param>
+/// <param name="columns">The terminal's width.</param>
 /// <param name="width">Pixels in a line of the picture; 0 if there is no picture, and something else is counted.</param>
 /// <param name="what">What is counted for each pixel: rays, or something else if no rays are cast.</param>
 internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock, string what = "rays") : IDisposable
@@ -25,7 +25,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
 
     /// <summary>A progress line on standard error's terminal.</summary>
     public static ProgressLine OnTerminal(int width, int height, string what = "rays") =>
-        new(Console.Error, width, height, TerminalScreen.Width(), TimeProvider.System, what);
+        new(Console.Error, width, height, TerminalScreen.Columns(), TimeProvider.System, what);
 
     /// <summary>Counts finished lines of the picture. Any thread may call it.</summary>
     public void LinesDone(int lines) => Show(Interlocked.Add(ref linesDone, lines), height);
@@ -65,8 +65,7 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
 
     private void Draw(string text)
     {
-        var room = (columns < 20 ? 80 : columns) - 1; // a character in the last column would wrap the line
-        if (text.Length > room) text = text[..room];
+        text = text[..Math.Min(text.Length, columns - 1)]; // a character in the last column would wrap the line
         try
         {
             output.Write('\r' + text.PadRight(drawn) + (text.Length == 0 ? "\r" : ""));

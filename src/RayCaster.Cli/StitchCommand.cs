@@ -54,7 +54,6 @@ internal sealed class StitchCommand : Command
                 : "stitch needs a name for the picture, as in -o room.png, or --missing to list the missing lines");
         var output = line[Option.Output] ?? "";
         var format = onlyMissing ? PictureFormat.Png : PictureOutput.FormatOf(line, output);
-        PictureOutput.KeepOffTerminal(output);
 
         var files = InputFiles.Of(line.Operands, out var chosen);
         var start = Stopwatch.GetTimestamp();

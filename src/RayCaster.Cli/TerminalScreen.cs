@@ -47,8 +47,8 @@ internal static class TerminalScreen
     /// <summary>A preview that fits into the window, with a line for the prompt.</summary>
     public static TerminalPreview Preview(int width, int height)
     {
-        var (columns, lines) = !TakesOutput ? (0, 0) : (Width(), Known(() => Console.WindowHeight));
-        return new(width, height, columns < FewestColumns ? UsualColumns : columns, (lines < FewestLines ? UsualLines : lines) - 1);
+        var (columns, lines) = TakesOutput ? (Columns(), Known(() => Console.WindowHeight)) : (UsualColumns, UsualLines);
+        return new(width, height, columns, (lines < FewestLines ? UsualLines : lines) - 1);
     }
 
     /// <summary>Writes a preview to standard output.</summary>
@@ -59,8 +59,8 @@ internal static class TerminalScreen
         StandardFile.WriteOutput(output => output.Write(Encoding.UTF8.GetBytes(preview.Text(colors)))); // the escape codes in it are safe
     }
 
-    /// <summary>The number of columns; 0 if unknown.</summary>
-    public static int Width() => Known(() => Console.WindowWidth);
+    /// <summary>The number of columns, or the usual one where it is unknown.</summary>
+    public static int Columns() => Known(() => Console.WindowWidth) is >= FewestColumns and var columns ? columns : UsualColumns;
 
     private static int Known(Func<int> size)
     {

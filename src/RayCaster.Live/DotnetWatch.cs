@@ -18,13 +18,14 @@ internal static partial class DotnetWatch
     private static readonly string? key = Environment.GetEnvironmentVariable("ASPNETCORE_AUTO_RELOAD_WS_KEY");
 
     /// <summary>
-    /// 16 bytes that stay the same after each restart by the same "dotnet watch", so that an open page finds the program again. They come from
-    /// a key that only the processes of this "dotnet watch" know.
+    /// 16 random bytes. They stay the same after each restart by the same "dotnet watch", so that an open page finds the program again: then they
+    /// come from a key that only the processes of this "dotnet watch" know.
     /// </summary>
-    public static byte[]? Secret { get; } = key is null ? null : SHA256.HashData(Encoding.UTF8.GetBytes(key))[..16];
+    public static byte[] Secret { get; } =
+        key is null ? RandomNumberGenerator.GetBytes(16) : SHA256.HashData(Encoding.UTF8.GetBytes(key))[..16];
 
-    /// <summary>A port from 49152 to 65535 that stays the same after a restart.</summary>
-    public static int? Port => Secret is [var high, var low, ..] ? 49152 + (high << 8 | low) % 16384 : null;
+    /// <summary>A port from 49152 to 65535 that stays the same after a restart; 0 without "dotnet watch".</summary>
+    public static int Port => key is null ? 0 : 49152 + (Secret[0] << 8 | Secret[1]) % 16384;
 
     /// <summary>Whether "dotnet watch" has started this program before, so that a page is open already.</summary>
     public static bool IsRestart =>

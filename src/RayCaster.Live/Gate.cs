@@ -16,9 +16,6 @@ internal sealed class Gate(int port, string token)
     private readonly string[] hosts = [$"127.0.0.1:{port}", $"localhost:{port}"];
     private readonly string cookie = $"raycaster-live-{port}";
 
-    /// <summary>A random token of 128 bits.</summary>
-    public static string NewToken() => RandomNumberGenerator.GetHexString(32, lowercase: true);
-
     public string Address => $"http://127.0.0.1:{port}/?token={token}";
 
     /// <summary>Sets the headers of the answer and checks the request.</summary>

@@ -24,7 +24,7 @@ internal sealed class LiveServer : IAsyncDisposable
     private LiveServer(LiveOptions options, Socket listener)
     {
         (Scene, Mine, Port) = (new(options.Scene, end.Token), new(options.Mine, end.Token), ((IPEndPoint)listener.LocalEndPoint!).Port);
-        gate = new(Port, DotnetWatch.Secret is { } secret ? Convert.ToHexStringLower(secret) : Gate.NewToken());
+        gate = new(Port, Convert.ToHexStringLower(DotnetWatch.Secret));
         var builder = WebApplication.CreateEmptyBuilder(new());
         builder.WebHost.UseKestrelCore().UseSockets(sockets => sockets.CreateBoundListenSocket = _ => listener).ConfigureKestrel(kestrel =>
         {
@@ -86,7 +86,7 @@ internal sealed class LiveServer : IAsyncDisposable
     {
         try
         {
-            return Bound(port > 0 ? port : DotnetWatch.Port ?? 0);
+            return Bound(port > 0 ? port : DotnetWatch.Port);
         }
         catch (SocketException) when (port == 0)
         {

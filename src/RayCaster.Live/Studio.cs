@@ -2,26 +2,18 @@ using System.Diagnostics;
 
 namespace RayCaster.Live;
 
-/// <summary>Draws for all pages, one picture after another: each takes every core. Pages with the same view share one picture.</summary>
+/// <summary>Draws for all pages, one picture after another: each takes every core.</summary>
 internal sealed class Studio
 {
     private const int MostWarmUpFrames = 60, LongestWarmUpMilliseconds = 2000;
 
     private readonly SemaphoreSlim turn = new(1, 1);
-    private (SceneState? State, View? View, Frame? Frame) last;
     private int isWarm;
 
     /// <summary>The picture of a view at rest.</summary>
     /// <param name="cancellation">Abandons the picture, as when the scene changes.</param>
-    public Task<Frame> DrawAsync(SceneState state, View view, CancellationToken cancellation) => DoAsync(
-        () =>
-        {
-            if (ReferenceEquals(last.State, state) && last.View == view && last.Frame is { } known) return known;
-            var frame = Draw(view.Of(state.Scene!), view, cancellation);
-            last = (state, view, frame);
-            return frame;
-        },
-        cancellation);
+    public Task<Frame> DrawAsync(Scene scene, View view, CancellationToken cancellation) =>
+        DoAsync(() => Draw(view.Of(scene), view, cancellation), cancellation);
 
     /// <summary>Does work that takes all cores, after the work before it.</summary>
     public async Task<T> DoAsync<T>(Func<T> work, CancellationToken cancellation)

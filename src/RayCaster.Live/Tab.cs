@@ -145,7 +145,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
         var wanted = moves ? view with { Divisor = divisor } : view;
         var frame = moves
             ? await server.Studio.DoAsync(() => buffer.Draw(wanted.Of(state.Scene!)), end.Token)
-            : await server.Studio.DrawAsync(state, wanted, Outdated());
+            : await server.Studio.DrawAsync(state.Scene!, wanted, Outdated());
         await SendFrameAsync(frame, Layer.Picture, state.Version, !moves);
         if (hasFault) await SendAsync(Messages.OfCode([]));
         hasFault = false;
