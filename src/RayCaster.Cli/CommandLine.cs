@@ -126,12 +126,12 @@ internal sealed class CommandLine
     }
 
     /// <summary>The picture format; null for the one of the file's extension.</summary>
-    public PictureFormat? PictureFormat() => this[Option.Format] switch
+    public PictureFormat? Format() => this[Option.Format] switch
     {
         null => null,
-        "png" => RayCaster.Files.PictureFormat.Png,
-        "ppm" => RayCaster.Files.PictureFormat.Ppm,
-        "ppm-text" => RayCaster.Files.PictureFormat.PpmText,
+        "png" => PictureFormat.Png,
+        "ppm" => PictureFormat.Ppm,
+        "ppm-text" => PictureFormat.PpmText,
         var text => throw ProblemException.Usage($"'{text}' is not a format: choose png, ppm or ppm-text"),
     };
 

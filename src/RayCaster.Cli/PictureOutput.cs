@@ -15,7 +15,7 @@ internal static class PictureOutput
         if (output == SceneInput.Standard && TerminalScreen.TakesOutput)
             throw new ProblemException(
                 "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
-        return line.PictureFormat() ?? (output == SceneInput.Standard ? ofStandardOutput
+        return line.Format() ?? (output == SceneInput.Standard ? ofStandardOutput
             : Directory.Exists(output) ? throw new PictureFileException($"cannot write {output}: it is a folder; name a file in it")
             : PictureFormats.ByExtension(output));
     }

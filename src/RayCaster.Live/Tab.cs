@@ -1,5 +1,6 @@
 using System.Collections.Concurrent;
 using System.Net.WebSockets;
+using System.Threading.Channels;
 
 namespace RayCaster.Live;
 
@@ -11,7 +12,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
 {
     private const int MostUnseen = 2;
 
-    private readonly SemaphoreSlim wake = new(1, 1);
+    private readonly Channel<bool> wake = Channel.CreateBounded<bool>(new BoundedChannelOptions(1) { FullMode = BoundedChannelFullMode.DropWrite });
     private readonly MovingBuffer buffer = new();
     private readonly CancellationTokenSource end = CancellationTokenSource.CreateLinkedTokenSource(cancellation);
     private readonly ConcurrentQueue<byte[]> posted = new();
@@ -40,11 +41,7 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     private sealed record Place(int Column, int Line);
 
     /// <summary>Makes the sending loop look for work.</summary>
-    public void Wake()
-    {
-        lock (wake)
-            if (wake.CurrentCount == 0) wake.Release();
-    }
+    public void Wake() => wake.Writer.TryWrite(true);
 
     /// <summary>Sends a message after those before it.</summary>
     public void Post(byte[] message)
@@ -77,9 +74,9 @@ internal sealed partial class Tab(WebSocket socket, LiveServer server, Cancellat
     /// <summary>Answers the requests, the quickest first.</summary>
     private async Task SendAsync()
     {
-        while (true)
+        Wake();
+        await foreach (var _ in wake.Reader.ReadAllAsync(end.Token))
         {
-            await wake.WaitAsync(end.Token);
             try
             {
                 var state = server.Scene.State;
