@@ -13,7 +13,7 @@ internal sealed class Gate(int port, string token)
     private const string Policy = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self'; connect-src 'self'; " +
         "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-    private readonly string[] hosts = [$"127.0.0.1:{port}", $"localhost:{port}"];
+    private readonly string[] hosts = [$"127.0.0.1:{port}", $"localhost:{port}", $"[::1]:{port}"];
     private readonly string cookie = $"raycaster-live-{port}";
 
     public string Address => $"http://127.0.0.1:{port}/?token={token}";

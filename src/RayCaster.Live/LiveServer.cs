@@ -2,6 +2,7 @@ using System.Collections.Concurrent;
 using System.Net;
 using System.Net.Sockets;
 using Microsoft.AspNetCore.Builder;
+using Microsoft.AspNetCore.Connections;
 using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
@@ -15,22 +16,25 @@ internal sealed class LiveServer : IAsyncDisposable
     /// <summary>How many pages may be open at once; each takes the memory of two pictures.</summary>
     private const int MostTabs = 64;
 
+    /// <summary>How many free ports are tried: a port that is free for IPv4 may be taken for IPv6.</summary>
+    private const int MostAttempts = 10;
+
     private readonly ConcurrentDictionary<Tab, byte> tabs = new();
     private readonly CancellationTokenSource end = new();
     private readonly Gate gate;
     private readonly WebApplication app;
     private byte[]? errors; // the last message about the code; pages that are opened later receive it, too
 
-    private LiveServer(LiveOptions options, Socket listener)
+    private LiveServer(LiveOptions options, int port)
     {
-        (Scene, Mine, Port) = (new(options.Scene, end.Token), new(options.Mine, end.Token), ((IPEndPoint)listener.LocalEndPoint!).Port);
+        (Scene, Mine, Port) = (new(options.Scene, end.Token), new(options.Mine, end.Token), port);
         gate = new(Port, Convert.ToHexStringLower(DotnetWatch.Secret));
         var builder = WebApplication.CreateEmptyBuilder(new());
-        builder.WebHost.UseKestrelCore().UseSockets(sockets => sockets.CreateBoundListenSocket = _ => listener).ConfigureKestrel(kestrel =>
+        builder.WebHost.UseKestrelCore().ConfigureKestrel(kestrel =>
         {
             kestrel.AddServerHeader = false;
             kestrel.Limits.MaxRequestBodySize = 0;
-            kestrel.Listen(listener.LocalEndPoint!);
+            kestrel.ListenLocalhost(port);
         });
         app = builder.Build();
         app.UseWebSockets(new() { KeepAliveInterval = TimeSpan.FromSeconds(10), KeepAliveTimeout = TimeSpan.FromSeconds(20) });
@@ -57,12 +61,26 @@ internal sealed class LiveServer : IAsyncDisposable
     /// <exception cref="ProblemException">The port is taken, or belongs to the system.</exception>
     public static async Task<LiveServer> StartAsync(LiveOptions options)
     {
-        var server = new LiveServer(options, Listener(options.Port));
-        await server.app.StartAsync();
-        _ = server.Scene.FollowAsync();
-        _ = server.Mine.FollowAsync();
-        _ = DotnetWatch.FollowAsync(server.ShowErrors, server.end.Token);
-        return server;
+        for (var attempt = 1; ; attempt++)
+        {
+            var port = options.Port > 0 ? options.Port : attempt == 1 && DotnetWatch.Port > 0 ? DotnetWatch.Port : FreePort();
+            var server = new LiveServer(options, port);
+            try
+            {
+                await server.app.StartAsync();
+                _ = server.Scene.FollowAsync();
+                _ = server.Mine.FollowAsync();
+                _ = DotnetWatch.FollowAsync(server.ShowErrors, server.end.Token);
+                return server;
+            }
+            catch (IOException e)
+            {
+                await server.DisposeAsync();
+                if (options.Port == 0 && attempt < MostAttempts) continue;
+                var reason = e.InnerException is AddressInUseException ? "is taken" : "cannot be used";
+                throw new ProblemException($"raycaster-live: port {port} {reason}; choose another one above 1023, or leave --port out");
+            }
+        }
     }
 
     /// <summary>Shows on all pages what keeps the code from being built.</summary>
@@ -80,30 +98,11 @@ internal sealed class LiveServer : IAsyncDisposable
         await app.DisposeAsync();
     }
 
-    /// <summary>Takes a port of 127.0.0.1.</summary>
-    /// <param name="port">Its number; 0 for the same as before a restart by "dotnet watch", or any that is free.</param>
-    private static Socket Listener(int port)
+    private static int FreePort()
     {
-        try
-        {
-            return Bound(port > 0 ? port : DotnetWatch.Port);
-        }
-        catch (SocketException) when (port == 0)
-        {
-            return Bound(0);
-        }
-        catch (SocketException e)
-        {
-            var reason = e.SocketErrorCode == SocketError.AddressAlreadyInUse ? "is taken" : "cannot be used";
-            throw new ProblemException($"raycaster-live: port {port} {reason}; choose another one above 1023, or leave --port out");
-        }
-
-        static Socket Bound(int port)
-        {
-            var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
-            socket.Bind(new IPEndPoint(IPAddress.Loopback, port));
-            return socket;
-        }
+        using var listener = new TcpListener(IPAddress.Loopback, 0);
+        listener.Start();
+        return ((IPEndPoint)listener.LocalEndpoint).Port;
     }
 
     private void ForEachTab(Action<Tab> action)

@@ -165,6 +165,18 @@ public class AttackTests
         await page.FrameAsync();
     }
 
+    [Theory]
+    [InlineData("127.0.0.1")]
+    [InlineData("localhost")]
+    [InlineData("[::1]")]
+    public async Task ThisMachineReachesThePageByEachOfItsNames(string name)
+    {
+        if (name == "[::1]" && !Socket.OSSupportsIPv6) return;
+        await using var page = await LivePage.OpenAsync();
+        var answer = await client.GetAsync($"http://{name}:{page.Server.Port}/?token={page.Token}");
+        Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
+    }
+
     [Fact]
     public async Task APortThatIsTakenIsToldInWords()
     {
