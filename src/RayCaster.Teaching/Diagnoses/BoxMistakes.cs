@@ -79,6 +79,7 @@ internal static class BoxMistakes
             "B0 = min and B1 = max, as the scene has them.")
             .Or("box: the second corner taken for its size, t0 and t1 sorted by the sign of d", Sized + BySign)
             .Or("box: asked axis by axis, the second corner taken for its size", AxisByAxis() + Sized + BySign)
+            .Or("box: face by face, the second corner taken for its size", Sized + (lab => lab.AskFaces()))
             .Or("box: the first corner taken for its middle, the second for its size",
                 Corners(box => new(box.Min - 0.5 * box.Max, box.Min + 0.5 * box.Max)))
             .Or("box: the first corner taken for its middle, the second for half its size",

@@ -68,7 +68,8 @@ public sealed class Diagnosis
     /// leave at most a third of what one leaves. A mistake whose pixels may lie anywhere leaves more.</summary>
     private const double Foreign = 0.1, ForeignPair = 0.05, ForeignApart = 0.08, Third = 1 / 3.0, Scattered = 0.18;
 
-    /// <summary>Another number of the scene is named in place of one mistake, or of two, if it leaves at most this share of what they leave.</summary>
+    /// <summary>Another number of the scene is named in place of one mistake, or of two, if it leaves less than this share of what they leave.
+    /// </summary>
     private const double NumberForOne = 0.25, NumberForPair = 0.8;
 
     /// <summary>Mistakes are named in place of missing shapes or a missing model if they leave at most this share of what these leave.</summary>
@@ -204,7 +205,8 @@ public sealed class Diagnosis
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
         var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount)
             .DistinctBy(trial => trial.Id).Take(Looked).Select(search.WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
-        if (best.Base.Kinds.Any()) named = named.Take(Finding == Finding.Unfinished ? 0 : 1).Concat(Losing(best)); // if they are written already
+        // what may have lost those shapes, if they are written already
+        if (best.Base.Kinds.Any()) named = named.Take(Finding == Finding.Unfinished ? 0 : 1).Concat(Losing(best));
         WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named.Select(mistake => mistake.Id).Order())).Take(5)];
         var likeliest = first.Length > 0 ? first[0].Draw(prepared.Scene) : null;
         Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => AsSuspect(trial, likeliest!))];

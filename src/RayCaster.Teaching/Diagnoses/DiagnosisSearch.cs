@@ -160,7 +160,7 @@ internal sealed class DiagnosisSearch(
     /// <summary>Whether rays through the other place of each pixel explain so much alone that they are tried with every mistake.</summary>
     private bool MayBeOtherSample() => Measure(new(Unfinished.Nothing, [center], false), 0.05).Unexplained < 0.9 * Wrong;
 
-    /// <summary>A trial, and before it the same with nothing missing: a shape may be misplaced by a second mistake, or the clipping be wrong.</summary>
+    /// <summary>A trial, and before it the same with nothing missing: a shape may be misplaced by a second mistake, or clipping wrong.</summary>
     private static WrongProgram[] Written(WrongProgram trial) =>
         trial.Base.NotYet.Count > 0 ? [trial with { Base = Unfinished.Nothing }, trial] : [trial];
 
@@ -169,8 +169,8 @@ internal sealed class DiagnosisSearch(
 
     private bool IsDone(List<WrongProgram> all, double left = Explained) => all.Exists(trial => trial.Misfit.Unexplained <= left * Wrong);
 
-    private bool IsCertain(List<WrongProgram> all) =>
-        all.Exists(trial => trial.Misfit.Unexplained <= trial.LeastLeft(Wrong, rounding));
+    /// <summary>Whether no second mistake could be worth its <see cref="WrongProgram.Cost"/>.</summary>
+    private bool IsCertain(List<WrongProgram> all) => all.Exists(trial => trial.Misfit.Unexplained <= trial.LeastLeft(Wrong, rounding));
 
     // stable: of equals that with the usual wordings, and of these the first in the catalogue
     private List<WrongProgram> Sorted(List<WrongProgram> trials) =>
@@ -206,8 +206,8 @@ internal sealed class DiagnosisSearch(
         var shapes = Firsts(singles, everySingle, OtherSamples).Select(ChangedShapes).Distinct().Where(shape => BitOperations.IsPow2((int)shape));
         foreach (var shape in shapes) yield return AllPairs([.. everySingle.Where(single => ChangedShapes(single) == shape)]);
         // Of the camera's hundreds of wordings most draw what others do. Elsewhere two that draw all black may differ beside a second mistake.
-        yield return AllPairs([.. everySingle.Where(IsOfAll)
-            .DistinctBy(single => single.Wordings[0] is var wording && wording.Concerns == Concerns.Camera ? (wording.Id, single.Misfit) : (wording.Cause, default))]);
+        yield return AllPairs([.. everySingle.Where(IsOfAll).DistinctBy(single => single.Wordings[0] is { Concerns: Concerns.Camera } wording
+            ? (wording.Id, single.Misfit) : (single.Wordings[0].Cause, default))]);
     }
 
     /// <summary>The shapes whose formulas a mistake changes; none if it changes whole pictures.</summary>
@@ -276,7 +276,8 @@ internal sealed class DiagnosisSearch(
     /// <summary>The best trials of each mistake, or pair, with one mistake in each of its manners.</summary>
     private static List<WrongProgram> InManners(List<WrongProgram> trials) =>
     [
-        .. from trial in trials.GroupBy(trial => trial.Id).SelectMany(same => same.DistinctBy(trial => (trial.Wordings[0], trial.Wordings[^1])).Take(Slips))
+        .. from same in trials.GroupBy(trial => trial.Id)
+           from trial in same.DistinctBy(trial => (trial.Wordings[0], trial.Wordings[^1])).Take(Slips)
            from place in Enumerable.Range(0, trial.Wordings.Count)
            from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.InManners(trial.Wordings[place])
            select trial.With(place, wording),
