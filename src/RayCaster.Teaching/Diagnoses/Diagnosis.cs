@@ -205,11 +205,16 @@ public sealed class Diagnosis
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
         var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount)
             .DistinctBy(trial => trial.Id).Take(Looked).Select(search.WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
-        // what may have lost those shapes, if they are written already
-        if (best.Base.Kinds.Any()) named = named.Take(Finding == Finding.Unfinished ? 0 : 1).Concat(Losing(best));
+        if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
+            named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
+        if (best.Base.Kinds.Any()) named = named.Take(Finding == Finding.Unfinished ? Looked : 1).Concat(Losing(best));
         WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named.Select(mistake => mistake.Id).Order())).Take(5)];
         var likeliest = first.Length > 0 ? first[0].Draw(prepared.Scene) : null;
-        Suspects = [.. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => AsSuspect(trial, likeliest!))];
+        Suspects =
+        [
+            .. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => AsSuspect(trial, likeliest!))
+                .DistinctBy(suspect => string.Join(' ', suspect.Mistakes.Select(mistake => mistake.Id).Order())),
+        ];
     }
 
     private IEnumerable<Suspect> NearestOf(List<WrongProgram> ranked, Lab likeliest) => ranked
@@ -277,7 +282,8 @@ public sealed class Diagnosis
         Mistake[] twins = [];
         var own = trial.Draw(prepared.Scene);
         var drawn = evidence.Draw(own);
-        if (trial.Named is [var named] && !own.Scatters)
+        var shown = Visible(trial, drawn);
+        if (shown is [var named] && !own.Scatters)
         {
             var way = trial.Wordings.Count > 0 ? trial.Base : Unfinished.Nothing;
             twins = [.. prepared.Known.AsParallel().AsOrdered().WithDegreeOfParallelism(prepared.Threads ?? Environment.ProcessorCount)
@@ -286,6 +292,14 @@ public sealed class Diagnosis
         }
         var isSame = own.Scatters == likeliest.Scatters && evidence.AreAlike(drawn, likeliest);
         var isTypical = trial.Misfit.Unexplained <= Explained * WrongCount && trial.Unusual == 0;
-        return new(trial.Named, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet, isSame, isTypical);
+        return new(shown, trial.Misfit.Unexplained, trial.OtherSample, twins, trial.Base.NotYet, isSame, isTypical);
+    }
+
+    /// <summary>A program's mistakes, but for one of zNear and zFar that are not written yet, if the picture does not show it.</summary>
+    private Mistake[] Visible(WrongProgram trial, Evidence.Drawn drawn)
+    {
+        var hidden = trial.Named.Except(trial.Wordings).FirstOrDefault(part => trial.Named.Count > 1 && evidence.AreAlike(drawn,
+            new(prepared.Scene, [.. trial.Named.Where(other => other != part), .. trial.Mistakes.Except(trial.Wordings)])));
+        return [.. trial.Named.Where(mistake => mistake != hidden)];
     }
 }

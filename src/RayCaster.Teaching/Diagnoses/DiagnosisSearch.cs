@@ -148,7 +148,7 @@ internal sealed class DiagnosisSearch(
     /// <summary>Drops mistakes and missing parts without which as much is explained.</summary>
     public WrongProgram WithoutIdle(WrongProgram trial)
     {
-        if (trial.Wordings.Count + trial.Base.NotYet.Count < 2) return trial;
+        if (trial.Wordings.Count + trial.Base.NotYet.Count < (trial is { OtherSample: true, Wordings: [] } ? 1 : 2)) return trial;
         foreach (var less in trial.Less)
         {
             var misfit = Measure(less, 1);
@@ -224,7 +224,7 @@ internal sealed class DiagnosisSearch(
                from other in known
                where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
                from wording in other.Wordings
-               select first with { Wordings = [first.Wordings[0], wording] })
+               select (first with { Wordings = [first.Wordings[0], wording] }).InOneWay)
            from pair in Measured(Measured(seconds, Glance, left)[..Math.Min(60, seconds.Count)], 0.03, left).Take(Seconds)
            select pair,
     ];
@@ -255,7 +255,7 @@ internal sealed class DiagnosisSearch(
             from i in Enumerable.Range(0, singles.Length)
             from k in Enumerable.Range(0, i)
             where singles[i].Id != singles[k].Id
-            select singles[i] with { Wordings = [singles[k].Wordings[0], singles[i].Wordings[0]] });
+            select (singles[i] with { Wordings = [singles[k].Wordings[0], singles[i].Wordings[0]] }).InOneWay);
         return [.. Measured(pairs, Glance).Take(Closer)];
     }
 

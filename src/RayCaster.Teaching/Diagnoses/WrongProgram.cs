@@ -24,9 +24,15 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>The same without one of its mistakes, or without one of its missing parts; not measured yet.</summary>
     public IEnumerable<WrongProgram> Less =>
     [
-        .. Base.NotYet.Select(part => this with { Base = new([.. Base.NotYet.Where(other => other != part)]) }),
+        .. Base.NotYet.Select(part => (this with { Base = new([.. Base.NotYet.Where(other => other != part)]) }).InOneWay),
         .. Wordings.Select((_, i) => this with { Wordings = [.. Wordings.Where((_, k) => k != i)] }),
     ];
+
+    /// <summary>The same with rays through the other place of each pixel as a mistake only if nothing else is wrong.</summary>
+    public WrongProgram InOneWay =>
+        OtherSample && Wordings.Count + Base.NotYet.Count == 0 ? this with { Wordings = [center], OtherSample = false }
+        : Wordings.Count > 1 && Wordings.Contains(center) ? this with { Wordings = [.. Wordings.Where(other => other != center)], OtherSample = true }
+        : this;
 
     /// <summary>The same with one of its mistakes in another wording; not measured yet.</summary>
     public WrongProgram With(int place, Mistake wording) =>
