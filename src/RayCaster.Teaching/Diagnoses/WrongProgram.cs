@@ -29,10 +29,12 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     ];
 
     /// <summary>The same with rays through the other place of each pixel as a mistake only if nothing else is wrong.</summary>
-    public WrongProgram InOneWay =>
-        OtherSample && Wordings.Count + Base.NotYet.Count == 0 ? this with { Wordings = [center], OtherSample = false }
-        : Wordings.Count > 1 && Wordings.Contains(center) ? this with { Wordings = [.. Wordings.Where(other => other != center)], OtherSample = true }
-        : this;
+    public WrongProgram InOneWay => this switch
+    {
+        { OtherSample: true, Wordings: [], Base.NotYet: [] } => this with { Wordings = [center], OtherSample = false },
+        { Wordings.Count: > 1 } when Wordings.Contains(center) => this with { Wordings = [.. Wordings.Except([center])], OtherSample = true },
+        _ => this,
+    };
 
     /// <summary>The same with one of its mistakes in another wording; not measured yet.</summary>
     public WrongProgram With(int place, Mistake wording) =>
