@@ -207,20 +207,24 @@ public sealed class Diagnosis
             .DistinctBy(trial => trial.Id).Take(Looked).Select(search.WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
         if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
             named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
-        if (best.Base.Kinds.Any()) named = named.Take(Finding == Finding.Unfinished ? Looked : 1).Concat(Losing(best));
-        WrongProgram[] first = [.. named.DistinctBy(trial => string.Join(' ', trial.Named.Select(mistake => mistake.Id).Order())).Take(5)];
+        else if (best.Base.Kinds.Any()) named = named.Take(1);
+        if (best.Base.Kinds.Any()) named = named.Concat(Losing(best));
+        WrongProgram[] first = [.. named.DistinctBy(trial => IdsOf(trial.Named)).Take(5)];
         var likeliest = first.Length > 0 ? first[0].Draw(prepared.Scene) : null;
         Suspects =
         [
             .. first.Take(1).Concat(first.Skip(1).OrderBy(trial => trial.Misfit.Unexplained)).Select(trial => AsSuspect(trial, likeliest!))
-                .DistinctBy(suspect => string.Join(' ', suspect.Mistakes.Select(mistake => mistake.Id).Order())),
+                .DistinctBy(suspect => IdsOf(suspect.Mistakes)),
         ];
     }
 
     private IEnumerable<Suspect> NearestOf(List<WrongProgram> ranked, Lab likeliest) => ranked
         .Where(trial => trial.Wordings.Count > 0 && trial.Misfit.Unexplained < (trial.Wordings.Count > 1 ? MentionedPair : Mentioned) * WrongCount)
-        .DistinctBy(trial => string.Join(' ', trial.Wordings.Select(wording => wording.Id).Order())).Take(Shown)
+        .DistinctBy(trial => IdsOf(trial.Wordings)).Take(Shown)
         .OrderBy(trial => trial.Misfit.Unexplained).Select(trial => AsSuspect(trial, likeliest));
+
+    /// <summary>The same for mistakes in another order, or in other wordings.</summary>
+    private static string IdsOf(IEnumerable<Mistake> mistakes) => string.Join(' ', mistakes.Select(mistake => mistake.Id).Order());
 
     private double MayLeave(WrongProgram trial) => trial.Wordings is [{ Id: "tri-area" }] ? Scattered
         : IsOne(trial) ? Foreign : trial.Misfit.Unexplained <= Third * leftByOne ? ForeignApart : ForeignPair;
