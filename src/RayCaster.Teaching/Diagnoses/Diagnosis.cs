@@ -174,7 +174,7 @@ public sealed class Diagnosis
         var best = ranked.Find(trial => trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount) ?? ranked[0];
         if (best.Base.Kinds.Any() && best.Misfit.Unexplained > Nearly * WrongCount) // few wrong pixels may be all that shows of a misplaced shape
             best = ranked.Find(trial => !trial.Base.Kinds.Any() && trial.Misfit.Unexplained <= Much * best.Misfit.Unexplained) ?? best;
-        best = search.WithoutIdle(best);
+        best = search.Ranking.WithoutIdle(best);
         var left = best.Misfit.Unexplained / WrongCount;
         // where one missing model is enough, two mistakes are not assumed
         var isNamed = MissingModel is null ? left <= Math.Max(Explained, MayLeave(best))
@@ -189,7 +189,7 @@ public sealed class Diagnosis
             var (misfit, certain) = LikelyCause.Certain(prepared, byModels, evidence);
             if (certain is not null && misfit.CompareTo(most) < 0) (isNamed, isCertain, Likely) = (false, true, [certain]);
             else if (!isNamed) Likely = [.. LikelyCause.Hints(byModels, evidence)];
-            else if (certain is not null && misfit.Unexplained <= DiagnosisSearch.Idle * WrongCount) Likely = [certain];
+            else if (certain is not null && misfit.Unexplained <= TrialRanking.Idle * WrongCount) Likely = [certain];
         }
         if (!isNamed)
         {
@@ -204,7 +204,7 @@ public sealed class Diagnosis
             && !IsRestRight([.. best.Base.Kinds], picture, done)) return;
         Finding = best.Named.Count > 0 ? Finding.Mistake : Finding.Unfinished;
         var named = ranked.Where(trial => trial.Named.Count > 0 && trial.Misfit.Unexplained <= MayLeave(trial) * WrongCount)
-            .DistinctBy(trial => trial.Id).Take(Looked).Select(search.WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
+            .DistinctBy(trial => trial.Id).Take(Looked).Select(search.Ranking.WithoutIdle).Prepend(best).Where(trial => trial.Named.Count > 0);
         if (Finding == Finding.Unfinished) // what may have lost those shapes, if they are written already
             named = named.Where(trial => trial.Base.NotYet.Count == 0 && trial.Misfit.Unexplained <= best.Misfit.Unexplained + 0.005 * WrongCount);
         else if (best.Base.Kinds.Any()) named = named.Take(1);

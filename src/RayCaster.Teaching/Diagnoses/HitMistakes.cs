@@ -10,8 +10,7 @@ internal static class HitMistakes
             "Things from behind the camera are in the picture, upside down and glaring.",
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
-            .Or(from kind in ShapeKind.Basic
-                select ($"no least t for {kind.Many}", Counted(kind.Formula, (lab, t, d) => lab.Far.Do(t, lab.Depth.Do(t, d)))))
+            .Or(OfSome("no least t", (lab, t, depth) => lab.Far.Do(t, depth)))
             .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
             {
                 lab.Ahead.Is(t => t > double.NegativeInfinity);
@@ -62,16 +61,20 @@ internal static class HitMistakes
             .Or("the best t starts at 1", lab => lab.Start.Is(() => 1))
             .Or("the best t starts at 10", lab => lab.Start.Is(() => 10))
             .Or("the best t starts at |T − P|", lab => lab.Start.Is(() => lab.Length.Do(lab.T - lab.P))),
-        new("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
+        new Mistake("znear-t", Concerns.Hit, Slides.ClipPlanes, "zNear compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Near.Becomes(near => (t, depth) => near(depth, t)),
             "What the near plane cuts is cut along a wrong line.",
             "What does the scene's \"clip\" say that zNear measures?",
-            "For \"depth\": zNear ≤ t · (−d·W); for \"distance\": zNear ≤ t."),
-        new("zfar-t", Concerns.Hit, Slides.ClipPlanes, "zFar compared with t where depth is meant (with depth where t is meant)",
+            "For \"depth\": zNear ≤ t · (−d·W); for \"distance\": zNear ≤ t.")
+            .Or(OfSome("zNear compared with the other of t and depth",
+                (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(depth, t) && lab.Far.Do(t, depth))),
+        new Mistake("zfar-t", Concerns.Hit, Slides.ClipPlanes, "zFar compared with t where depth is meant (with depth where t is meant)",
             lab => lab.Far.Becomes(far => (t, depth) => far(depth, t)),
             "What the far plane cuts is cut along a wrong line: round for straight, or straight for round.",
             "What does the scene's \"clip\" say that zFar measures?",
-            "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar."),
+            "For \"depth\": t · (−d·W) ≤ zFar; for \"distance\": t ≤ zFar.")
+            .Or(OfSome("zFar compared with the other of t and depth",
+                (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(t, depth) && lab.Far.Do(depth, t))),
         new Mistake("zboth-t", Concerns.Hit, Slides.ClipPlanes, "zNear and zFar compared with t where depth is meant (with depth where t is meant)",
             lab =>
             {
@@ -81,6 +84,8 @@ internal static class HitMistakes
             "What the near and the far plane cut is cut along wrong lines.",
             "What does the scene's \"clip\" say that zNear and zFar measure?",
             "For \"depth\": zNear ≤ t · (−d·W) ≤ zFar; for \"distance\": zNear ≤ t ≤ zFar.")
+            .Or(OfSome("zNear and zFar compared with the other of t and depth",
+                (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(depth, t) && lab.Far.Do(depth, t)))
             .Or("z = t / (−d·W)", lab => lab.Depth.Is((t, d) => t / -(d * lab.W)))
             .Or("zNear and zFar compared with the hit's distance from the origin of the world", lab =>
             {
@@ -101,25 +106,29 @@ internal static class HitMistakes
             {
                 lab.Kept.Is(near);
                 return (_, _) => true;
-            })),
+            }))
+            .Or("a crossing before zNear or beyond zFar ends the ray with the background", EndsRay((lab, t) => lab.Ahead.Do(t)))
+            .Or("a crossing that does not count ends the ray with the background", EndsRay((_, _) => true)),
         new Mistake("no-znear", Concerns.Hit, Slides.ClipPlanes, "zNear ignored", lab => lab.Near.Is((_, _) => true),
             "Something close to the camera is in the way.",
             "Which test uses zNear?",
             "A crossing counts only from zNear on.")
-            .Or(from kind in ShapeKind.Basic select ($"zNear ignored for {kind.Many}", Unclipped(kind.Formula, near: true, far: false))),
+            .Or(OfSome("zNear ignored", (lab, t, depth) => lab.Ahead.Do(t) && lab.Far.Do(t, depth))),
         new Mistake("no-zfar", Concerns.Hit, Slides.ClipPlanes, "zFar ignored", lab => lab.Far.Is((t, _) => t <= double.MaxValue),
             "There is something where the background should be, far away.",
             "Which test uses zFar?",
             "A crossing counts only up to zFar.")
-            .Or(from kind in ShapeKind.Basic select ($"zFar ignored for {kind.Many}", Unclipped(kind.Formula, near: false, far: true)))
-            .Or(from kind in ShapeKind.Basic select ($"zNear and zFar ignored for {kind.Many}", Unclipped(kind.Formula, near: true, far: true)))
-            .Or("zNear and zFar asked for planes alone", Unclipped(~Concerns.Planes, near: true, far: true)),
+            .Or(OfSome("zFar ignored", (lab, t, depth) => lab.Ahead.Do(t) && lab.Near.Do(t, depth)))
+            .Or(OfSome("zNear and zFar ignored", (lab, t, _) => lab.Ahead.Do(t)))
+            .Or("zNear and zFar asked for planes alone", Counted(~Concerns.Planes, (lab, t, _) => lab.Ahead.Do(t))),
         new Mistake("bias-big", Concerns.Hit, Slides.Bias, "a bias of 1 in place of zNear",
             Bias(1),
             "What is close to the camera is cut at a wrong place.",
             "What is the bias for, and what is zNear for?",
             "t > bias with the scene's tiny bias, and zNear as a test of its own.")
-            .Or("a bias of 0.1 in place of zNear", Bias(0.1)),
+            .Or("a bias of 0.1 in place of zNear", Bias(0.1))
+            .Or("depth compared with 1 in place of zNear", lab => lab.Near.Is((_, depth) => depth > 1))
+            .Or(OfSome("a bias of 1 in place of zNear", (lab, t, depth) => t > 1 && lab.Far.Do(t, depth))),
         new("clip-root", Concerns.Hit, Slides.ClipPlanes,
             "the near crossing of a body chosen before zNear is asked, so that its far side never shows where it is cut",
             lab => lab.First.Becomes(first => (crossed, d) => first(lab.Ahead.Do(crossed.Near) ? new(crossed.Near) : crossed, d)),
@@ -136,6 +145,15 @@ internal static class HitMistakes
         lab.Near.Is((_, _) => true);
     };
 
+    /// <summary>The background for a ray with a first crossing, of those that are asked, that does not count.</summary>
+    private static Action<Lab> EndsRay(Func<Lab, double, bool> isAsked) => lab =>
+    {
+        lab.First.Becomes(first => (crossed, d) => double.IsFinite(crossed.Near) && isAsked(lab, crossed.Near) && !lab.Counts(crossed.Near, d)
+            ? double.NegativeInfinity // no hit is nearer
+            : first(crossed, d));
+        lab.Kept.Is((t, _) => t > double.NegativeInfinity);
+    };
+
     private static Action<Lab> Farthest => lab =>
     {
         lab.Start.Is(() => double.NegativeInfinity);
@@ -146,16 +164,22 @@ internal static class HitMistakes
     private static (string, Action<Lab>)[] Either(string what, Action<Lab> deviate) =>
         [(what, deviate), (what + "; both crossings of a sphere or a box are hits", Both + deviate)];
 
-    /// <summary>zNear or zFar or both not asked where such shapes are hit.</summary>
-    private static Action<Lab> Unclipped(Concerns shapes, bool near, bool far) => Counted(shapes, (lab, t, d) =>
-        lab.Ahead.Do(t) && (near || lab.Near.Do(t, lab.Depth.Do(t, d))) && (far || lab.Far.Do(t, lab.Depth.Do(t, d))));
+    /// <summary>Another question for one kind of shape, for the two that have an inside, and for the flat ones.</summary>
+    private static IEnumerable<(string, Action<Lab>)> OfSome(string what, Func<Lab, double, double, bool> counts) =>
+        from some in (IEnumerable<(string Many, Concerns Shapes)>)
+        [
+            .. ShapeKind.Basic.Select(kind => (kind.Many, kind.Formula)),
+            ("spheres and boxes", Concerns.Spheres | Concerns.Boxes),
+            ("planes, circles and triangles", Concerns.Planes | Concerns.Circles | Concerns.Triangles),
+        ]
+        select ($"{what} for {some.Many}", Counted(some.Shapes, counts));
 
-    /// <summary>Another question, with t and d, whether a crossing of such shapes counts.</summary>
-    private static Action<Lab> Counted(Concerns shapes, Func<Lab, double, Vector3, bool> counts) => lab => lab.Hit.Becomes(hit => (model, d) =>
+    /// <summary>Another question, with t and depth, whether a crossing of such shapes counts.</summary>
+    private static Action<Lab> Counted(Concerns shapes, Func<Lab, double, double, bool> counts) => lab => lab.Hit.Becomes(hit => (model, d) =>
     {
         if ((Mistake.KindOf(model) & shapes) == 0 || lab.CrossingsOf(model, d) is not { } crossed) return hit(model, d);
         return Counts(crossed.Near) ? crossed.Near : Counts(crossed.Far) ? crossed.Far : null;
 
-        bool Counts(double t) => t <= double.MaxValue && counts(lab, t, d);
+        bool Counts(double t) => t <= double.MaxValue && counts(lab, t, lab.Depth.Do(t, d));
     });
 }

@@ -73,7 +73,7 @@ internal sealed class JointDiagnosis
         // Pairs of mistakes that change whole pictures are tried on few pixels, so what single pictures are diagnosed with is tried, too.
         if (wrong.Count(picture => picture.Evidence.IsExplainedBy(ranked[0])) < wrong.Length)
             ranked = search.With([.. wrong.Take(Consulted).SelectMany(NamedFor)], ranked);
-        Verdict = search.WithoutIdle(ranked[0]);
+        Verdict = search.Ranking.WithoutIdle(ranked[0]);
         if (Verdict.Base.Kinds.Any())
             Losing =
             [
@@ -83,7 +83,7 @@ internal sealed class JointDiagnosis
         Alternatives =
         [
             .. ranked.Where(other => IsAlike(other) && other.Parts == ranked[0].Parts)
-                .Select(search.WithoutIdle).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id),
+                .Select(search.Ranking.WithoutIdle).Where(other => other.Id != Verdict.Id).DistinctBy(other => other.Id),
         ];
 
         bool IsAlike(WrongProgram other) => other.Misfit.Unexplained <= ranked[0].Misfit.Unexplained + Alike;

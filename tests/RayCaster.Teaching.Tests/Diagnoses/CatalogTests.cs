@@ -63,7 +63,8 @@ public class CatalogTests
     private static readonly (Scene Scene, Picture Right)[] rights =
         [.. scenes.Values.Append(SceneFolder.Small("room", 4)).Append(Everywhere).Select(scene => (scene, ScalarRenderer.Render(scene)))];
 
-    /// <summary>A small scene with each kind of shape before zNear, beyond zFar and behind the camera, and with a red over 1.</summary>
+    /// <summary>A small scene with each kind of shape before zNear, beyond zFar and behind the camera, where depth and t are on different sides of
+    /// zNear and of zFar, and with a red over 1.</summary>
     private static Scene Everywhere
     {
         get
@@ -71,7 +72,8 @@ public class CatalogTests
             Model[] models =
             [
                 new Model<Plane>(new(new(0, 0, -1.2), new(0, 0, 1))) { Color = new(1.9, 1, 1) },
-                .. ((Vector3[])[new(0, -8, 0.8), new(0, 6, 4), new(0, -14, 0)]).SelectMany(place => Row(place, Math.Abs(place.Y + 10) / 8)),
+                .. ((Vector3[])[new(0, -8, 0.8), new(0, 6, 4), new(0, -14, 0), new(0, -6.3, 1.7), new(0, 1.6, 4)])
+                    .SelectMany(place => Row(place, Math.Abs(place.Y + 10) / 8)),
             ];
             return new(new(new(new(0, -10, 0), Vector3.Zero) { FovY = 60, Width = 36, Height = 24, ZNear = 4, ZFar = 12 }), models);
 
