@@ -72,6 +72,8 @@ internal static class AxisMistakes
             "The picture is mirrored at its rising diagonal; in a wide picture it is stretched, too.",
             "Columns count to the right. Which of U and V points to the right?",
             "d = (uc U + ur V − W) normalised.")
+            .Or("uc = w r / height − w / 2, ur = h c / width − h / 2",
+                lab => lab.Sample.Becomes(sample => (c, r) => sample(c, r) is var (x, y) ? (y * lab.Wide, x * lab.Tall) : default))
             .Or("uc = w r / width − w / 2", lab => lab.Sample.Becomes(sample => (_, r) => sample(r, r)))
             .Or("ur = h c / height − h / 2", lab => lab.Sample.Becomes(sample => (c, _) => sample(c, c)))
             .Or(from d in ((string Is, Func<double, double, (double U, double V)> Of)[])

@@ -36,9 +36,12 @@ internal static class BoxMistakes
             .Or(Folds())
             .Or(from turned in (int[])[4, 8, 12, 16, 32, 48]
                 select ($"box: asked axis by axis, with the other of min and max for {Names(turned)}", AxisByAxis(turned: turned)))
+            .Or(from copied in (int[])[8, 32, 12, 48, 40, 60]
+                select ($"box: asked axis by axis, after that of the axis alone was taken for {Names(copied)}", AxisByAxis(copied: copied)))
             .Or("box: t_min stays −∞", lab => lab.LastIn.Is((_, _, _) => -endless))
             .Or("box: t_max stays +∞", lab => lab.FirstOut.Is((_, _, _) => endless))
             .Or("box: t_min ≤ t_max is not asked", lab => lab.Overlap.Is((_, _) => true))
+            .Or("box: t_max ≥ 0 asked, but not t_min ≤ t_max", lab => lab.Overlap.Is((_, tMax) => tMax >= 0))
             .Or("box: t_min > t_max asked where t_min ≤ t_max is meant", lab => lab.Overlap.Is((tMin, tMax) => tMin > tMax)),
         new Mistake("slab-2axes", Concerns.Boxes, Slides.BoxTest, "box: the slab of z forgotten",
             Corners(box => new(box.Min with { Z = -endless }, box.Max with { Z = endless })),
@@ -182,16 +185,19 @@ internal static class BoxMistakes
     /// <summary>The slide's way to ask: x first, then for y and for z whether they overlap with what there is, and what is left of it.</summary>
     /// <param name="left">Of these six steps those that are left out: bits 0 and 1 are the questions, 2 and 3 t_min, 4 and 5 t_max.</param>
     /// <param name="turned">Those of the last four that take the lesser for the greater, or the greater for the lesser.</param>
-    private static Action<Lab> AxisByAxis(int left = 0, int turned = 0) => lab => lab.Box.Is((box, d) =>
+    /// <param name="copied">Those of the last four that do not ask what there was before; then the questions come after them.</param>
+    private static Action<Lab> AxisByAxis(int left = 0, int turned = 0, int copied = 0) => lab => lab.Box.Is((box, d) =>
     {
         var (tMin, tMax) = lab.Slab.Do(0, box, d);
         for (var axis = 1; axis < 3; axis++)
         {
             var (t0, t1) = lab.Slab.Do(axis, box, d);
-            var (steps, others) = (left >> axis - 1, turned >> axis - 1);
-            if ((steps & 1) == 0 && (tMin > t1 || t0 > tMax)) return None;
-            if ((steps & 4) == 0) tMin = (others & 4) == 0 ? Math.Max(tMin, t0) : Math.Min(tMin, t0);
-            if ((steps & 16) == 0) tMax = (others & 16) == 0 ? Math.Min(tMax, t1) : Math.Max(tMax, t1);
+            if (copied == 0 && !Is(left, 1) && (tMin > t1 || t0 > tMax)) return None;
+            if (!Is(left, 4)) tMin = Is(copied, 4) ? t0 : Is(turned, 4) ? Math.Min(tMin, t0) : Math.Max(tMin, t0);
+            if (!Is(left, 16)) tMax = Is(copied, 16) ? t1 : Is(turned, 16) ? Math.Max(tMax, t1) : Math.Min(tMax, t1);
+            if (copied != 0 && tMin > tMax) return None;
+
+            bool Is(int steps, int step) => (steps >> axis - 1 & step) != 0;
         }
         return new(tMin, tMax);
     });

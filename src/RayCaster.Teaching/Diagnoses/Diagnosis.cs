@@ -107,7 +107,8 @@ public sealed class Diagnosis
             Finding = Finding.Matches;
             return;
         }
-        if (PlainPicture.Says(scene, picture, right) is { } plain)
+        var plain = PlainPicture.Says(scene, picture, right);
+        if (plain is not null && (TooManyModels || !PlainPicture.IsOneShade(scene, picture)))
         {
             (Finding, Likely) = (Finding.TellsNothing, [plain]);
             return;
@@ -117,6 +118,9 @@ public sealed class Diagnosis
 
         MissingModel = FindMissingModel();
         Answer(new([evidence], prepared.Known, done, prepared.Threads, likely), done);
+        if (plain is null) return;
+        Suspects = [.. Suspects.Where(suspect => suspect is { Mistakes.Count: 1, NotYet.Count: 0 })]; // several would explain one colour by chance
+        if (Suspects.Count == 0) (Finding, NotYet, Likely, Nearest) = (Finding.TellsNothing, [], [plain], []);
     }
 
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>

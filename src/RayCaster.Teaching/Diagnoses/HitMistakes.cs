@@ -10,6 +10,8 @@ internal static class HitMistakes
             "Things from behind the camera are in the picture, upside down and glaring.",
             "Where on the ray is a point with t = −3?",
             "A crossing counts only if t > bias, and from zNear on.")
+            .In(("the light fades with |X − P|", VectorMistakes.ByLength))
+            .Or("no least t at all, while the light fades with |X − P|", Bias(double.NegativeInfinity) + VectorMistakes.ByLength)
             .Or(OfSome("no least t", (lab, t, depth) => lab.Far.Do(t, depth)))
             .Or("no test of t at all: neither t > bias nor zNear and zFar", lab =>
             {

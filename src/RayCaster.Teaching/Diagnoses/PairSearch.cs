@@ -7,13 +7,15 @@ namespace RayCaster.Teaching;
 internal sealed class PairSearch(
     IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, TrialRanking ranking, List<WrongProgram> everySingle)
 {
-    /// <summary>How many single mistakes are tried together with every other: of a finished program, and of an unfinished one.</summary>
-    private const int Partners = 10, UnfinishedPartners = 4;
+    /// <summary>How many single mistakes are tried together with every other: of a finished program at first and at last, and of an unfinished one.
+    /// </summary>
+    private const int Partners = 10, MorePartners = 30, UnfinishedPartners = 4;
 
     /// <summary>For how many of the nearest mistakes the formula that they change is taken to have a second one.</summary>
     private const int Formulas = 6;
 
-    /// <summary>How many second mistakes of each first one are compared closely, and how many of all pairs.</summary>
+    /// <summary>How many second mistakes of each first one are compared closely, besides those that are as near as the nearest, and how many of all
+    /// pairs.</summary>
     private const int Seconds = 8, Closer = 100;
 
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
@@ -25,12 +27,14 @@ internal sealed class PairSearch(
     /// <param name="onTop">Those of unfinished ones.</param>
     public IEnumerable<List<WrongProgram>> ByEffort(List<WrongProgram> singles, List<WrongProgram> onTop)
     {
-        yield return [.. Of(Firsts(singles, Partners)), .. Of(Nearest(onTop, UnfinishedPartners))];
+        WrongProgram[] firsts = [.. Firsts(singles, Partners)];
+        yield return [.. Of(firsts), .. Of(Nearest(onTop, UnfinishedPartners))];
         var shapes = Firsts(singles, Formulas).Select(ChangedShapes).Distinct().Where(shape => BitOperations.IsPow2((int)shape));
         foreach (var shape in shapes) yield return AllPairs([.. everySingle.Where(single => ChangedShapes(single) == shape)]);
         // Of the camera's hundreds of wordings most draw what others do. Elsewhere two that draw all black may differ beside a second mistake.
         yield return AllPairs([.. everySingle.Where(IsOfAll).DistinctBy(single => single.Wordings[0] is { Concerns: Concerns.Camera } wording
             ? (wording.Id, single.Misfit) : (single.Wordings[0].Cause, default))]);
+        yield return Of(Firsts(singles, MorePartners).Except(firsts));
     }
 
     /// <summary>The shapes whose formulas a mistake changes; none if it changes whole pictures.</summary>
@@ -51,8 +55,9 @@ internal sealed class PairSearch(
                where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
                from wording in other.Wordings
                select (first with { Wordings = [first.Wordings[0], wording] }).InOneWay)
-           let nearest = ranking.Measured(seconds, TrialRanking.Glance, left)
-           from pair in ranking.Measured(nearest[..Math.Min(60, nearest.Count)], 0.03, left).Take(Seconds)
+           let glanced = ranking.Measured(seconds, TrialRanking.Glance, left)
+           let nearest = ranking.Measured(glanced[..Math.Min(60, glanced.Count)], 0.03, left)
+           from pair in nearest.Where((pair, i) => i < Seconds || pair.Misfit.Unexplained == nearest[0].Misfit.Unexplained)
            select pair,
     ];
 

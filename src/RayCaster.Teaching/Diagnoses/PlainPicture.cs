@@ -9,13 +9,13 @@ internal static class PlainPicture
     /// <summary>What such a picture shows, and where to look; null if the picture shows more, or the right one shows as little.</summary>
     public static string? Says(Scene scene, Picture picture, Picture right)
     {
+        if (IsOneShade(scene, picture)) return $"Every pixel has the same colour, {picture[0, 0]}: do the rays of two pixels differ?";
         var background = scene.Background.ToBytes();
         if (!picture.IsOneColor && Count(right, IsColored) < Enough * right.Count) return null;
         var most = Hardly * picture.Count;
         if (Count(picture, IsColored) > most)
         {
-            return picture.IsOneColor ? $"Every pixel has the same colour, {picture[0, 0]}: do the rays of two pixels differ?"
-                : Count(picture, shown => IsColored(shown) && !IsWhite(shown)) <= most && Count(right, shown => !IsGrey(shown)) > most
+            return Count(picture, shown => IsColored(shown) && !IsWhite(shown)) <= most && Count(right, shown => !IsGrey(shown)) > most
                 ? "All that is drawn is white: no model's colour shows. Look at the attenuation, and at the way from a colour to its bytes." : null;
         }
         if (IsBlack(background))
@@ -25,8 +25,14 @@ internal static class PlainPicture
             ? "There is nothing but background: no model is hit, or no hit counts."
             : "All that is drawn is black: the light is lost. Look at the attenuation, and at the way from a colour to its bytes.";
 
-        bool IsColored((byte, byte, byte) shown) => !IsBlack(shown) && PictureDifference.Levels(shown, background) > Evidence.Tolerance;
+        bool IsColored((byte, byte, byte) shown) => PlainPicture.IsColored(scene, shown);
     }
+
+    /// <summary>Whether every pixel has the same colour, and that of a model in some light: few mistakes draw it.</summary>
+    public static bool IsOneShade(Scene scene, Picture picture) => picture.IsOneColor && IsColored(scene, picture[0, 0]);
+
+    private static bool IsColored(Scene scene, (byte, byte, byte) shown) =>
+        !IsBlack(shown) && PictureDifference.Levels(shown, scene.Background.ToBytes()) > Evidence.Tolerance;
 
     private static bool IsBlack((byte R, byte G, byte B) shown) => PictureDifference.Levels(shown, default) <= Evidence.Tolerance;
 

@@ -12,7 +12,9 @@ internal static class VectorMistakes
             "U = (up × W) normalised.")
             .Or("U is normalised only after V = W × U",
                 lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, w)) * V(w, u)))
-            .Or("U is not normalised, but V is", Longer(false, lab => lab.Cross.Do(lab.Camera.Up, lab.W))),
+            .Or("U is not normalised, but V is", Longer(false, lab => lab.Cross.Do(lab.Camera.Up, lab.W)))
+            .Or("U = (up / |up|) × W, not normalised", Longer(true, lab => lab.Cross.Do(lab.Unit.Do(lab.Camera.Up), lab.W)))
+            .Or("U = (up / |up|) × W, not normalised, but V is", Longer(false, lab => lab.Cross.Do(lab.Unit.Do(lab.Camera.Up), lab.W))),
         new Mistake("w-unnorm", Concerns.Camera, Slides.Camera, "W = −(T − P), not normalised",
             lab => lab.AxisW.Becomes(W => toTarget => lab.Length.Do(toTarget) * W(toTarget)),
             "Everything is drawn out, the more the farther the target is, or zFar has cut all of it away.",
@@ -117,6 +119,7 @@ internal static class VectorMistakes
             "The sphere's formula left out a = d·d. When is that allowed?",
             "d = (uc U + ur V − W) normalised.")
             .Or("d = ux U + uy V − W / tan(fovY / 2), not normalised", LeaveDirection + AssumeUnitLength + Zoom)
+            .Or("d not normalised, while the sphere takes d·d = 1 and the light fades with |X − P|", LeaveDirection + AssumeUnitLength + ByLength)
             .In(Lengths),
         new Mistake("cross-x", Concerns.Camera, Slides.Vectors, "the cross product's x has the wrong sign",
             Product((_, _, n) => n with { X = -n.X }) + ByCross[0].Deviate,
@@ -176,6 +179,7 @@ internal static class VectorMistakes
         ("circles ask |X − C| ≤ R with it", SurfaceMistakes.CircleWhere((lab, circle, X) => lab.Length.Do(X - circle.Center) <= circle.Radius)),
         ("circles count along two axes of their own", InCircleAxes(turned: false)),
         ("the light fades with |X − P|", ByLength),
+        ("zNear and zFar measure |X − P|", ClipByLength),
     ];
 
     /// <summary>Circles ask x² + y² ≤ R² along two axes in their plane, made with the cross product.</summary>
@@ -190,7 +194,16 @@ internal static class VectorMistakes
     });
 
     /// <summary>The light fades with |X − P|, where X − P = t d.</summary>
-    private static Action<Lab> ByLength => lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d));
+    internal static Action<Lab> ByLength => lab => lab.Distance.Is((t, d) => lab.Length.Do(t * d));
+
+    /// <summary>zNear and zFar, where they measure the distance, are compared with |X − P|, where X − P = t d.</summary>
+    private static void ClipByLength(Lab lab)
+    {
+        if (lab.Camera.Clip == Clip.Depth) return;
+        lab.Depth.Is((t, d) => lab.Length.Do(t * d));
+        lab.Near.Becomes(near => (_, length) => near(length, length));
+        lab.Far.Becomes(far => (_, length) => far(length, length));
+    }
 
     private static Action<Lab> SquareLength => lab => lab.Length.Becomes(length => a => length(a) * length(a));
 
