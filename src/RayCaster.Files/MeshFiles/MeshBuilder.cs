@@ -8,7 +8,6 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
     private readonly List<int> indices = [];
     private int first, previous;
     private long verticesBefore;
-    private bool countsFromHere;
 
     /// <summary>How many vertices the file has up to here; null where that is not known yet.</summary>
     public long? VerticesAbove => isInOrder ? verticesBefore + vertices.Count : null;
@@ -32,25 +31,18 @@ internal sealed class MeshBuilder(MeshSource source, bool isInOrder)
     /// <summary>Adds a corner to the face; −1 is the vertex that was added last.</summary>
     public void AddCornerBack(long back)
     {
-        if (VerticesAbove is { } above)
-        {
-            AddCorner(above + back);
-            return;
-        }
         var place = MeshPiece.Here + vertices.Count + back;
-        if (place is < int.MinValue or >= 0) throw source.Error("a face counts back too far to be kept until the vertices above are counted");
-        countsFromHere = true;
+        if (place < int.MinValue) throw source.Error("a face counts back too far to be kept until the vertices above are counted");
         Add((int)place);
     }
 
     /// <summary>What was collected since the last piece.</summary>
     public MeshPiece TakePiece()
     {
-        var piece = new MeshPiece([.. vertices], [.. indices], countsFromHere);
+        var piece = new MeshPiece([.. vertices], [.. indices]);
         verticesBefore += vertices.Count;
         vertices.Clear();
         indices.Clear();
-        countsFromHere = false;
         return piece;
     }
 

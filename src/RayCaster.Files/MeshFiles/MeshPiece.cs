@@ -5,7 +5,7 @@ namespace RayCaster.Files;
 /// Three corners for each triangle. A corner from 0 on is a place among all vertices of the file. A negative corner minus <see cref="Here"/> is
 /// a place relative to the block's first vertex, whose own place is not known yet.
 /// </param>
-internal readonly record struct MeshPiece(Vector3[] Vertices, int[] Indices, bool CountsFromHere)
+internal readonly record struct MeshPiece(Vector3[] Vertices, int[] Indices)
 {
     /// <summary>Stands for the block's first vertex: the middle of the negative numbers.</summary>
     public const int Here = int.MinValue / 2;
@@ -23,7 +23,6 @@ internal readonly record struct MeshPiece(Vector3[] Vertices, int[] Indices, boo
         if (firstIndex[^1] == 0) throw source.Error("the file has no face; a mesh needs at least one");
         if (Math.Max(firstVertex[^1], firstIndex[^1]) > Array.MaxLength)
             throw source.Error($"the file has too many faces; at most {Array.MaxLength / 3} triangles are read");
-        if (pieces is [{ CountsFromHere: false } only]) return new(only.Vertices, only.Indices);
 
         var vertices = GC.AllocateUninitializedArray<Vector3>((int)firstVertex[^1]);
         var indices = GC.AllocateUninitializedArray<int>((int)firstIndex[^1]);
@@ -37,13 +36,9 @@ internal readonly record struct MeshPiece(Vector3[] Vertices, int[] Indices, boo
         return isSound ? new(vertices, indices) : throw source.Error("a face counts back beyond the first vertex");
     }
 
+    /// <summary>Copies the corners as places in the file; false where one counts back beyond its first vertex.</summary>
     private bool CopyIndices(Span<int> to, int firstVertex)
     {
-        if (!CountsFromHere)
-        {
-            Indices.CopyTo(to);
-            return true;
-        }
         var least = 0;
         for (var i = 0; i < Indices.Length; i++)
         {

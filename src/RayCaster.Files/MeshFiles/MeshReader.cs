@@ -10,44 +10,34 @@ internal static class MeshReader
     public static MeshData Read(MeshSource source, Func<MeshFormat> begin)
     {
         var threads = (int)Math.Min(source.Threads, 1 + source.Length / source.BlockSize);
-        return (threads > 1 ? ReadSideBySide(source, begin(), threads) : null) ?? ReadInOrder(source, begin());
+        try
+        {
+            return Read(source, begin(), threads);
+        }
+        catch (MeshFileException) when (threads > 1)
+        {
+            return ReadInOrder(source, begin());
+        }
     }
 
     /// <summary>Reads a file on one thread, so that its first mistake is found.</summary>
     /// <exception cref="MeshFileException">The mistake.</exception>
-    public static MeshData ReadInOrder(MeshSource source, MeshFormat format)
-    {
-        var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: true));
-        var pieces = new List<MeshPiece>();
-        while (format.Next(block))
-        {
-            format.Read(block, mesh);
-            pieces.Add(mesh.TakePiece());
-        }
-        return MeshPiece.Join(pieces, source, threads: 1);
-    }
+    public static MeshData ReadInOrder(MeshSource source, MeshFormat format) => Read(source, format, threads: 1);
 
-    private static MeshData? ReadSideBySide(MeshSource source, MeshFormat format, int threads)
+    private static MeshData Read(MeshSource source, MeshFormat format, int threads)
     {
         var pieces = new List<MeshPiece>();
-        try
+        Ranges.EachPiece(threads, threads, _ =>
         {
-            Ranges.EachPiece(threads, threads, _ =>
+            var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: threads == 1));
+            while (NextPlace(block) is { } place)
             {
-                var (block, mesh) = (new MeshBlock(source), new MeshBuilder(source, isInOrder: false));
-                while (NextPlace(block) is { } place)
-                {
-                    format.Read(block, mesh);
-                    var piece = mesh.TakePiece();
-                    lock (format) pieces[place] = piece;
-                }
-            });
-            return MeshPiece.Join(pieces, source, threads);
-        }
-        catch (MeshFileException)
-        {
-            return null;
-        }
+                format.Read(block, mesh);
+                var piece = mesh.TakePiece();
+                lock (format) pieces[place] = piece;
+            }
+        });
+        return MeshPiece.Join(pieces, source, threads);
 
         int? NextPlace(MeshBlock block)
         {
