@@ -80,7 +80,7 @@ internal sealed class AsciiStlFile(MeshSource source) : MeshFormat(source)
     /// After the last line of a facet: a line of a vertex, then endloop, then endfacet. A name is one line, and a normal three words, so no name
     /// or normal can contain these three lines by chance.
     /// </summary>
-    protected override int Cut(ReadOnlySpan<byte> text, bool isEnd)
+    public override int Cut(ReadOnlySpan<byte> text, bool isEnd)
     {
         if (isEnd) return text.Length;
         var (cut, linesFound) = (0, 0);

@@ -24,7 +24,7 @@ internal sealed class BinaryStlFile(MeshSource source) : MeshFormat(source, Head
         }
     }
 
-    protected override int Cut(ReadOnlySpan<byte> bytes, bool isEnd) => bytes.Length / BytesPerTriangle * BytesPerTriangle;
+    public override int Cut(ReadOnlySpan<byte> bytes, bool isEnd) => bytes.Length / BytesPerTriangle * BytesPerTriangle;
 
     private static double Float(MeshBlock block, int at)
     {

@@ -3,10 +3,6 @@ namespace RayCaster.Files;
 /// <summary>A part of a mesh file that begins and ends between two statements, rows or facets, so that it can be read by itself.</summary>
 internal sealed class MeshBlock(MeshSource source)
 {
-    /// <summary>Finds where a block can end.</summary>
-    /// <returns>The bytes of the block; 0 where more must be loaded first.</returns>
-    public delegate int Cut(ReadOnlySpan<byte> bytes, bool isEnd);
-
     public MeshSource Source => source;
 
     public long Start { get; private set; }
@@ -30,14 +26,14 @@ internal sealed class MeshBlock(MeshSource source)
 
     /// <summary>Loads a block of the usual size, or a longer one if that has no place to cut.</summary>
     /// <exception cref="MeshFileException">The file cannot be read, or has no place to cut in <see cref="MeshFile.MostBytesAtOnce"/>.</exception>
-    public MeshBlock Load(long start, Cut cut)
+    public MeshBlock Load(long start, MeshFormat format)
     {
         var rest = source.Length - start;
         for (var size = (long)source.BlockSize; ; size *= 2)
         {
             Load(start, (int)Math.Min(rest, Math.Min(size, MeshFile.MostBytesAtOnce)));
             var isEnd = Length == rest;
-            Length = cut(Bytes, isEnd);
+            Length = format.Cut(Bytes, isEnd);
             if (Length > 0 || isEnd) return this;
             if (size >= MeshFile.MostBytesAtOnce)
                 throw source.ErrorAtByte(start, FormattableString.Invariant(

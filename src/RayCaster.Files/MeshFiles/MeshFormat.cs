@@ -15,7 +15,7 @@ internal abstract class MeshFormat(MeshSource source, long bodyAt = 0)
     public virtual bool Next(MeshBlock block)
     {
         if (hasBegun && Position == source.Length) return false;
-        (hasBegun, Position) = (true, block.Load(Position, Cut).End);
+        (hasBegun, Position) = (true, block.Load(Position, this).End);
         return true;
     }
 
@@ -23,6 +23,7 @@ internal abstract class MeshFormat(MeshSource source, long bodyAt = 0)
     /// <exception cref="MeshFileException">The block is broken.</exception>
     public abstract void Read(MeshBlock block, MeshBuilder mesh);
 
-    /// <inheritdoc cref="MeshBlock.Cut"/>
-    protected abstract int Cut(ReadOnlySpan<byte> bytes, bool isEnd);
+    /// <summary>Finds where a block can end.</summary>
+    /// <returns>The bytes of the block; 0 where more must be loaded first.</returns>
+    public abstract int Cut(ReadOnlySpan<byte> bytes, bool isEnd);
 }

@@ -49,7 +49,7 @@ internal sealed class ObjFile : MeshFormat
     }
 
     /// <summary>After any line that no backslash continues.</summary>
-    protected override int Cut(ReadOnlySpan<byte> text, bool isEnd)
+    public override int Cut(ReadOnlySpan<byte> text, bool isEnd)
     {
         if (isEnd) return text.Length;
         for (var left = text; TextScanner.TryTakeLastLine(ref left, out var line);)

@@ -26,7 +26,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat(
             Begin(header.Elements[elementsBegun]);
         }
 
-        Position = block.Load(Position, Cut).End;
+        Position = block.Load(Position, this).End;
         rowsLeft -= rowCount;
         (block.Element, block.RowCount) = (Element, rowCount);
         return true;
@@ -43,7 +43,7 @@ internal sealed class PlyFile(MeshSource source, PlyHeader header) : MeshFormat(
         }
     }
 
-    protected override int Cut(ReadOnlySpan<byte> bytes, bool isEnd)
+    public override int Cut(ReadOnlySpan<byte> bytes, bool isEnd)
     {
         var length = isAscii ? AsciiPlyValues.Measure(bytes, rowsLeft, out rowCount)
             : BinaryPlyValues.Measure(bytes, Element, isBigEndian, rowsLeft, out rowCount);

@@ -21,7 +21,7 @@ internal sealed class SceneObject
     private JsonValue json;
     private int? index;        // in the array at that path
     private int errorsBefore;
-    private int keyCount, found; // how many keys there are, and how many of them were read: fewer if one is there twice
+    private int found; // how many of its keys were read
 
     /// <param name="path">The object's path, empty for the scene itself; for the elements of an array, the array's path.</param>
     private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
@@ -178,7 +178,7 @@ internal sealed class SceneObject
     /// <param name="allowed">Keys that are right although they were not read.</param>
     public void Close(params IEnumerable<string> allowed)
     {
-        if (document is null || found == keyCount) return;
+        if (document is null || found == json.CountKeys()) return; // fewer were read if one is unknown or there twice
         keysRead.AddRange(allowed);
         new WrongKeys(this, document).Refuse(json.Keys, keysRead);
     }
@@ -199,7 +199,7 @@ internal sealed class SceneObject
             RefuseAsObject(value, place, name);
             return false;
         }
-        (json, index, errorsBefore, keyCount, found) = (value, place, document!.ErrorCount, value.CountKeys(), 0);
+        (json, index, errorsBefore, found) = (value, place, document!.ErrorCount, 0);
         keysRead.Clear();
         return true;
     }

@@ -103,30 +103,21 @@ public static class SceneReader
         };
         o.Close();
 
-        CheckView(o, camera.Position, camera.Target, camera.Up);
+        var view = camera.Target - camera.Position;
+        if (view.Length == 0 || double.IsInfinity(view.Length) || Camera.IsParallel(camera.Up, view)) RefuseView(o, camera);
         if (camera.ZFar <= camera.ZNear) RefuseDepths(o, camera.ZNear, camera.ZFar);
         if ((long)camera.Width * camera.Height > Camera.MaxPixels) RefuseSize(o, camera.Width, camera.Height);
         if (camera.FovY is >= 0.2 and < 3) WarnOfRadians(o, camera.FovY);
         return o.IsSound ? new(camera) : null;
     }
 
-    private static void CheckView(SceneObject o, Vector3 position, Vector3 target, Vector3 up)
+    private static void RefuseView(SceneObject o, CameraParameters camera)
     {
-        var view = target - position;
-        if (view.Length == 0 || double.IsInfinity(view.Length)) RefuseTarget(o, position, target);
-        else if (Camera.IsParallel(up, view)) RefuseUp(o, up);
-    }
-
-    private static void RefuseTarget(SceneObject o, Vector3 position, Vector3 target)
-    {
-        if ((target - position).Length == 0) o.Refuse("target", $" must differ from {o.PathOf("position")}, but both are {target}");
-        else o.Refuse("target", $" is too far from {o.PathOf("position")}: the distance is beyond the largest number");
-    }
-
-    private static void RefuseUp(SceneObject o, Vector3 up)
-    {
+        var (distance, position) = ((camera.Target - camera.Position).Length, o.PathOf("position"));
         var remedy = o.Has("up") ? "" : " where it is not given; the camera looks along it: add \"up\": [1, 0, 0]";
-        o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {o.PathOf("position")}, but is {up}{remedy}");
+        if (distance == 0) o.Refuse("target", $" must differ from {position}, but both are {camera.Target}");
+        else if (double.IsInfinity(distance)) o.Refuse("target", $" is too far from {position}: the distance is beyond the largest number");
+        else o.Refuse("up", $" must not be parallel to {o.PathOf("target")} - {position}, but is {camera.Up}{remedy}");
     }
 
     private static void RefuseDepths(SceneObject o, double zNear, double zFar)

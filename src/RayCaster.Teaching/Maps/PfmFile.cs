@@ -1,4 +1,4 @@
-using System.Buffers.Binary;
+using System.Runtime.InteropServices;
 
 namespace RayCaster.Teaching;
 
@@ -14,11 +14,6 @@ public static class PfmFile
     {
         output.Write(Encoding.ASCII.GetBytes($"{(map.Channels == 1 ? "Pf" : "PF")}\n{map.Width} {map.Height}\n-1.0\n"));
         var numbers = map.Width * map.Channels;
-        var line = new byte[4 * numbers];
-        for (var y = map.Height - 1; y >= 0; y--)
-        {
-            for (var i = 0; i < numbers; i++) BinaryPrimitives.WriteSingleLittleEndian(line.AsSpan(4 * i), map.Values[y * numbers + i]);
-            output.Write(line);
-        }
+        for (var y = map.Height - 1; y >= 0; y--) output.Write(MemoryMarshal.AsBytes(map.Values.AsSpan(y * numbers, numbers)));
     }
 }

@@ -6,22 +6,15 @@ internal static class ProcessTree
     private const int Parent = 1, ResidentPages = 21; // fields of /proc/N/stat after the name
 
     /// <summary>A process and all that descend from it, parents before their children, each with the bytes of memory that it holds.</summary>
-    public static List<(int Id, long Memory)> Of(int root)
+    public static List<(int Id, int Parent, long Memory)> Of(int root)
     {
-        var found = new List<(int Id, long Memory)>();
-        if (!OperatingSystem.IsLinux()) return found;
+        if (!OperatingSystem.IsLinux()) return [];
         var all = All().ToList();
         var children = all.ToLookup(process => process.Parent);
-        var known = new HashSet<int>(); // a process number may be used anew while this reads: no circles
-        Add(all.Where(process => process.Id == root));
-        for (var i = 0; i < found.Count; i++) Add(children[found[i].Id]);
+        var found = all.FindAll(process => process.Id == root);
+        var known = new HashSet<int> { root }; // a process number may be used anew while this reads: no circles
+        for (var i = 0; i < found.Count; i++) found.AddRange(children[found[i].Id].Where(child => known.Add(child.Id)));
         return found;
-
-        void Add(IEnumerable<(int Id, int Parent, long Memory)> processes)
-        {
-            foreach (var (id, _, memory) in processes)
-                if (known.Add(id)) found.Add((id, memory));
-        }
     }
 
     /// <summary>The number of processes and threads of the system; 0 if unknown. One short read, so it can be called often.</summary>

@@ -94,7 +94,7 @@ internal sealed class ProgramRunner(Containment containment)
         {
             var tree = containment.HasOwnTree ? [] : ProcessTree.Of(process.Id);
             process.Kill(entireProcessTree: !OperatingSystem.IsLinux());
-            foreach (var (id, _) in tree) KillOne(id);
+            foreach (var (id, _, _) in tree) KillOne(id);
             process.WaitForExit(patience);
         }
         if (containment.HasOwnTree) return;
