@@ -14,7 +14,7 @@ public static class CameraPathReader
 
     private static CameraPath? ReadPath(SceneObject o, Camera camera)
     {
-        o.OptionalText("$schema", "Not used by the program.");
+        o.Text("$schema", "Not used by the program.", false);
         var isSmooth = o.OptionalChoice(
             "interpolation", "How the camera goes from key to key: in a curve or straight.", "smooth", "linear") == "smooth";
         var keys = new List<CameraKey>();

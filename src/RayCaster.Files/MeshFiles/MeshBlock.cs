@@ -41,7 +41,6 @@ internal sealed class MeshBlock(MeshSource source)
         }
     }
 
-    /// <exception cref="MeshFileException">The file cannot be read.</exception>
     public MeshBlock Load(long start, int length)
     {
         if (Buffer.Length < length) Buffer = GC.AllocateUninitializedArray<byte>(length);

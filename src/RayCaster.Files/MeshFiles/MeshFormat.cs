@@ -11,7 +11,6 @@ internal abstract class MeshFormat(MeshSource source, long bodyAt = 0)
     protected long Position { get; set; } = bodyAt;
 
     /// <summary>Loads the next block; false at the end. Called by one thread at a time, in file order.</summary>
-    /// <exception cref="MeshFileException">The file cannot be read or is broken.</exception>
     public virtual bool Next(MeshBlock block)
     {
         if (hasBegun && Position == source.Length) return false;
@@ -20,7 +19,6 @@ internal abstract class MeshFormat(MeshSource source, long bodyAt = 0)
     }
 
     /// <summary>Reads a block, while other threads may read other blocks.</summary>
-    /// <exception cref="MeshFileException">The block is broken.</exception>
     public abstract void Read(MeshBlock block, MeshBuilder mesh);
 
     /// <summary>Finds where a block can end.</summary>

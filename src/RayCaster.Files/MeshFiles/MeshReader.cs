@@ -6,7 +6,6 @@ namespace RayCaster.Files;
 /// </summary>
 internal static class MeshReader
 {
-    /// <exception cref="MeshFileException">The file is broken.</exception>
     public static MeshData Read(MeshSource source, Func<MeshFormat> begin)
     {
         var threads = (int)Math.Min(source.Threads, 1 + source.Length / source.BlockSize);
@@ -21,7 +20,6 @@ internal static class MeshReader
     }
 
     /// <summary>Reads a file on one thread, so that its first mistake is found.</summary>
-    /// <exception cref="MeshFileException">The mistake.</exception>
     public static MeshData ReadInOrder(MeshSource source, MeshFormat format) => Read(source, format, threads: 1);
 
     private static MeshData Read(MeshSource source, MeshFormat format, int threads)

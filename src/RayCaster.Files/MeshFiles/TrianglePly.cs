@@ -48,7 +48,6 @@ internal sealed class TrianglePly
     private bool Fits { get; }
 
     /// <summary>Reads the file; null where it is of another kind or has a mistake.</summary>
-    /// <exception cref="MeshFileException">The file cannot be read.</exception>
     public static MeshData? Read(MeshSource source, PlyHeader header) => new TrianglePly(source, header) is { Fits: true } file ? file.Read() : null;
 
     private MeshData? Read()

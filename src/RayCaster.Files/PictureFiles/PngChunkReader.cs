@@ -28,7 +28,6 @@ internal sealed class PngChunkReader
     /// <summary>How many of its bytes are not read yet.</summary>
     public long Left { get; private set; }
 
-    /// <exception cref="PictureFileException">The file is cut short.</exception>
     public void Next()
     {
         Place = file.Position;

@@ -5,7 +5,6 @@ internal sealed class PngData(PngChunkReader chunks) : ForwardStream
 {
     public override bool CanRead => true;
 
-    /// <exception cref="PictureFileException">A checksum is wrong.</exception>
     public override int Read(Span<byte> buffer)
     {
         while (chunks.Left == 0 || chunks.Type != "IDAT")

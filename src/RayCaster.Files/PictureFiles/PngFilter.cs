@@ -8,7 +8,6 @@ internal static class PngFilter
     /// <param name="line">The line, after <paramref name="step"/> zeros.</param>
     /// <param name="above">The line above, after as many zeros; all zeros above the first line.</param>
     /// <param name="step">How far a byte is from its left neighbour: the bytes of a pixel, at least 1.</param>
-    /// <exception cref="PictureFileException">There is no such filter.</exception>
     public static void Undo(int filter, Span<byte> line, ReadOnlySpan<byte> above, int step)
     {
         switch (filter)

@@ -57,7 +57,6 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
         return data;
     }
 
-    /// <exception cref="PictureFileException">A value is not allowed, or the picture is too large.</exception>
     public static PngHeader Read(ReadOnlySpan<byte> data, long mostBytes)
     {
         long width = BinaryPrimitives.ReadUInt32BigEndian(data), height = BinaryPrimitives.ReadUInt32BigEndian(data[4..]);

@@ -86,7 +86,6 @@ internal sealed class PngReader
     /// <summary>The text under <see cref="PartFacts.Keyword"/>; null if there is none.</summary>
     public string? PartText { get; }
 
-    /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
     public static Picture Read(Stream file, long mostBytes)
     {
         var reader = new PngReader(file, mostBytes);
@@ -107,7 +106,6 @@ internal sealed class PngReader
     }
 
     /// <summary>Reads all lines of a picture that is not interlaced, three bytes for each pixel, and checks the end of the data.</summary>
-    /// <exception cref="PictureFileException">The data are damaged.</exception>
     public void ReadLines(Action<ReadOnlySpan<byte>> take)
     {
         var line = new byte[3 * Header.Width];

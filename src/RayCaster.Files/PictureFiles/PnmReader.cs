@@ -16,7 +16,6 @@ internal sealed class PnmReader
 
     /// <param name="file">The file after its first byte, which is P.</param>
     /// <param name="length">The bytes of the file with that byte; null for a pipe or device.</param>
-    /// <exception cref="PictureFileException">The file is damaged or too large.</exception>
     public static Picture Read(BufferedStream file, long? length, long mostBytes) => new PnmReader(file, mostBytes).ReadPixels(length);
 
     private PnmReader(BufferedStream file, long mostBytes)

@@ -47,7 +47,6 @@ internal sealed class SceneDocument(SourceText text, string folder, int? threads
 
     /// <summary>The content of a mesh file. A file that several models name is read only once.</summary>
     /// <param name="file">The path as the scene writes it; both / and \ separate folders.</param>
-    /// <exception cref="MeshFileException">The file cannot be read.</exception>
     public MeshData Mesh(string file)
     {
         var path = Path.Combine(folder, file.Replace('\\', '/'));

@@ -114,17 +114,16 @@ internal sealed class SceneObject
         return new(color.X, color.Y, color.Z);
     }
 
-    /// <summary>A text that must be there and must not be empty, or null.</summary>
-    public string? Text(string key, string meaning)
+    /// <summary>A text; null where it is left out or something else. A required one must not be empty.</summary>
+    public string? Text(string key, string meaning, bool isRequired)
     {
-        var text = Text(key, meaning, true);
-        if (text is not "") return text;
+        described?.Add(new(key, KeyKind.Text, meaning, isRequired));
+        if (Take(key, meaning, isRequired) is not { } value || !IsText(value, key)) return null;
+        var text = value.Text;
+        if (text.Length > 0 || !isRequired) return text;
         Refuse(key, $" must not be empty");
         return null;
     }
-
-    /// <summary>A text, or null where it is left out.</summary>
-    public string? OptionalText(string key, string meaning) => Text(key, meaning, false);
 
     /// <summary>An array of texts; empty where it is left out. Elements that are something else are reported and left out.</summary>
     public IReadOnlyList<string> Texts(string key, string meaning, bool isRequired)
@@ -225,12 +224,6 @@ internal sealed class SceneObject
     {
         described?.Add(new(key, kind, meaning, orElse is null, orElse));
         return Take(key, meaning, orElse is null) is { } value ? VectorAt(value, key, Limits.None, VectorForm) : orElse ?? NoVector;
-    }
-
-    private string? Text(string key, string meaning, bool isRequired)
-    {
-        described?.Add(new(key, KeyKind.Text, meaning, isRequired));
-        return Take(key, meaning, isRequired) is { } value && IsText(value, key) ? value.Text : null;
     }
 
     private bool IsText(JsonValue value, string key, int? element = null)

@@ -69,7 +69,7 @@ public static class SceneReader
     /// <summary>Reads the outermost object of a scene; null if there is an error in it.</summary>
     internal static Scene? ReadScene(SceneObject o)
     {
-        o.OptionalText("$schema", "Where editors find the schema of scene files; the program does not use it.");
+        o.Text("$schema", "Where editors find the schema of scene files; the program does not use it.", false);
         var camera = o.Object("camera", "The camera: where the picture is taken from.") is { } c ? ReadCamera(c) : null;
         var background = o.Color("background", "The colour of a pixel whose ray hits nothing.", Color.Black);
         var models = new List<Model>();
@@ -151,7 +151,7 @@ public static class SceneReader
     {
         var model = type.Read(o);
         model.Color = o.Color("color", "Its colour in full light, as [red, green, blue], 1 being full intensity, or as \"#rrggbb\".", Color.White);
-        model.Name = o.OptionalText("name", "A name for people; the picture does not depend on it.") is { } name ? PrintableText.Of(name) : null;
+        model.Name = o.Text("name", "A name for people; the picture does not depend on it.", false) is { } name ? PrintableText.Of(name) : null;
         return model;
     }
 

@@ -27,8 +27,8 @@ public static class RubricReader
     internal static Rubric? ReadRubric(SceneObject o, string path, string folder, IncrementalHash? digest, StringBuilder sceneReports)
     {
         digest?.AppendData(o.Document!.Text.Utf8);
-        o.OptionalText("$schema", "Where editors find the schema of rubrics; the program does not use it.");
-        var title = o.OptionalText("title", "What is marked, for the heads of pages.") ?? "Marks";
+        o.Text("$schema", "Where editors find the schema of rubrics; the program does not use it.", false);
+        var title = o.Text("title", "What is marked, for the heads of pages.", false) ?? "Marks";
         var files = o.Texts("scenes", "The scene files, an array of paths that start at the rubric's folder.", true);
         var source = ReadSource(o);
         if (files.Count > 1 && source.Run.Count == 0 && !source.Pictures.Contains("{name}"))
@@ -54,7 +54,7 @@ public static class RubricReader
     /// <summary>Reads an item; the mistakes of those before it are taken.</summary>
     internal static RubricItem ReadItem(SceneObject o, IReadOnlyList<RubricItem> before)
     {
-        var name = o.Text("name", "What the item is called.") ?? "";
+        var name = o.Text("name", "What the item is called.", true) ?? "";
         var points = o.Positive("points", "What it is worth.");
         var mistakes = o.Texts("mistakes", "The ids of the mistakes that cost points of it (docs/mistakes.md).", false);
         var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", Diagnosis.Parts)}.", false);
@@ -77,8 +77,8 @@ public static class RubricReader
 
     private static PictureSource ReadSource(SceneObject o)
     {
-        var pictures = o.OptionalText(
-            "pictures", "The file of a picture in the submission's folder; {name} stands for the scene's name. Default: {name}.png, or {name}.ppm.");
+        var pictures = o.Text("pictures",
+            "The file of a picture in the submission's folder; {name} stands for the scene's name. Default: {name}.png, or {name}.ppm.", false);
         var run = o.Texts("run",
             "The command that draws a picture, word by word; {dir} stands for the submission's folder, {scene} for the scene file, " +
             "{out} for the picture to write.", false);
