@@ -11,6 +11,7 @@ internal sealed class PnmReader
 
     private readonly BufferedStream file;
     private readonly int kind, width, height, maxval;
+    private readonly long dataAt; // where the header ends
     private int next; // in the header and in a text: the byte that is looked at; −1 at the end
     private long place; // of that byte; later how many bytes were read
 
@@ -33,6 +34,7 @@ internal sealed class PnmReader
         if (maxval is < 1 or > 65535) throw new PictureFileException($"maxval is {maxval}, but must be from 1 to 65535");
         PictureFile.CheckSize(width, height, mostBytes);
         if (kind >= 4) SkipSeparator();
+        dataAt = place;
     }
 
     private int Channels => kind is 3 or 6 ? 3 : 1;
@@ -50,7 +52,6 @@ internal sealed class PnmReader
 
     private Picture ReadPixels(long? length)
     {
-        var dataAt = place;
         if (length is { } bytes && bytes - dataAt < DataBytes) throw CutShort(bytes - dataAt);
         var rgb = new byte[length is null ? Math.Min(FirstBytes, 3L * width * height) : 3L * width * height];
         for (var (y, at) = (0, 0); y < height; y++)
@@ -70,8 +71,8 @@ internal sealed class PnmReader
             for (var x = 0; x < width; x++, at += 3)
             {
                 MakeRoom(ref rgb, at + 3);
-                if (kind == 4) bits = x % 8 == 0 ? Byte(dataAt) : bits << 1;
-                for (var c = 0; c < 3; c++) rgb[at + c] = c < Channels ? ReadSample(bits, dataAt) : rgb[at];
+                if (kind == 4) bits = x % 8 == 0 ? Byte() : bits << 1;
+                for (var c = 0; c < 3; c++) rgb[at + c] = c < Channels ? ReadSample(bits) : rgb[at];
             }
         }
         return new Picture(width, height, rgb);
@@ -85,7 +86,7 @@ internal sealed class PnmReader
 
     /// <summary>The next sample, scaled to 8 bits and rounded to nearest.</summary>
     /// <param name="bits">For P4: the sample is the highest of these eight bits.</param>
-    private byte ReadSample(int bits, long dataAt)
+    private byte ReadSample(int bits)
     {
         var start = place;
         var value = kind switch
@@ -93,14 +94,14 @@ internal sealed class PnmReader
             1 => 1 - ReadBit(), // in a bitmap 1 is ink: black
             2 or 3 => ReadNumber("a value"),
             4 => 1 - (bits >> 7 & 1),
-            _ when maxval > 255 => Byte(dataAt) << 8 | Byte(dataAt),
-            _ => Byte(dataAt),
+            _ when maxval > 255 => Byte() << 8 | Byte(),
+            _ => Byte(),
         };
         if (value > maxval) throw new PictureFileException($"the value {value} at byte {start} is greater than maxval, which is {maxval}");
         return (byte)((value * 255 + maxval / 2) / maxval);
     }
 
-    private int Byte(long dataAt)
+    private int Byte()
     {
         var value = file.ReadByte();
         if (value < 0) throw CutShort(place - dataAt);

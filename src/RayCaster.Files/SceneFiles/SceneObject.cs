@@ -54,10 +54,9 @@ internal sealed class SceneObject
     public bool Has(string key) => document is not null && json.Find(key) is not null;
 
     /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>
-    public string PathOf(string key, int? element = null) => path.Length == 0 && element is null ? key : LongPathOf(key, element);
+    public string PathOf(string key, int? element = null) => (path.Length > 0 ? Path + "." + key : key) + (element is { } i ? $"[{i}]" : "");
 
-    private string LongPathOf(string key, int? element) =>
-        (path.Length > 0 ? $"{path}{(index is { } place ? $"[{place}]" : "")}.{key}" : key) + (element is { } i ? $"[{i}]" : "");
+    private string Path => index is { } i ? $"{path}[{i}]" : path;
 
     public double Positive(string key, string meaning) => Number(key, meaning, Limits.Positive);
 
@@ -193,21 +192,18 @@ internal sealed class SceneObject
     /// <param name="name">What a message calls it, if not by its path.</param>
     private bool Begin(JsonValue value, int? place, string? name = null)
     {
+        (json, index, errorsBefore, found) = (value, place, document!.ErrorCount, 0);
         if (value.Kind != JsonTokenType.StartObject)
         {
-            RefuseAsObject(value, place, name);
+            RefuseAsObject(name ?? Path);
             return false;
         }
-        (json, index, errorsBefore, found) = (value, place, document!.ErrorCount, 0);
         keysRead.Clear();
         return true;
     }
 
-    private void RefuseAsObject(JsonValue value, int? place, string? name)
-    {
-        var whole = place is null ? path : $"{path}[{place}]";
-        document!.Add(true, value.Start, value.End, $"{name ?? whole} must be an object in braces {{ }}, but is {value.InWords}");
-    }
+    private void RefuseAsObject(string name) =>
+        document!.Add(true, json.Start, json.End, $"{name} must be an object in braces {{ }}, but is {json.InWords}");
 
     /// <summary>The value of a key, which is read only once. Null if the key is missing, which is an error for a required key.</summary>
     private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
