@@ -18,13 +18,11 @@ public sealed partial record PartFacts(int Width, int Height, LineRange Lines, s
     /// <summary>The keyword of the text in the file.</summary>
     public const string Keyword = "raycaster:part";
 
-    /// <summary>The version of this library.</summary>
-    public static string ThisVersion => typeof(PartFacts).Assembly.GetName().Version!.ToString(3);
-
     /// <summary>The facts of a part that is drawn now.</summary>
     /// <param name="models">The digest of the scene's models (<see cref="SceneDigest.OfModels"/>).</param>
     public static PartFacts Of(Scene scene, LineRange lines, string models) =>
-        new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene, models), ThisVersion);
+        new(scene.Camera.Width, scene.Camera.Height, lines, SceneDigest.Of(scene, models),
+            typeof(PartFacts).Assembly.GetName().Version!.ToString(3));
 
     /// <summary>Reads what <see cref="ToString"/> writes; null for any other text.</summary>
     public static PartFacts? Parse(string text)

@@ -25,7 +25,6 @@ public static class PartFile
     }
 
     /// <summary>Opens a file for reading it line by line, with its facts.</summary>
-    /// <exception cref="PictureFileException">It cannot be read, is no PNG, damaged, or changed by another program.</exception>
     internal static T Open<T>(string path, Func<PngReader, PartFacts?, T> read) => PngReader.OpenFile(path, png => read(png, FactsOf(png)));
 
     private static string? WhyNot(PngReader png, PartFacts? found, PartFacts wanted)

@@ -10,9 +10,6 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     /// <summary>The colour type whose samples are places in the palette.</summary>
     public const int Palette = 3;
 
-    /// <summary>As many as a camera's. Two lines of up to 8 bytes a pixel are in memory, whatever the file's size.</summary>
-    private const int MostColumns = Camera.MaxSide;
-
     /// <summary>The samples of a pixel. Colour type 0 is grey, 4 grey and alpha, 6 red, green, blue and alpha.</summary>
     public int Channels => ColorType switch { 0 or Palette => 1, 4 => 2, Rgb => 3, _ => 4 };
 
@@ -61,7 +58,8 @@ internal readonly record struct PngHeader(int Width, int Height, int BitDepth, i
     {
         long width = BinaryPrimitives.ReadUInt32BigEndian(data), height = BinaryPrimitives.ReadUInt32BigEndian(data[4..]);
         PictureFile.CheckSize(width, height, mostBytes);
-        if (width > MostColumns) throw new PictureFileException($"its lines have {width:N0} pixels, the limit is {MostColumns:N0}");
+        if (width > Camera.MaxSide) // two lines of up to 8 bytes a pixel are in memory, whatever the file's size
+            throw new PictureFileException($"its lines have {width:N0} pixels, the limit is {Camera.MaxSide:N0}");
         var header = new PngHeader((int)width, (int)height, data[8], data[9], data[12] == 1);
         var allowed = header.ColorType switch
         {

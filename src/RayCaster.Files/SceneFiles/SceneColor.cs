@@ -14,5 +14,5 @@ internal static class SceneColor
 
     /// <summary>Whether three numbers were probably meant as bytes: whole, and one of them above 9. False where one is NaN.</summary>
     public static bool LooksLikeBytes(Vector3 c) =>
-        Math.Max(c.X, Math.Max(c.Y, c.Z)) is > 9 and <= 255 && c.X == Math.Floor(c.X) && c.Y == Math.Floor(c.Y) && c.Z == Math.Floor(c.Z);
+        Math.Max(c.X, Math.Max(c.Y, c.Z)) is > 9 and <= 255 && double.IsInteger(c.X) && double.IsInteger(c.Y) && double.IsInteger(c.Z);
 }

@@ -72,7 +72,7 @@ internal sealed class SceneObject
         var limits = Limits.From(least, most);
         described?.Add(new(key, KeyKind.Whole, meaning, false, orElse) { Limits = limits });
         if (Take(key, meaning, false) is not { } value) return orElse;
-        if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && value.Number != Math.Floor(value.Number))
+        if (value.Kind == JsonTokenType.Number && double.IsFinite(value.Number) && !double.IsInteger(value.Number))
         {
             Report(true, value, key, " must be a whole number, but is " + value.AsWritten);
             return orElse;

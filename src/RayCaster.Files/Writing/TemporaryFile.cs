@@ -32,8 +32,6 @@ internal static class TemporaryFile
     }
 
     /// <summary>Creates a temporary file beside its target.</summary>
-    /// <exception cref="IOException">It cannot be created there.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be created there.</exception>
     public static FileStream Create(string target)
     {
         for (var attempt = 1; ; attempt++)

@@ -23,17 +23,12 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         if (source.Build.Count > 0 && Build(submission, cancellation) is { } problem) return None(problem);
         var pictures = new List<SubmittedPicture>();
         var ended = 0; // runs in a row that were ended
-        foreach (var scene in rubric.Scenes)
+        foreach (var scene in rubric.Scenes.TakeWhile(_ => ended < Patience))
         {
-            if (ended == Patience)
-            {
-                pictures.Add(new(scene, null, "not run: the program had to be ended at the scenes before"));
-                continue;
-            }
             pictures.Add(Draw(submission, scene, cancellation, out var isEnded));
             ended = isEnded ? ended + 1 : 0;
         }
-        return pictures;
+        return [.. pictures, .. None("not run: the program had to be ended at the scenes before").Skip(pictures.Count)];
 
         IReadOnlyList<SubmittedPicture> None(string problem) => [.. rubric.Scenes.Select(scene => new SubmittedPicture(scene, null, problem))];
     }
