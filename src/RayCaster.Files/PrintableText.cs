@@ -5,15 +5,14 @@ public static class PrintableText
 {
     /// <summary>The text with U+FFFD in place of each character that is not printable; tabs stay.</summary>
     /// <param name="ofLines">Whether line ends stay, too.</param>
-    public static string Of(string text, bool ofLines = false) => string.Create(text.Length, (text, ofLines), static (span, given) =>
+    public static string Of(string text, bool ofLines = false)
     {
-        var (text, ofLines) = given;
-        for (var i = 0; i < span.Length; i++)
-        {
-            var stays = IsPrintable(text[i]) || text[i] == '\t' || (ofLines && (text[i] == '\n' || text.AsSpan(i).StartsWith("\r\n")));
-            span[i] = stays ? text[i] : '\uFFFD';
-        }
-    });
+        var shown = text.ToCharArray();
+        for (var i = 0; i < shown.Length; i++)
+            if (!IsPrintable(text[i]) && text[i] != '\t' && !(ofLines && text.AsSpan(i) is ['\n', ..] or ['\r', '\n', ..]))
+                shown[i] = '\uFFFD';
+        return new(shown);
+    }
 
     /// <summary>False for characters that could move a terminal's cursor, end a line, or turn the direction of a text (Unicode's
     /// Bidi_Control).</summary>

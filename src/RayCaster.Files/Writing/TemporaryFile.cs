@@ -1,4 +1,5 @@
 using System.Collections.Concurrent;
+using System.Text.RegularExpressions;
 
 namespace RayCaster.Files;
 
@@ -89,12 +90,7 @@ internal static class TemporaryFile
     }
 
     /// <summary>Whether a file is a temporary file of this target. Other targets' names may begin with this one's.</summary>
-    private static bool IsOneOf(string target, ReadOnlySpan<char> file)
-    {
-        if (file.Length != target.Length + Ending.Length || !file.StartsWith(target) || !file.EndsWith(".tmp")) return false;
-        var digits = file[target.Length..^4];
-        return digits[0] == '.' && !digits[1..].ContainsAnyExcept("0123456789abcdef");
-    }
+    private static bool IsOneOf(string target, string file) => Regex.IsMatch(file, $@"^{Regex.Escape(target)}\.[0-9a-f]{{8}}\.tmp\z");
 
     /// <summary>Whether the own file is locked. On some network drives it is not; then every file looks like an orphan, and none may be
     /// deleted.</summary>
