@@ -12,4 +12,8 @@ internal sealed record MarkedScene(string Name, string Path, SceneDiagnosis Judg
 
     /// <summary>Whether a mistake changes the picture. The first call tries all mistakes, which takes a second or two.</summary>
     public bool Shows(string mistake) => !Judge.Hidden.Any(hidden => hidden.Id == mistake);
+
+    /// <summary>Whether the picture needs a part of a program (<see cref="Diagnosis.Parts"/>).</summary>
+    public bool Needs(string part) =>
+        Scene.Models.Any(model => model.Kind == part) || new Unfinished([part]).AsMistakes.Any(mistake => Shows(mistake.Id));
 }

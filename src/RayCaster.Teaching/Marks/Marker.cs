@@ -49,11 +49,16 @@ internal sealed class Marker(Rubric rubric)
     }
 
     /// <summary>
-    /// Whether some scenes decide an item as well as all scenes do: each of its mistakes that shows in any scene shows in one of these.
+    /// Whether some scenes decide an item as well as all scenes do: each of its mistakes and parts that shows in any scene shows in one of these.
     /// </summary>
-    private bool Tells(List<MarkedScene> told, RubricItem item) =>
-        told.Count > 0
-        && item.Mistakes.All(mistake => told.Exists(scene => scene.Shows(mistake)) || !rubric.Scenes.Any(scene => scene.Shows(mistake)));
+    private bool Tells(List<MarkedScene> told, RubricItem item)
+    {
+        return told.Count > 0
+            && item.Mistakes.All(mistake => TellWhat(scene => scene.Shows(mistake)))
+            && item.Undone.All(part => TellWhat(scene => scene.Needs(part)));
+
+        bool TellWhat(Predicate<MarkedScene> shows) => told.Exists(shows) || !rubric.Scenes.Any(scene => shows(scene));
+    }
 
     /// <summary>Whether an item is about formulas of shapes. A fault that no mistake explains may be in any of the others, unless most pictures
     /// are right: these use them too.</summary>

@@ -200,6 +200,14 @@ public class MarkerTests
     }
 
     [Fact]
+    public void APartThatOnlyAMissingPictureShowsIsOpen()
+    {
+        var parts = With([new("Plane", 1, 1, [], ["plane"]), new("Sphere", 2, 2, [], ["sphere"])], rubric.Scenes);
+        var marks = Mark(parts, scene => scene == rubric.Scenes[0].Scene ? ScalarRenderer.Render(scene) : null);
+        Assert.Equal((1.0, 2.0), (marks.Points, marks.Open)); // no sphere is in the only picture
+    }
+
+    [Fact]
     public void PicturesOfOneColourTellNothing()
     {
         var marks = Mark(scene => new Picture(scene.Camera.Width, scene.Camera.Height));
