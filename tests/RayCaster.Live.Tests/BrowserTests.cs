@@ -63,6 +63,7 @@ public class BrowserTests(Chromium chromium)
         Assert.Equal((await PixelAsync(page, 20, 14)).Replace(',', ' '), await page.InnerTextAsync("#pixel-bytes"));
         Assert.EndsWith("#pixel=20,14", page.Url);
         Assert.Contains("Sphere – Geometric Solution", await page.InnerTextAsync("#pixel-explained"));
+        Assert.Contains("bias = 1e-6", await page.InnerTextAsync("#pixel-explained")); // as "explain" writes it
         Assert.True(await page.Locator(".section path.shape").CountAsync() > 0);
 
         await page.FocusAsync("#stage");
@@ -70,6 +71,28 @@ public class BrowserTests(Chromium chromium)
         await page.WaitForFunctionAsync("() => document.getElementById('pixel-head').textContent.includes('column 21, line 14')");
         await page.Keyboard.PressAsync("Escape");
         await page.WaitForSelectorAsync("#pixel-explained", new() { State = WaitForSelectorState.Hidden });
+        Assert.Empty(complaints);
+    }
+
+    [BrowserFact]
+    public async Task InASmallerPictureTheNearestPixelIsExplained()
+    {
+        await using var live = await LivePage.OpenAsync();
+        var (page, complaints) = await chromium.OpenAsync(live);
+        await page.EvaluateAsync("location.hash = '#pixel=20,14'");
+        await page.WaitForSelectorAsync("#pixel-bytes");
+        File.WriteAllText(live.Scene, LivePage.Ball.Replace("40", "10"));
+        await page.WaitForFunctionAsync("() => document.getElementById('pixel-head').textContent.includes('column 9, line 14')");
+        Assert.Empty(complaints);
+    }
+
+    [BrowserFact]
+    public async Task APictureThatIsShownSmallerIsSaidToBe()
+    {
+        await using var live = await LivePage.OpenAsync();
+        var (page, complaints) = await chromium.OpenAsync(live);
+        File.WriteAllText(live.Scene, LivePage.Ball.Replace("40", "1").Replace("30", "9000"));
+        await page.WaitForFunctionAsync("() => document.getElementById('status').textContent.includes('1 × 9000 pixels, shown as 1 × 4500')");
         Assert.Empty(complaints);
     }
 

@@ -23,7 +23,9 @@ export function show(element, visible) {
 export function digits(value, significant = 6) {
   if (typeof value === "string") return { Infinity: "∞", "-Infinity": "−∞" }[value] ?? value; // JSON has no numbers for these
   if (Array.isArray(value)) return `(${value.map(each => digits(each, significant)).join(", ")})`;
-  return String(Number(value.toPrecision(significant))).replace("-", "−");
+  const [mantissa, exponent] = value.toExponential(significant - 1).split("e").map(Number);
+  const isPlain = exponent > -5 && exponent < significant;
+  return (isPlain ? String(Number(value.toPrecision(significant))) : `${mantissa}e${exponent}`).replace(/^-/, "−");
 }
 
 /** A small square of a colour. */

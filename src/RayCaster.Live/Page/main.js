@@ -1,7 +1,7 @@
 // Connects the parts of the page: the picture, its status, the camera, the maps.
 import { $, digits, show } from "./dom.js";
 import { hand } from "./hand.js";
-import { explain, step } from "./pixel.js";
+import { explain, stayInside, step } from "./pixel.js";
 import { setSize, size } from "./picture.js";
 import { count, mistakes } from "./problems.js";
 import { ask, connect, on, remember } from "./server.js";
@@ -25,8 +25,11 @@ on("scene", message => {
   $("title").textContent = scene.path.split(/[\\/]/).pop();
   $("title").title = scene.path;
   document.title = `${$("title").textContent} – RayCaster live`;
-  if (scene.width > 0) setSize(scene.shownWidth, scene.shownHeight);
-  const smaller = scene.shownWidth !== scene.width ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
+  if (scene.width > 0) {
+    setSize(scene.shownWidth, scene.shownHeight);
+    stayInside();
+  }
+  const smaller = scene.shownWidth !== scene.width || scene.shownHeight !== scene.height ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
   const errors = mistakes(scene);
   say(scene.good
     ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`

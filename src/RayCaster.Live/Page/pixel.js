@@ -29,6 +29,11 @@ export function step(right, down) {
   return true;
 }
 
+/** Explains the nearest pixel if the picture has become too small for the explained one. */
+export function stayInside() {
+  if (chosen && (chosen[0] >= size.width || chosen[1] >= size.height)) step(0, 0);
+}
+
 on("explanation", message => {
   const pixel = message.pixel;
   if (!chosen || pixel.pixel.column !== chosen[0] || pixel.pixel.line !== chosen[1]) return; // it explains a pixel that was chosen before
@@ -67,7 +72,7 @@ function modelPart(model) {
     model.mesh ? make("p", {}, mesh(model.mesh)) : null, slabs(model.slabs), steps(model.steps), crossings(model));
   const details = part(`model ${model.index}`, "", model.slide, content, null, model.verdict === "shows");
   details.classList.add(model.verdict);
-  details.querySelector("summary").prepend(make("strong", {}, model.name), ` (${model.type}) ${verdicts[model.verdict]}: ${model.reason}.`);
+  details.querySelector("summary").prepend(make("strong", {}, model.name), ` (${model.type}): ${model.reason}.`);
   return details;
 }
 
