@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Runtime.CompilerServices;
 
 namespace RayCaster;
@@ -73,6 +74,9 @@ public readonly record struct Scalar(double Value) : IReal<Scalar>
     /// <inheritdoc/>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Scalar Select(Scalar mask, Scalar a, Scalar b) => mask.Value != 0 ? a : b;
+
+    /// <summary>The number itself.</summary>
+    public override string ToString() => Value.ToString(CultureInfo.InvariantCulture);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private static Scalar Mask(bool holds) => new(holds ? 1 : 0);

@@ -38,4 +38,7 @@ public readonly struct Vector3<N>(N x, N y, N z) where N : struct, IReal<N>
     /// <summary>Dot product.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static N operator *(Vector3<N> a, Vector3<N> b) => a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+
+    /// <summary>The coordinates, as in a scene file.</summary>
+    public override string ToString() => $"[{X}, {Y}, {Z}]";
 }

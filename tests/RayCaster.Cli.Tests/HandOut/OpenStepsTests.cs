@@ -17,6 +17,7 @@ public class OpenStepsTests
     {
         var readme = With(step => step is 3 or 9)["README.md"];
         Assert.Contains("\n\n**You write the steps 3, 9.** The others are written already", readme);
+        Assert.Contains("your program draws what they add, too: the pictures below of your steps lack it.\n\n## How to work", readme);
         Assert.Equal(["1", "2", "4", "5", "6", "7", "8", "10"], Numbers(readme, @"(?m)^## Step (\d+): .* \(done already\)$"));
         Assert.Contains("\n\n**You write step 7.** ", With(step => step == 7)["README.md"]);
     }

@@ -9,4 +9,11 @@ public class Vector3Tests
     [InlineData(0, 0, 0)]
     public void LengthSurvivesSquaresThatLeaveTheRangeOfADouble(double x, double y, double length) =>
         Assert.InRange(new Vector3(0, x, y).Length, length * (1 - 1e-15), length * (1 + 1e-15));
+
+    [Fact]
+    public void InAFormulaNumbersAndVectorsArePrintedAsInASceneFile()
+    {
+        Vector3<Scalar> L = new Vector3(0.5, -2, 1);
+        Assert.Equal("L = [0.5, -2, 1], L * L = 5.25", $"L = {L}, L * L = {L * L}");
+    }
 }
