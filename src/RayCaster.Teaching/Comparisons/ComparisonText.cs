@@ -90,10 +90,10 @@ public static class ComparisonText
     internal static string Part(int part, int whole) => $"{Number(part)} of {Count(whole, "pixel")} ({Share(part, whole)})";
 
     /// <summary>"1 pixel", "1,000 pixels".</summary>
-    internal static string Count(int number, string what) => $"{Number(number)} {what}{(number == 1 ? "" : "s")}";
+    internal static string Count(long number, string what) => $"{Number(number)} {what}{(number == 1 ? "" : "s")}";
 
     /// <summary>"1,000".</summary>
-    internal static string Number(int number) => number.ToString("N0", CultureInfo.InvariantCulture);
+    internal static string Number(long number) => number.ToString("N0", CultureInfo.InvariantCulture);
 
     /// <summary>A share in percent; "100 %" only for all, and "0 %" only for none.</summary>
     internal static string Share(int part, int whole)

@@ -28,7 +28,7 @@ internal static class LedgerTable
         var camera = ledger.Scene.Camera;
         var pixels = (long)camera.Width * camera.Height;
         var title = ledger.Rays == pixels
-            ? Invariant($"What became of {pixels:N0} rays, model by model:\n")
+            ? $"What became of {ComparisonText.Count(pixels, "ray")}, model by model:\n"
             : Invariant($"What became of the rays, model by model, judged from {ledger.Rays:N0} of {pixels:N0}:\n");
         if (ledger.Models.Count == 0) return title;
 

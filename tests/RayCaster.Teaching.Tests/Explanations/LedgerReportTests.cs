@@ -22,6 +22,10 @@ public class LedgerReportTests
     }
 
     [Fact]
+    public void OneRayIsNotSeveral() => Assert.StartsWith("What became of 1 ray, model by model:\n",
+        Report(new Camera(new(new(10, 0, 0), Vector3.Zero) { Width = 1, Height = 1 })));
+
+    [Fact]
     public void NothingOddIsSaidToo() =>
         Assert.EndsWith("Nothing odd: every model shows.\n", Report(new Camera(new(new(10, 0, 0), Vector3.Zero) { Width = 30, Height = 20 })));
 
