@@ -21,8 +21,8 @@ internal static partial class OpenSteps
             text = Heading().Replace(text, step => open.Contains(int.Parse(step.Groups["step"].Value)) ? step.Value : $"{step} (done already)");
             var steps = (open.Length == 1 ? "step " : "the steps ") + string.Join(", ", open);
             text = HowToWork().Replace(text, $"**You write {steps}.** The others are written already, and so marked below. Those of their tests " +
-                "that draw what you write fail until then. If later steps are written already, your program draws what they add, too: the pictures below " +
-                "of your steps lack it.\n\n$0");
+                "that draw what you write fail until then. If later steps are written already, your program draws what they add, too: " +
+                "the pictures below of your steps lack it.\n\n$0");
         }
         return OfEachStep().Replace(text, part => string.Concat(tested.Select(step => Of(step, part.Value))))
             .Replace("{runners}", string.Join(',', tested.Select(step => $"step{step}")))
