@@ -34,10 +34,12 @@ internal static class BoxMistakes
             .Or("box: t_min is the least way out, t_max the last way in",
                 Ordered("xyz", (t0, t1) => (Math.Max(t0, t1), Math.Min(t0, t1))) + Folded(Least, Greatest))
             .Or(Folds())
-            .Or(from turned in (int[])[4, 8, 12, 16, 32, 48]
-                select ($"box: asked axis by axis, with the other of min and max for {Names(turned)}", AxisByAxis(turned: turned)))
-            .Or(from copied in (int[])[8, 32, 12, 48, 40, 60]
-                select ($"box: asked axis by axis, after that of the axis alone was taken for {Names(copied)}", AxisByAxis(copied: copied)))
+            .Or(from order in Orders
+                from turned in (int[])[4, 8, 12, 16, 32, 48]
+                select ($"box: asked axis by axis{order.Is}, with the other of min and max for {Names(turned)}", AxisByAxis(order.Misses, turned: turned)))
+            .Or(from order in Orders.Skip(1)
+                from copied in (int[])[8, 32, 12, 48, 40, 60]
+                select ($"box: asked axis by axis{order.Is}, with that of the axis alone for {Names(copied)}", AxisByAxis(order.Misses, copied: copied)))
             .Or("box: t_min stays −∞", lab => lab.LastIn.Is((_, _, _) => -endless))
             .Or("box: t_max stays +∞", lab => lab.FirstOut.Is((_, _, _) => endless))
             .Or("box: t_min ≤ t_max is not asked", lab => lab.Overlap.Is((_, _) => true))
@@ -52,7 +54,11 @@ internal static class BoxMistakes
             .Or("box: the slab of y forgotten", Corners(box => new(box.Min with { Y = -endless }, box.Max with { Y = endless })))
             .Or(FaceSlips())
             .Or(AxisSlips())
-            .Or(from left in (int[])[1, 2, 4, 8, 16, 32, 12, 48, 60] select ($"box: asked axis by axis, without {Names(left)}", AxisByAxis(left))),
+            .Or(from left in (int[])[1, 2, 4, 8, 16, 32, 12, 48, 60]
+                select ($"box: asked axis by axis, without {Names(left)}", AxisByAxis(left: left)))
+            .Or(from order in Orders.Skip(1)
+                from left in (int[])[4, 8, 16, 32, 12, 48, 60]
+                select ($"box: asked axis by axis{order.Is}, without {Names(left)}", AxisByAxis(order.Misses, left))),
         new Mistake("slab-tmax", Concerns.Boxes, Slides.BoxTest, "box: t_max is returned, the way out",
             lab => lab.Box.Becomes(cross => (box, d) => new(cross(box, d).Far)),
             "Boxes look hollow and too dark: you see their far faces from inside.",
@@ -182,20 +188,32 @@ internal static class BoxMistakes
     /// <summary>Where t0 &gt; t1, one of both gets the other's value and the other stays.</summary>
     private static Action<Lab> Half(string axes, bool first) => Ordered(axes, (t0, t1) => t0 <= t1 ? (t0, t1) : first ? (t1, t1) : (t0, t0));
 
+    /// <summary>Whether a ray misses a box, from the way into and out of a slab, and from t_min and t_max with that slab in them.</summary>
+    private delegate bool Misses(double t0, double t1, double tMin, double tMax);
+
+    /// <summary>When it is asked whether the slabs overlap: all the same as long as t_min and t_max are right.</summary>
+    private static (string Is, Misses? Misses)[] Orders =>
+    [
+        ("", null),
+        (", t_min ≤ t_max last", (_, _, tMin, tMax) => tMin > tMax),
+        (", t0 ≤ t_max and t_min ≤ t1 last", (t0, t1, tMin, tMax) => t0 > tMax || tMin > t1),
+    ];
+
     /// <summary>The slide's way to ask: x first, then for y and for z whether they overlap with what there is, and what is left of it.</summary>
+    /// <param name="misses">What is asked after t_min and t_max; the slide's question before them if null.</param>
     /// <param name="left">Of these six steps those that are left out: bits 0 and 1 are the questions, 2 and 3 t_min, 4 and 5 t_max.</param>
     /// <param name="turned">Those of the last four that take the lesser for the greater, or the greater for the lesser.</param>
-    /// <param name="copied">Those of the last four that do not ask what there was before; then the questions come after them.</param>
-    private static Action<Lab> AxisByAxis(int left = 0, int turned = 0, int copied = 0) => lab => lab.Box.Is((box, d) =>
+    /// <param name="copied">Those of the last four that do not ask what there was before.</param>
+    private static Action<Lab> AxisByAxis(Misses? misses = null, int left = 0, int turned = 0, int copied = 0) => lab => lab.Box.Is((box, d) =>
     {
         var (tMin, tMax) = lab.Slab.Do(0, box, d);
         for (var axis = 1; axis < 3; axis++)
         {
             var (t0, t1) = lab.Slab.Do(axis, box, d);
-            if (copied == 0 && !Is(left, 1) && (tMin > t1 || t0 > tMax)) return None;
+            if (misses is null && !Is(left, 1) && (tMin > t1 || t0 > tMax)) return None;
             if (!Is(left, 4)) tMin = Is(copied, 4) ? t0 : Is(turned, 4) ? Math.Min(tMin, t0) : Math.Max(tMin, t0);
             if (!Is(left, 16)) tMax = Is(copied, 16) ? t1 : Is(turned, 16) ? Math.Max(tMax, t1) : Math.Min(tMax, t1);
-            if (copied != 0 && tMin > tMax) return None;
+            if (misses?.Invoke(t0, t1, tMin, tMax) == true) return None;
 
             bool Is(int steps, int step) => (steps >> axis - 1 & step) != 0;
         }

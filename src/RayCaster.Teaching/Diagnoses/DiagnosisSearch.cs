@@ -18,10 +18,10 @@ internal sealed class DiagnosisSearch(
 
     /// <summary>The share of the evidence that each round compares, and how many trials it has at least, of mistakes in other manners: few fit.
     /// </summary>
-    private static readonly (double Share, int Trials)[] mannerRounds = [(TrialRanking.Glance, int.MaxValue), (0.03, 40), (0.1, 12), (1, 3)];
+    private static readonly (double Share, int Trials)[] mannerRounds = [(0.03, 40), (0.1, 12), (1, 3)];
 
     /// <summary>How many manners are tried on top of one another, and how many wordings of each mistake are tried in them.</summary>
-    private const int Manners = 2, Slips = 16;
+    private const int Manners = 2, Slips = 48;
 
     /// <summary>How many of the nearest mistakes are also tried with rays through the other place of each pixel.</summary>
     private const int OtherSamples = 6;
@@ -51,8 +51,11 @@ internal sealed class DiagnosisSearch(
         var plain = Ranking.Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
         var (usual, everySingle) = NearestSingles();
         var singles = usual;
-        for (var (i, first) = (0, everySingle); i < Manners && !Ranking.IsCertain(singles); i++)
-            singles = Ranking.Sorted([.. singles, .. first = Ranking.Best(InManners([.. singles, .. first]), mannerRounds)]);
+        for (var (i, before) = (0, everySingle); i < Manners && !Ranking.IsCertain(singles); i++)
+        {
+            before = Ranking.Measured(InManners([.. singles, .. before]), TrialRanking.Glance); // one manner alone may be far off
+            singles = Ranking.Sorted([.. singles, .. Ranking.Best(before, mannerRounds)]);
+        }
         singles = WithoutIdle(singles);
         // A missing shape counts for little beside a mistake that changes everything, so it is sought even if the mistake explains most.
         var beside = Ranking.Best(
@@ -71,9 +74,8 @@ internal sealed class DiagnosisSearch(
         if (isDone && !Ranking.IsDone(plain)) return Ranking.Sorted(all);
 
         // Few wrong pixels beside what is missing may be all that shows of a mistake.
-        Unfinished[] ways = [.. Unfinished.ByColors(pictures, done).Take(Ways)];
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
-        var onTop = Ranking.Best([.. ways.SelectMany(way => Singles(way, samples))]);
+        var onTop = Ranking.Best([.. NearestWays(samples).SelectMany(way => Singles(way, samples))]);
         all.AddRange(onTop);
         if (isDone || Ranking.IsDone(all)) return Ranking.Sorted(all);
 
@@ -82,7 +84,7 @@ internal sealed class DiagnosisSearch(
             var best = Ranking.BestPairs(some);
             if (!Ranking.IsCertain(best)) best = Ranking.Sorted([.. best, .. Ranking.Best(Reworded(best, Besides))]);
             for (var i = 0; i < Manners && !Ranking.IsCertain(best); i++)
-                best = Ranking.Sorted([.. best, .. Ranking.Best(InManners(best), mannerRounds)]);
+                best = Ranking.Sorted([.. best, .. Ranking.Best(Ranking.Measured(InManners(best), TrialRanking.Glance), mannerRounds)]);
             all.AddRange(best);
             if (Ranking.IsCertain(all)) break;
         }
@@ -111,6 +113,15 @@ internal sealed class DiagnosisSearch(
         if (!Ranking.IsCertain(nearest) && Ranking.IsDone(nearest, Rewordable))
             nearest = Ranking.Sorted([.. nearest, .. Ranking.Best(Reworded(nearest, Besides))]);
         return (nearest, all);
+    }
+
+    /// <summary>The ways to be unfinished that are nearest with one mistake in its usual wording.</summary>
+    private IEnumerable<Unfinished> NearestWays(bool[] samples)
+    {
+        Unfinished[] ways = [.. Unfinished.ByColors(pictures, done)];
+        if (ways.Length <= Ways) return ways;
+        var trials = from way in ways from mistake in known where MayShow(mistake, way) select new WrongProgram(way, [mistake], samples[0]);
+        return Ranking.Measured([.. trials], TrialRanking.Glance).Select(trial => trial.Base).Distinct().Take(Ways);
     }
 
     /// <summary>The ranked trials with some more, also with one of their mistakes in another wording; the best first.</summary>

@@ -65,6 +65,9 @@ internal sealed partial class Lab
     /// <summary>The ways out of x, y and z → the one that counts.</summary>
     public Step<Func<double, double, double, double>> FirstOut => field ??= new(SlideFormulas.Least);
 
+    /// <summary>(t, d) → X, where each face is asked by itself.</summary>
+    public Step<Func<double, Vector3, Vector3>> FaceX => field ??= new((t, d) => P + t * d);
+
     /// <summary>(t_min, t_max) → whether the ray hits the box.</summary>
     public Step<Func<double, double, bool>> Overlap => field ??= new((tMin, tMax) => tMin <= tMax);
 
@@ -134,7 +137,7 @@ internal sealed partial class Lab
         {
             var (axis, (t0, t1)) = (face / 2, Faces.Do(face / 2, box, d));
             var t = face % 2 == 0 ? t0 : t1;
-            var X = P + t * d; // no number along a slab
+            var X = FaceX.Do(t, d); // no number along a slab
             if (IsBetween((axis + 1) % 3) && IsBetween((axis + 2) % 3)) (near, far) = (Math.Min(near, t), Math.Max(far, t));
 
             bool IsBetween(int other) => !faceAsks!(axis, other) || (box.Min.At(other) <= X.At(other) && X.At(other) <= box.Max.At(other));
@@ -171,6 +174,14 @@ internal sealed partial class Lab
         return Inside.Do(p * dc / determinant, d * pb / determinant) ? new(c * pb / determinant) : SlideFormulas.None;
     }
 
+    /// <summary>The same from n and (P − A) × d.</summary>
+    public Crossed TriangleByRay(Triangle triangle, Vector3 d)
+    {
+        var (b, c, p, n) = (triangle.B - triangle.A, triangle.C - triangle.A, P - triangle.A, NormalOf(triangle));
+        var q = Cross.Do(p, d);
+        return Inside.Do(-(q * c) / (d * n), q * b / (d * n)) ? new(-(n * p) / (d * n)) : SlideFormulas.None;
+    }
+
     /// <summary>The same as the hand-out has it: w, u and v are shares of the volumes that d spans with the corners seen from P.</summary>
     public Crossed TriangleByVolumes(Triangle triangle, Vector3 d, Vector3? from = null, Vector3? signs = null,
         Func<double, double, double, bool>? inside = null, bool tFromCorners = false)
@@ -187,13 +198,16 @@ internal sealed partial class Lab
 
     /// <summary>The areas of the triangles that X makes with the sides add up to the triangle's, where X is in it.</summary>
     /// <param name="slack">By how much the sum may be greater, as a share; null for not at all, nor less.</param>
-    public Crossed TriangleByAreas(Triangle triangle, Vector3 d, double? slack)
+    /// <param name="fromX">Whether each area is that between the ways from X to two corners, not between a side and the way to X.</param>
+    public Crossed TriangleByAreas(Triangle triangle, Vector3 d, double? slack, bool fromX = false)
     {
         var ((A, B, C), n) = ((triangle.A, triangle.B, triangle.C), NormalOf(triangle));
         var t = TriangleT.Do(A, n, d);
         if (slack is not null && !Counts(t, d)) return SlideFormulas.None;
         var X = TriangleX.Do(t, d);
-        var (sum, whole) = (Area(C - B, X - B) + Area(A - C, X - C) + Area(B - A, X - A), Length.Do(n));
+        var sum = fromX ? Area(B - X, C - X) + Area(C - X, A - X) + Area(A - X, B - X)
+            : Area(C - B, X - B) + Area(A - C, X - C) + Area(B - A, X - A);
+        var whole = Length.Do(n);
         return (slack is null ? sum == whole : sum <= (1 + slack) * whole) ? new(t) : SlideFormulas.None;
 
         double Area(Vector3 a, Vector3 b) => Length.Do(Cross.Do(a, b));

@@ -38,6 +38,11 @@ internal static class OriginMistakes
             .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))
             .Or("box: face by face, B0 / d and B1 / d without P, and X = P + t d",
                 BoxMistakes.Crossed("xyz", (lo, hi, _, d) => (lo / d, hi / d)) + (lab => lab.AskFaces()))
+            .Or("box: face by face, X = t d, without P", lab =>
+            {
+                lab.AskFaces();
+                lab.FaceX.Is((t, d) => t * d);
+            })
             .Or("box: B0 / d, without P", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => (lo / d, (hi - origin) / d)))
             .Or("box: B1 / d, without P", BoxMistakes.Crossed("xyz", (lo, hi, origin, d) => ((lo - origin) / d, hi / d)))
             .Or(from axis in (string[])["x", "y", "z"]

@@ -86,7 +86,13 @@ internal static class SphereMistakes
             .Or("sphere: thc doubled", lab => lab.Thc.Becomes(thc => thc2 => thc(thc2) * 2))
             .Or("sphere: thc = R − D", lab => lab.Thc2.Is((R, D2) => (R - Math.Sqrt(D2)) * (R - Math.Sqrt(D2))))
             .Or("sphere: (−b ∓ (b² − 4ac)) / 2a",
-                lab => lab.Solution.Is((a, b, D) => D < 0 && !lab.NeverPassesBy ? None : Around(-b / (2 * a), D / (2 * a)))),
+                lab => lab.Solution.Is((a, b, D) => D < 0 && !lab.NeverPassesBy ? None : Around(-b / (2 * a), D / (2 * a))))
+            .Or("sphere: q = −(b ± (b² − 4ac)) / 2, t = q / a and c / q", lab => lab.Solution.Is((a, b, D) =>
+            {
+                if (D < 0 && !lab.NeverPassesBy) return None;
+                var (q, c) = (-0.5 * (b > 0 ? b + D : b - D), (b * b - D) / (4 * a));
+                return q / a < c / q ? new(q / a, c / q) : new(c / q, q / a);
+            })),
         new Mistake("tca-only", Concerns.Spheres, Slides.Sphere, "sphere: t = tca, where the ray is nearest to the centre",
             lab => lab.Roots.Is((tca, _) => new(tca)),
             "Spheres look like flat discs, and stand too deep in what they touch.",

@@ -126,6 +126,9 @@ internal static class SurfaceMistakes
                     lab.TriangleIs((triangle, d) => lab.TriangleByVolumes(triangle, d, signs: volume.Signs)))))
             .Or("triangle: u ≥ 0 or v ≥ 0 where both are meant", TriangleWhere((u, v) => (u >= 0 || v >= 0) && u + v <= 1))
             .Or("triangle: u ≥ 0 and v ≥ 0, or u + v ≤ 1", TriangleWhere((u, v) => (u >= 0 && v >= 0) || u + v <= 1))
+            .Or("triangle: whether u and v have the same sign", TriangleWhere((u, v) => u < 0 == v < 0))
+            .Or("triangle: whether u and 1 − u − v have the same sign", TriangleWhere((u, v) => u < 0 == u + v > 1))
+            .Or("triangle: whether v and 1 − u − v have the same sign", TriangleWhere((u, v) => v < 0 == u + v > 1))
             .Or("triangle: |u| + |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) + Math.Abs(v) <= 1))
             .Or("triangle: |u| ≤ 1 and |v| ≤ 1", TriangleWhere((u, v) => Math.Abs(u) <= 1 && Math.Abs(v) <= 1))
             .Or("triangle: |u| ≤ 1, |v| ≤ 1, u + v ≤ 1", TriangleWhere((u, v) => Math.Abs(u) <= 1 && Math.Abs(v) <= 1 && u + v <= 1)),

@@ -41,10 +41,10 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
     }
 
     /// <summary>
-    /// The ways in which exactly the kinds are missing whose colours the picture does not show. A colour shows what is drawn, at any place; kinds
-    /// without a colour of their own may be drawn or not. Clipping may be the only missing part.
+    /// The ways in which only such kinds are missing whose colours the picture does not show: a colour shows what is drawn, at any place. The ways
+    /// without the most kinds come first. Clipping may be the only missing part.
     /// </summary>
-    /// <param name="pictures">The pictures of one program; a kind that the scenes' own pictures do not show does not count as missing.</param>
+    /// <param name="pictures">The pictures of one program.</param>
     public static IEnumerable<Unfinished> ByColors(IReadOnlyList<Evidence> pictures, IReadOnlyCollection<string> done)
     {
         var kinds = KindsOf(pictures);
@@ -54,13 +54,12 @@ internal sealed record Unfinished(IReadOnlyList<string> NotYet)
             Look(picture.Scene, picture.Right, kinds, expected);
             Look(picture.Scene, picture.Picture, kinds, seen);
         }
-        string[] missing = [.. kinds.Where((kind, i) => expected[i] > 0 && seen[i] <= expected[i] / 500 && !done.Contains(kind))];
-        string[] doubtful = [.. kinds.Where((kind, i) => expected[i] == 0 && !done.Contains(kind))];
-        return from more in Subsets(doubtful)
-               where missing.Length + more.Length < kinds.Length
+        string[] unseen = [.. kinds.Where((kind, i) => seen[i] <= expected[i] / 500 && !done.Contains(kind))];
+        return from missing in Subsets(unseen).Reverse()
+               where missing.Length < kinds.Length
                from rest in Rest(done)
-               where missing.Length + more.Length > 0 || rest.Contains(Clipping)
-               select new Unfinished([.. missing, .. more, .. rest]);
+               where missing.Length > 0 || rest.Contains(Clipping)
+               select new Unfinished([.. missing, .. rest]);
     }
 
     public static string[] KindsOf(IReadOnlyList<Evidence> pictures) =>

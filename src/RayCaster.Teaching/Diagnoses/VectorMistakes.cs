@@ -10,6 +10,7 @@ internal static class VectorMistakes
             "The more the camera looks up or down, the more the picture is zoomed in.",
             "How long is up × W where they are not perpendicular?",
             "U = (up × W) normalised.")
+            .In(ByInverse)
             .Or("U is normalised only after V = W × U",
                 lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.Cross.Do(lab.Camera.Up, w)) * V(w, u)))
             .Or("U is not normalised, but V is", Longer(false, lab => lab.Cross.Do(lab.Camera.Up, lab.W)))
@@ -20,6 +21,7 @@ internal static class VectorMistakes
             "Everything is drawn out, the more the farther the target is, or zFar has cut all of it away.",
             "The plane lies at distance |W| before the camera. How long is your W?",
             "W = −(T − P) normalised.")
+            .In(ByInverse)
             .Or("W is not normalised in d alone", LengthenW)
             .Or("W is not normalised in V alone", lab => lab.AxisV.Becomes(V => (w, u) => lab.Length.Do(lab.T - lab.P) * V(w, u)))
             .Or("h and w are those at the target, while W is normalised",
@@ -70,6 +72,7 @@ internal static class VectorMistakes
             .Or("the same, with 2 · |T − P| for |2 (T − P)|", SquareLength + DoubleReach + RightAxes + AllowAnyLength)
             .Or("a vector is normalised by x² + y² + z²", Unit(a => a / (a * a)))
             .Or("the same, while zNear and zFar are measured along (T − P) / |T − P|", Unit(a => a / (a * a)) + RightDepth)
+            .Or("the same, but not in the camera's axes", Unit(a => a / (a * a)) + RightAxes)
             .Or(from part in Parts select ($"{part.Name} forgotten in the length", Length(a => part.Of(Vector3.Zero, a).Length)))
             .Or(from k in (int[])[0, 1, 2]
                 select ($"|a| with {"xyz"[k]} for {"xyz"[k]}²", Length(a => Math.Sqrt(a * a - a.At(k) * a.At(k) + a.At(k)))))
@@ -120,6 +123,7 @@ internal static class VectorMistakes
             "d = (uc U + ur V − W) normalised.")
             .Or("d = ux U + uy V − W / tan(fovY / 2), not normalised", LeaveDirection + AssumeUnitLength + Zoom)
             .Or("d not normalised, while the sphere takes d·d = 1 and the light fades with |X − P|", LeaveDirection + AssumeUnitLength + ByLength)
+            .Or("d not normalised, while the sphere takes d·d = 1 and D = L − tca d", LeaveDirection + FromTheRay)
             .In(Lengths),
         new Mistake("cross-x", Concerns.Camera, Slides.Vectors, "the cross product's x has the wrong sign",
             Product((_, _, n) => n with { X = -n.X }) + ByCross[0].Deviate,
@@ -173,13 +177,14 @@ internal static class VectorMistakes
     private static (string, Action<Lab>)[] Lengths =>
     [
         ("the sphere takes d·d = 1", AssumeUnitLength),
-        ("the sphere takes d·d = 1 and D = L − tca d", lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d, fromTheRay: true))),
+        ("the sphere takes d·d = 1 and D = L − tca d", FromTheRay),
         ("the sphere takes d·d = 1 and D² = L² (1 − cos²), not below 0", AssumeUnitLength + (lab =>
             lab.D2.Becomes(D2 => (L2, tca) => Math.Max(0, D2(L2, tca))))),
         ("circles ask |X − C| ≤ R with it", SurfaceMistakes.CircleWhere((lab, circle, X) => lab.Length.Do(X - circle.Center) <= circle.Radius)),
         ("circles count along two axes of their own", InCircleAxes(turned: false)),
         ("the light fades with |X − P|", ByLength),
         ("zNear and zFar measure |X − P|", ClipByLength),
+        ByInverse,
     ];
 
     /// <summary>Circles ask x² + y² ≤ R² along two axes in their plane, made with the cross product.</summary>
@@ -221,6 +226,12 @@ internal static class VectorMistakes
     /// <summary>The slide's geometric formula for d·d = 1, with any d: the same as the analytic one with a = 1.</summary>
     private static Action<Lab> AssumeUnitLength => lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d));
 
+    private static Action<Lab> FromTheRay => lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d, fromTheRay: true));
+
+    /// <summary>d by the inverse of the matrix with the rows U, V and W: another right way if these are perpendicular and of length 1.</summary>
+    internal static (string Cause, Action<Lab> Deviate) ByInverse => ("d is made by the inverse of the matrix with the rows U, V and W", lab =>
+        lab.Towards.Is((uc, ur) => (uc * (lab.V % lab.W) + ur * (lab.W % lab.U) - lab.U % lab.V) / (lab.U % lab.V * lab.W)));
+
     /// <summary>A component with other letters, with other signs, or with a term forgotten.</summary>
     private static IEnumerable<(string, Action<Lab>)> CrossWordings(int own, string usual)
     {
@@ -242,7 +253,7 @@ internal static class VectorMistakes
                select ($"{signs.First} · a{axes[i]} b{axes[k]} + {signs.Last} · a{axes[k]} b{axes[i]}",
                    (Func<Vector3, Vector3, double>)((a, b) => signs.First * a.At(i) * b.At(k) + signs.Last * a.At(k) * b.At(i))),
         ];
-        return from way in Enumerable.Range(0, 9) // so that of those that draw the same each slip comes once before it comes again
+        return from way in Enumerable.Range(0, 12) // so that of those that draw the same each slip comes once before it comes again
                from slip in slips
                where way > 0 || slip.Is != usual
                select Crosses($"{axes[own]} is {slip.Is}", (a, b, n) => slip.Of(a, b) is var c ? Parts[own].Of(new(c, c, c), n) : n)[way];
@@ -253,17 +264,21 @@ internal static class VectorMistakes
     private static (string, Action<Lab>)[] Crosses(string which, Func<Vector3, Vector3, Vector3, Vector3> other)
     {
         var wrong = Product(other);
+        var forwards = wrong + (lab =>
+        {
+            lab.AxisU.Is((up, w) => lab.Unit.Do(lab.Cross.Do(-w, up)));
+            lab.AxisV.Is((w, u) => lab.Cross.Do(u, -w));
+        });
         return
         [
             ($"the cross product's {which}", wrong + ByCross[0].Deviate),
             ($"the cross product's {which}, but triangles do without it", wrong),
-            ($"the cross product's {which}; U = (T − P) × up, V = U × (T − P)", wrong + (lab =>
-            {
-                lab.AxisU.Is((up, w) => lab.Unit.Do(lab.Cross.Do(-w, up)));
-                lab.AxisV.Is((w, u) => lab.Cross.Do(u, -w));
-            })),
+            ($"the cross product's {which}; U = (T − P) × up, V = U × (T − P)", forwards),
+            ($"the cross product's {which}; the same, and {ByInverse.Cause}", forwards + ByInverse.Deviate),
+            ($"the cross product's {which}; {ByInverse.Cause}", wrong + ByInverse.Deviate),
             ($"the cross product's {which}; V is up without its part along W, U = V × W", wrong + ProjectUp),
             ($"the cross product's {which}; the camera turned by two angles, from axes made with it", wrong + TurnByAngles),
+            ($"the cross product's {which}; the camera turned by yaw and pitch, and rolled by an angle made with it", wrong + Roll),
             .. from manner in ByCross.Take(4)
                select ($"the cross product's {which}, not in the camera; {manner.Cause}", wrong + RightAxes + manner.Deviate),
         ];
@@ -283,6 +298,9 @@ internal static class VectorMistakes
         ("triangles compare volumes and take t from them", Triangles((lab, triangle, d) => lab.TriangleByVolumes(triangle, d, tFromCorners: true))),
         ("triangles compare determinants", Triangles((lab, triangle, d) => lab.TriangleByDeterminants(triangle, d))),
         ("triangles compare areas", ByAreas),
+        ("triangles compare areas seen from X", Triangles((lab, triangle, d) => lab.TriangleByAreas(triangle, d, 1e-9, fromX: true))),
+        ("triangles take n and (P − A) × d", Triangles((lab, triangle, d) => lab.TriangleByRay(triangle, d))),
+        ByInverse,
         ("triangles compare sides", Triangles((lab, triangle, d) => lab.TriangleBySides(triangle, d, byNormal: false))),
         ("triangles compare sides with n", Triangles((lab, triangle, d) => lab.TriangleBySides(triangle, d, byNormal: true))),
         ("triangles are asked in two of x, y and z", Triangles((lab, triangle, d) => lab.TriangleFlattened(triangle, d))),
@@ -309,6 +327,20 @@ internal static class VectorMistakes
         lab.AxisW.Is(_ => -(Math.Cos(pitch) * level + Math.Sin(pitch) * up));
         lab.AxisU.Is((_, _) => Math.Sin(yaw) * x - Math.Cos(yaw) * y);
         lab.AxisV.Is((_, _) => Math.Cos(pitch) * up - Math.Sin(pitch) * level);
+    }
+
+    /// <summary>V from yaw and pitch by a cross product, then U and V turned by the roll: another way to the same axes.</summary>
+    private static void Roll(Lab lab)
+    {
+        var (f, up) = (lab.T - lab.P, lab.Camera.Up);
+        var (yaw, pitch) = (Math.Atan2(f.Y, f.X), Math.Atan2(f.Z, Math.Sqrt(f.X * f.X + f.Y * f.Y)));
+        Vector3 forward = new(Math.Cos(pitch) * Math.Cos(yaw), Math.Cos(pitch) * Math.Sin(yaw), Math.Sin(pitch));
+        Vector3 right = new(Math.Sin(yaw), -Math.Cos(yaw), 0);
+        var above = lab.Cross.Do(right, forward);
+        var roll = Math.Atan2(up * right, up * above);
+        lab.AxisW.Is(_ => -forward);
+        lab.AxisU.Is((_, _) => Math.Cos(roll) * right - Math.Sin(roll) * above);
+        lab.AxisV.Is((_, _) => Math.Sin(roll) * right + Math.Cos(roll) * above);
     }
 
     /// <summary>The camera's axes without the wrong cross product or length.</summary>

@@ -194,6 +194,21 @@ public class DiagnosisTests
     }
 
     [Fact]
+    public void OneColourIsNamedIfItsLightIsThatOfAMistake()
+    {
+        var floor = new Scene(new Camera(new(new(0, -5, 2), new(0, 0, -2)) { Width = 60, Height = 40 }),
+            [new Model<Plane>(new(new(0, 0, -2), new(0, 0, 1))) { Color = new(0.9, 0.5, 0.2) }]);
+        var corner = MistakeCatalog.Draw(floor, [MistakeCatalog.Named("pix-int")!]);
+        Assert.True(corner.IsOneColor);
+        Assert.Equal("pix-int", Diagnosis.Of(floor, corner).Suspects[0].Mistakes.Single().Id);
+
+        Array.Fill(corner.Rgb, (byte)77);
+        var grey = Diagnosis.Of(floor, corner);
+        Assert.Equal((Finding.TellsNothing, 0), (grey.Finding, grey.Suspects.Count));
+        Assert.StartsWith("Every pixel has the same colour, (77, 77, 77)", Assert.Single(grey.Likely));
+    }
+
+    [Fact]
     public void AFlatWhitePictureTellsNothing()
     {
         var white = Planted("att-none");
