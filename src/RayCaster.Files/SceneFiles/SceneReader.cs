@@ -70,7 +70,7 @@ public static class SceneReader
     internal static Scene? ReadScene(SceneObject o)
     {
         o.Text("$schema", "Where editors find the schema of scene files; the program does not use it.", false);
-        var camera = o.Object("camera", "The camera: where the picture is taken from.") is { } c ? ReadCamera(c) : null;
+        var camera = o.Object("camera", "Where the picture is taken from, and how wide it looks.") is { } c ? ReadCamera(c) : null;
         var background = o.Color("background", "The colour of a pixel whose ray hits nothing.", Color.Black);
         var models = new List<Model>();
         foreach (var element in o.Objects("models", "What the world holds, an array of models; of two at the same distance the first shows."))

@@ -283,7 +283,7 @@ public sealed class Diagnosis
     /// </summary>
     private bool IsAll(Mistake mistake, Evidence strict) => (mistake.Concerns & Concerns.Camera) == 0
         && mistake.Wordings.Any(wording => ((double[])[0.1, 1]).All(share =>
-            strict.Misfit(new Lab(prepared.Scene, wording), share).Unexplained <= Explained * strict.WrongCount));
+            strict.Misfit(new Lab(prepared.Scene, wording), share).Unexplained <= Foreign * strict.WrongCount));
 
     private Suspect AsSuspect(WrongProgram trial, Lab likeliest)
     {

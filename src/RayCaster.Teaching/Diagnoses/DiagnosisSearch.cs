@@ -21,7 +21,7 @@ internal sealed class DiagnosisSearch(
     private static readonly (double Share, int Trials)[] mannerRounds = [(0.03, 40), (0.1, 12), (1, 3)];
 
     /// <summary>How many manners are tried on top of one another, and how many wordings of each mistake are tried in them.</summary>
-    private const int Manners = 2, Slips = 48;
+    private const int Manners = 2, Slips = 60;
 
     /// <summary>How many of the nearest mistakes are also tried with rays through the other place of each pixel.</summary>
     private const int OtherSamples = 6;
@@ -50,10 +50,11 @@ internal sealed class DiagnosisSearch(
         Unfinished[] unfinished = [.. Unfinished.Ways(pictures, done)];
         var plain = Ranking.Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
         var (usual, everySingle) = NearestSingles();
-        var singles = usual;
+        var (singles, inManners) = (usual, new List<WrongProgram>());
         for (var (i, before) = (0, everySingle); i < Manners && !Ranking.IsCertain(singles); i++)
         {
             before = Ranking.Measured(InManners([.. singles, .. before]), TrialRanking.Glance); // one manner alone may be far off
+            inManners.AddRange(before);
             singles = Ranking.Sorted([.. singles, .. Ranking.Best(before, mannerRounds)]);
         }
         singles = WithoutIdle(singles);
@@ -68,7 +69,7 @@ internal sealed class DiagnosisSearch(
         List<WrongProgram> all = [.. plain, .. singles, .. beside];
         if (Ranking.IsCertain([.. all.Where(trial => !trial.Base.Kinds.Any())]) || Ranking.IsDone(all, Nearly)) return Ranking.Sorted(all);
 
-        var pairs = new PairSearch(pictures, known, Ranking, everySingle);
+        var pairs = new PairSearch(pictures, known, Ranking, everySingle, inManners);
         var isDone = Ranking.IsDone(all);
         if (isDone) all.AddRange(Ranking.BestPairs(pairs.WithNearest([.. Ranking.Sorted(all).SelectMany(Written)], 2)));
         if (isDone && !Ranking.IsDone(plain)) return Ranking.Sorted(all);
@@ -169,7 +170,7 @@ internal sealed class DiagnosisSearch(
     private static List<WrongProgram> InManners(List<WrongProgram> trials) =>
     [
         .. from same in trials.GroupBy(trial => trial.Id)
-           from trial in same.DistinctBy(trial => (trial.Wordings[0], trial.Wordings[^1])).Take(Slips)
+           from trial in same.DistinctBy(trial => (trial.Wordings[0], trial.Wordings[^1], trial.OtherSample)).Take(Slips)
            from place in Enumerable.Range(0, trial.Wordings.Count)
            from wording in MistakeCatalog.Named(trial.Wordings[place].Id)!.InManners(trial.Wordings[place])
            select trial.With(place, wording),

@@ -4,8 +4,9 @@ namespace RayCaster.Teaching;
 
 /// <summary>Finds the pairs of mistakes that are worth a close look: some hundreds of the millions that there are.</summary>
 /// <param name="everySingle">Every single mistake of a finished program, the best first.</param>
+/// <param name="inManners">Some of them in other manners.</param>
 internal sealed class PairSearch(
-    IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, TrialRanking ranking, List<WrongProgram> everySingle)
+    IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, TrialRanking ranking, List<WrongProgram> everySingle, List<WrongProgram> inManners)
 {
     /// <summary>How many single mistakes are tried together with every other: of a finished program at first and at last, and of an unfinished one.
     /// </summary>
@@ -80,7 +81,8 @@ internal sealed class PairSearch(
     private List<WrongProgram> NearestByColors()
     {
         var byColors = pictures.Select(picture => picture.ByColors()).ToArray();
-        return ranking.Measured(ranking.Measured(everySingle, TrialRanking.Glance, byColors)[..(everySingle.Count / 8)], 0.05, byColors);
+        var glanced = ranking.Measured([.. everySingle, .. inManners], TrialRanking.Glance, byColors);
+        return ranking.Measured(glanced[..(everySingle.Count / 8)], 0.05, byColors);
     }
 
     /// <summary>All pairs of some single mistakes, because neither of the two may be near alone.</summary>
