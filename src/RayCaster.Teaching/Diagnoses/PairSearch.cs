@@ -19,6 +19,9 @@ internal sealed class PairSearch(
     /// pairs.</summary>
     private const int Seconds = 8, Closer = 100;
 
+    /// <summary>How many wordings of each mistake are tried with all others.</summary>
+    private const int MostAlike = 24;
+
     private static readonly Mistake center = MistakeCatalog.Named("center")!;
 
     private List<WrongProgram>? nearestByColors; // of every single mistake, for all rounds of pairs
@@ -34,7 +37,7 @@ internal sealed class PairSearch(
         foreach (var shape in shapes) yield return AllPairs([.. everySingle.Where(single => ChangedShapes(single) == shape)]);
         // Of the camera's hundreds of wordings most draw what others do. Elsewhere two that draw all black may differ beside a second mistake.
         yield return AllPairs([.. everySingle.Where(IsOfAll).DistinctBy(single => single.Wordings[0] is { Concerns: Concerns.Camera } wording
-            ? (wording.Id, single.Misfit) : (single.Wordings[0].Cause, default))]);
+            ? (wording.Id, single.Misfit) : (single.Wordings[0].Cause, default)).GroupBy(single => single.Id).SelectMany(same => same.Take(MostAlike))]);
         yield return Of(Firsts(singles, MorePartners).Except(firsts));
     }
 
