@@ -29,7 +29,8 @@ on("scene", message => {
     setSize(scene.shownWidth, scene.shownHeight);
     stayInside();
   }
-  const smaller = scene.shownWidth !== scene.width || scene.shownHeight !== scene.height ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
+  const isSmaller = scene.shownWidth !== scene.width || scene.shownHeight !== scene.height;
+  const smaller = isSmaller ? `, shown as ${scene.shownWidth} × ${scene.shownHeight}` : "";
   const errors = mistakes(scene);
   say(scene.good
     ? `Up to date: ${scene.width} × ${scene.height} pixels${smaller}, ${count(scene.modelCount, "model")}.`

@@ -60,7 +60,7 @@ internal static class AxisMistakes
             "A tilted camera shows everything stretched upwards, and shifted.",
             "Which angle do V and W have where the camera looks down?",
             "V = W × U.")
-            .In(VectorMistakes.ByInverse)
+            .In(CameraWays.ByInverse)
             .Or("V = −up", lab => lab.AxisV.Is((w, u) => -lab.Unit.Do(lab.Camera.Up)))
             .Or("V = up, not normalised", lab => lab.AxisV.Is((w, u) => lab.Camera.Up))
             .Or("V = (0, 0, 1)", lab => lab.AxisV.Is((w, u) => new(0, 0, 1)))

@@ -36,10 +36,12 @@ internal static class BoxMistakes
             .Or(Folds())
             .Or(from order in Orders
                 from turned in (int[])[4, 8, 12, 16, 32, 48]
-                select ($"box: asked axis by axis{order.Is}, with the other of min and max for {Names(turned)}", AxisByAxis(order.Misses, turned: turned)))
+                select ($"box: asked axis by axis{order.Is}, with the other of min and max for {Names(turned)}",
+                    AxisByAxis(order.Misses, turned: turned)))
             .Or(from order in Orders.Skip(1)
                 from copied in (int[])[8, 32, 12, 48, 40, 60]
-                select ($"box: asked axis by axis{order.Is}, with that of the axis alone for {Names(copied)}", AxisByAxis(order.Misses, copied: copied)))
+                select ($"box: asked axis by axis{order.Is}, with that of the axis alone for {Names(copied)}",
+                    AxisByAxis(order.Misses, copied: copied)))
             .Or("box: t_min stays −∞", lab => lab.LastIn.Is((_, _, _) => -endless))
             .Or("box: t_max stays +∞", lab => lab.FirstOut.Is((_, _, _) => endless))
             .Or("box: t_min ≤ t_max is not asked", lab => lab.Overlap.Is((_, _) => true))

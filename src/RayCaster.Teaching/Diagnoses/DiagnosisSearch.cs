@@ -48,7 +48,8 @@ internal sealed class DiagnosisSearch(
     public List<WrongProgram> Run()
     {
         Unfinished[] unfinished = [.. Unfinished.Ways(pictures, done)];
-        var plain = Ranking.Best([.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
+        var plain = Ranking.Best(
+            [.. from way in unfinished from otherSample in (bool[])[false, true] select new WrongProgram(way, [], otherSample)]);
         var (usual, everySingle) = NearestSingles();
         var (singles, inManners) = (usual, new List<WrongProgram>());
         for (var (i, before) = (0, everySingle); i < Manners && !Ranking.IsCertain(singles); i++)

@@ -6,7 +6,8 @@ namespace RayCaster.Teaching;
 /// <param name="everySingle">Every single mistake of a finished program, the best first.</param>
 /// <param name="inManners">Some of them in other manners.</param>
 internal sealed class PairSearch(
-    IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, TrialRanking ranking, List<WrongProgram> everySingle, List<WrongProgram> inManners)
+    IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, TrialRanking ranking,
+    List<WrongProgram> everySingle, List<WrongProgram> inManners)
 {
     /// <summary>How many single mistakes are tried together with every other: of a finished program at first and at last, and of an unfinished one.
     /// </summary>
@@ -36,8 +37,9 @@ internal sealed class PairSearch(
         var shapes = Firsts(singles, Formulas).Select(ChangedShapes).Distinct().Where(shape => BitOperations.IsPow2((int)shape));
         foreach (var shape in shapes) yield return AllPairs([.. everySingle.Where(single => ChangedShapes(single) == shape)]);
         // Of the camera's hundreds of wordings most draw what others do. Elsewhere two that draw all black may differ beside a second mistake.
-        yield return AllPairs([.. everySingle.Where(IsOfAll).DistinctBy(single => single.Wordings[0] is { Concerns: Concerns.Camera } wording
-            ? (wording.Id, single.Misfit) : (single.Wordings[0].Cause, default)).GroupBy(single => single.Id).SelectMany(same => same.Take(MostAlike))]);
+        var others = everySingle.Where(IsOfAll).DistinctBy(single => single.Wordings[0] is { Concerns: Concerns.Camera } wording
+            ? (wording.Id, single.Misfit) : (single.Wordings[0].Cause, default));
+        yield return AllPairs([.. others.GroupBy(single => single.Id).SelectMany(same => same.Take(MostAlike))]);
         yield return Of(Firsts(singles, MorePartners).Except(firsts));
     }
 

@@ -54,6 +54,7 @@ public class DiagnosisTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // no mistake explains it, so pairs are tried, too, which takes seconds
     public void AFewPixelsThatNobodyWouldSeeThereDoNotMatch()
     {
         var picture = ScalarRenderer.Render(scene);

@@ -28,6 +28,7 @@ public class LikelyCauseTests
     }
 
     [Fact]
+    [Trait("kind", "campaign")] // no mistake explains it, so pairs are tried, too, which takes seconds
     public void AModelsOtherColorIsNamed()
     {
         var ball = Model.Of(((Model<Sphere>)room.Models[5]).Primitive);
