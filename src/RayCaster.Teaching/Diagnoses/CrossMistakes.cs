@@ -60,7 +60,9 @@ internal static class CrossMistakes
         return from way in Enumerable.Range(0, 12) // so that of those that draw the same each slip comes once before it comes again
                from slip in slips
                where way > 0 || slip.Is != usual
-               select Crosses($"{axes[own]} is {slip.Is}", (a, b, n) => slip.Of(a, b) is var c ? VectorMistakes.Parts[own].Of(new(c, c, c), n) : n)[way];
+               select Crosses($"{axes[own]} is {slip.Is}", (a, b, n) => WithOwn(slip.Of(a, b), n))[way];
+
+        Vector3 WithOwn(double component, Vector3 n) => VectorMistakes.Parts[own].Of(new(component, component, component), n);
     }
 
     /// <summary>Another cross product, from a, b and a × b: in the slide's formulas, in the camera alone, in each way to the camera's axes that uses
