@@ -21,7 +21,7 @@ internal sealed class DiagnosisSearch(
     private static readonly (double Share, int Trials)[] mannerRounds = [(0.03, 40), (0.1, 12), (1, 3)];
 
     /// <summary>How many manners are tried on top of one another, and how many wordings of each mistake are tried in them.</summary>
-    private const int Manners = 2, Slips = 60;
+    private const int Manners = 2, Slips = 24;
 
     /// <summary>How many of the nearest mistakes are also tried with rays through the other place of each pixel.</summary>
     private const int OtherSamples = 6;

@@ -9,9 +9,9 @@ internal sealed class PairSearch(
     IReadOnlyList<Evidence> pictures, IReadOnlyList<Mistake> known, TrialRanking ranking,
     List<WrongProgram> everySingle, List<WrongProgram> inManners)
 {
-    /// <summary>How many single mistakes are tried together with every other: of a finished program at first and at last, and of an unfinished one.
-    /// </summary>
-    private const int Partners = 10, MorePartners = 30, UnfinishedPartners = 4;
+    /// <summary>How many single mistakes are tried together with every other: of a finished program at first, at last if there is one picture only,
+    /// and of an unfinished one.</summary>
+    private const int Partners = 10, MorePartners = 20, UnfinishedPartners = 4;
 
     /// <summary>For how many of the nearest mistakes the formula that they change is taken to have a second one.</summary>
     private const int Formulas = 6;
@@ -40,7 +40,7 @@ internal sealed class PairSearch(
         var others = everySingle.Where(IsOfAll).DistinctBy(single => single.Wordings[0] is { Concerns: Concerns.Camera } wording
             ? (wording.Id, single.Misfit) : (single.Wordings[0].Cause, default));
         yield return AllPairs([.. others.GroupBy(single => single.Id).SelectMany(same => same.Take(MostAlike))]);
-        yield return Of(Firsts(singles, MorePartners).Except(firsts));
+        if (pictures.Count == 1) yield return Of(Firsts(singles, MorePartners).Except(firsts));
     }
 
     /// <summary>The shapes whose formulas a mistake changes; none if it changes whole pictures.</summary>
