@@ -3,38 +3,34 @@ namespace RayCaster.Teaching;
 /// <summary>In the cross product.</summary>
 internal static class CrossMistakes
 {
-    public static Mistake OfY => new Mistake("cross-y", Concerns.Camera, Slides.Vectors, "the cross product's y has the wrong sign",
-        Product((_, _, n) => n with { Y = -n.Y }) + ByCross[0].Deviate,
+    public static Mistake OfY => Of("cross-y", 1, "ax bz − az bx", "the cross product's y has the wrong sign", (_, _, n) => n with { Y = -n.Y },
         "The picture is turned or skewed, and triangles are torn.",
-        "What is (0, 0, 1) × (1, 0, 0)?",
-        "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-        .In(ByCross)
-        .Or(CrossWordings(1, "ax bz − az bx"))
+        "What is (0, 0, 1) × (1, 0, 0)?")
         .Or(Crosses("y and z are swapped", (_, _, n) => new(n.X, n.Z, n.Y)))
         .Or(Crosses("components have + for −", (a, b, n) => n + 2 * new Vector3(a.Z * b.Y, a.X * b.Z, a.Y * b.X)))
         .Or(Crosses("y and z have the wrong sign", (_, _, n) => new(n.X, -n.Y, -n.Z)));
 
-    public static Mistake OfZ => new Mistake("cross-z", Concerns.Camera, Slides.Vectors, "the cross product's z is ax by − ay by",
-        Product((a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y }) + ByCross[0].Deviate,
+    public static Mistake OfZ => Of("cross-z", 2, "ax by − ay by", "the cross product's z is ax by − ay by",
+        (a, b, n) => n with { Z = a.X * b.Y - a.Y * b.Y },
         "The picture is skewed, and triangles are torn.",
-        "What is (1, 2, 0) × (3, 5, 0)?",
-        "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-        .In(ByCross)
-        .Or(CrossWordings(2, "ax by − ay by"))
+        "What is (1, 2, 0) × (3, 5, 0)?")
         .Or(Crosses("x and z are swapped", (_, _, n) => new(n.Z, n.Y, n.X)))
         .Or(Crosses("x and z have the wrong sign", (_, _, n) => new(-n.X, n.Y, -n.Z)));
 
-    public static Mistake OfX => new Mistake("cross-x", Concerns.Camera, Slides.Vectors, "the cross product's x has the wrong sign",
-        Product((_, _, n) => n with { X = -n.X }) + ByCross[0].Deviate,
+    public static Mistake OfX => Of("cross-x", 0, "az by − ay bz", "the cross product's x has the wrong sign", (_, _, n) => n with { X = -n.X },
         "The picture is mirrored, turned or skewed, and triangles are torn.",
-        "What is (0, 1, 0) × (0, 0, 1)?",
-        "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).")
-        .In(ByCross)
-        .Or(CrossWordings(0, "az by − ay bz"))
+        "What is (0, 1, 0) × (0, 0, 1)?")
         .Or(Crosses("x and y are swapped", (_, _, n) => new(n.Y, n.X, n.Z)))
         .Or(Crosses("x and y have the wrong sign", (_, _, n) => new(-n.X, -n.Y, n.Z)))
         .Or(Crosses("components have moved on by one place", (_, _, n) => new(n.Y, n.Z, n.X)))
         .Or(Crosses("components have moved back by one place", (_, _, n) => new(n.Z, n.X, n.Y)));
+
+    /// <summary>A mistake in one component, with that component's other wordings.</summary>
+    /// <param name="usual">The component as it is in the first wording.</param>
+    private static Mistake Of(string id, int own, string usual, string cause, Func<Vector3, Vector3, Vector3, Vector3> other,
+        string symptom, string question) =>
+        new Mistake(id, Concerns.Camera, Slides.Vectors, cause, Product(other) + ByCross[0].Deviate, symptom, question,
+            "a × b = (ay bz − az by, az bx − ax bz, ax by − ay bx).").In(ByCross).Or(CrossWordings(own, usual));
 
     /// <summary>A component with other letters, with other signs, or with a term forgotten.</summary>
     private static IEnumerable<(string, Action<Lab>)> CrossWordings(int own, string usual)

@@ -35,8 +35,6 @@ internal sealed class DiagnosisSearch(
     /// <summary>Mistakes that come after others that draw the same picture, because fewer people make them.</summary>
     private static readonly string[] rare = ["v-cross", "clip-root", "znear-t", "zfar-t"];
 
-    private static readonly Mistake center = MistakeCatalog.Named("center")!;
-
     private readonly Mistake[] known = [.. known.OrderBy(mistake => rare.Contains(mistake.Id))];
 
     private readonly string[] kinds = Unfinished.KindsOf(pictures);
@@ -109,7 +107,8 @@ internal sealed class DiagnosisSearch(
         }
         if (!mayBeOtherSample)
         {
-            var other = nearest.Where(single => single.Id != center.Id).Take(OtherSamples).Select(single => single with { OtherSample = true });
+            var other = nearest.Where(single => single.Id != WrongProgram.Center.Id).Take(OtherSamples)
+                .Select(single => single with { OtherSample = true });
             nearest = Ranking.Sorted([.. nearest, .. Ranking.Best([.. other])]);
         }
         if (!Ranking.IsCertain(nearest) && Ranking.IsDone(nearest, Rewordable))
@@ -131,7 +130,8 @@ internal sealed class DiagnosisSearch(
         Ranking.Sorted([.. ranked, .. Ranking.Measured(trials, 1), .. Ranking.Best(Reworded(trials, trials.Count))]);
 
     /// <summary>Whether rays through the other place of each pixel explain so much alone that they are tried with every mistake.</summary>
-    private bool MayBeOtherSample() => Ranking.Measure(new(Unfinished.Nothing, [center], false), 0.05).Unexplained < 0.9 * Ranking.Wrong;
+    private bool MayBeOtherSample() =>
+        Ranking.Measure(new(Unfinished.Nothing, [WrongProgram.Center], false), 0.05).Unexplained < 0.9 * Ranking.Wrong;
 
     /// <summary>A trial, and before it the same with nothing missing: a shape may be misplaced by a second mistake, or clipping wrong.</summary>
     private static WrongProgram[] Written(WrongProgram trial) =>
@@ -142,7 +142,7 @@ internal sealed class DiagnosisSearch(
         .. from mistake in known
            where MayShow(mistake, way)
            from wording in mistake.Wordings
-           from otherSample in mistake == center ? (bool[])[false] : samples
+           from otherSample in mistake == WrongProgram.Center ? (bool[])[false] : samples
            select new WrongProgram(way, [wording], otherSample),
     ];
 
@@ -153,7 +153,7 @@ internal sealed class DiagnosisSearch(
     /// <summary>Drops trials with rays through the other place of each pixel that explain no more than these rays alone.</summary>
     private static List<WrongProgram> WithoutIdle(List<WrongProgram> singles)
     {
-        if (singles.Find(trial => trial.Id == center.Id) is not { } alone) return singles;
+        if (singles.Find(trial => trial.Id == WrongProgram.Center.Id) is not { } alone) return singles;
         return [.. singles.Where(trial => !trial.OtherSample || trial.Misfit.Unexplained < 0.9 * alone.Misfit.Unexplained)];
     }
 

@@ -23,8 +23,6 @@ internal sealed class PairSearch(
     /// <summary>How many wordings of each mistake are tried with all others.</summary>
     private const int MostAlike = 24;
 
-    private static readonly Mistake center = MistakeCatalog.Named("center")!;
-
     private List<WrongProgram>? nearestByColors; // of every single mistake, for all rounds of pairs
 
     /// <summary>Pairs, cheapest first: the nearest mistakes with others, two in the formula of one shape, two that change whole pictures.</summary>
@@ -58,7 +56,7 @@ internal sealed class PairSearch(
            let left = pictures.Select(picture => new Evidence(picture, first.Draw(picture.Scene))).ToArray()
            let seconds = ranking.Those(trial => left.Any(picture => picture.IsHelpedBy(trial.Draw(picture.Scene))),
                from other in known
-               where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == center)
+               where other.Id != first.Wordings[0].Id && !(first.OtherSample && other == WrongProgram.Center)
                from wording in other.Wordings
                select (first with { Wordings = [first.Wordings[0], wording] }).InOneWay)
            let glanced = ranking.Measured(seconds, TrialRanking.Glance, left)

@@ -36,8 +36,6 @@ internal sealed class TrialRanking(IReadOnlyList<Evidence> pictures, int? thread
     /// likely mistakes still cost more than one unlikely one.</summary>
     private const double Unlikely = 1.5;
 
-    private static readonly Mistake center = MistakeCatalog.Named("center")!;
-
     private readonly double rounding = pictures.Count == 1 ? RoundingOfOne : RoundingOfSeveral;
 
     /// <summary>All that is wrong: the wrong pixels of one picture, or how many of several are wrong.</summary>
@@ -53,8 +51,7 @@ internal sealed class TrialRanking(IReadOnlyList<Evidence> pictures, int? thread
     public List<WrongProgram> Sorted(List<WrongProgram> trials) =>
         [.. trials.OrderBy(trial => trial.Cost(Wrong, rounding) * Surprise(trial)).ThenBy(trial => trial.Unusual)];
 
-    private double Surprise(WrongProgram trial) =>
-        likely is null ? 1 : Math.Pow(Unlikely, trial.Wordings.Count(wording => !likely(wording)) + (trial.OtherSample && !likely(center) ? 1 : 0));
+    private double Surprise(WrongProgram trial) => likely is null ? 1 : Math.Pow(Unlikely, trial.Mistakes.Count(mistake => !likely(mistake)));
 
     /// <summary>The same with more pixels in the first round, because a second mistake may explain only a few.</summary>
     public List<WrongProgram> BestPairs(List<WrongProgram> pairs) => Best(pairs, [(0.04, int.MaxValue), .. rounds[1..]]);

@@ -8,13 +8,14 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>The factor by which each mistake makes a program costlier.</summary>
     private const double PerMistake = 1 / 0.6;
 
-    private static readonly Mistake center = MistakeCatalog.Named("center")!;
+    /// <summary>Rays through the other place of each pixel, as a mistake.</summary>
+    public static readonly Mistake Center = MistakeCatalog.Named("center")!;
 
     /// <summary>Equal for trials that differ only in wordings and samples.</summary>
     public string Id => string.Join(' ', Base.NotYet.Concat(Wordings.Select(wording => wording.Id)).Order(StringComparer.Ordinal));
 
     /// <summary>Its mistakes; rays through the other place of each pixel are one.</summary>
-    public IEnumerable<Mistake> Mistakes => Wordings.Concat(OtherSample ? [center] : []);
+    public IEnumerable<Mistake> Mistakes => Wordings.Concat(OtherSample ? [Center] : []);
 
     public IEnumerable<string> MistakeIds => Mistakes.Select(mistake => mistake.Id);
 
@@ -31,8 +32,8 @@ internal sealed record WrongProgram(Unfinished Base, IReadOnlyList<Mistake> Word
     /// <summary>The same with rays through the other place of each pixel as a mistake only if nothing else is wrong.</summary>
     public WrongProgram InOneWay => this switch
     {
-        { OtherSample: true, Wordings: [], Base.NotYet: [] } => this with { Wordings = [center], OtherSample = false },
-        { Wordings.Count: > 1 } when Wordings.Contains(center) => this with { Wordings = [.. Wordings.Except([center])], OtherSample = true },
+        { OtherSample: true, Wordings: [], Base.NotYet: [] } => this with { Wordings = [Center], OtherSample = false },
+        { Wordings.Count: > 1 } when Wordings.Contains(Center) => this with { Wordings = [.. Wordings.Except([Center])], OtherSample = true },
         _ => this,
     };
 
