@@ -39,18 +39,17 @@ internal sealed class Evidence
     {
         (Scene, Picture, Right) = (scene, picture, right);
         most = (int)Math.Clamp(pixels * 500L / Math.Max(1, scene.Models.Count), 300, pixels) / 2; // the time stays
-        var sameSize = (right.Width, right.Height) == (picture.Width, picture.Height);
-        var difference = sameSize ? new PictureDifference(picture, right) : null;
+        var difference = HasRightSize ? new PictureDifference(picture, right) : null;
         List<int> wrong = [], other = [];
         for (var i = 0; i < PixelCount; i++) (difference is null || difference.LevelsAt(i) > Tolerance ? wrong : other).Add(i);
         DarkerShare = (double)(difference?.OneDarker ?? 0) / PixelCount;
-        if (forgiveOutlines && sameSize && wrong.Count <= FewPixels * PixelCount)
+        if (forgiveOutlines && HasRightSize && wrong.Count <= FewPixels * PixelCount)
         {
             var outlines = new SceneOutlines(scene);
             OutlineCount = wrong.RemoveAll(i => outlines.MayShow(picture.At(i), i, Tolerance));
         }
         WrongCount = wrong.Count;
-        IsOnlyOutlines = sameSize && WrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(ShowsNeighbour);
+        IsOnlyOutlines = HasRightSize && WrongCount <= Math.Max(3, StrayPixels * PixelCount) && wrong.TrueForAll(ShowsNeighbour);
         wrongPixels = Spread(wrong, most);
         otherPixels = Spread(other, most);
     }
@@ -103,6 +102,9 @@ internal sealed class Evidence
 
     /// <summary>Whether the wrong pixels are very few and show a neighbour's colour: what another program's floats may do to an outline.</summary>
     public bool IsOnlyOutlines { get; }
+
+    /// <summary>Whether the picture has the size of the scene's own.</summary>
+    public bool HasRightSize => (Right.Width, Right.Height) == (Picture.Width, Picture.Height);
 
     /// <summary>Whether it is the scene's picture, but for rounding and single pixels on outlines.</summary>
     public bool IsRight => WrongCount == 0 || IsOnlyOutlines;

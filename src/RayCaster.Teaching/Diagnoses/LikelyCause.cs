@@ -112,7 +112,7 @@ internal static class LikelyCause
     {
         var (scene, picture, right) = (evidence.Scene, evidence.Picture, evidence.Right);
         var (wrong, edges, count, none) = (0, 0, new Dictionary<string, int>(), new Dictionary<string, int>());
-        if ((picture.Width, picture.Height) != (right.Width, right.Height)) return none;
+        if (!evidence.HasRightSize) return none;
         for (var i = 0; i < models.Count; i++)
         {
             var (y, x) = Math.DivRem(i, right.Width);

@@ -1,0 +1,20 @@
+namespace RayCaster.Teaching;
+
+/// <summary>The result of a diagnosis.</summary>
+public enum Finding
+{
+    /// <summary>The picture is the scene's, but for rounding and single pixels on outlines.</summary>
+    Matches,
+
+    /// <summary>Some kinds of shape are not drawn yet, and what is drawn is right.</summary>
+    Unfinished,
+
+    /// <summary>One mistake of the catalogue, or two, explain the picture; some kinds of shape may be missing besides.</summary>
+    Mistake,
+
+    /// <summary>The picture is wrong, and no mistake of the catalogue explains it.</summary>
+    NoneOfThese,
+
+    /// <summary>Nothing but background, or models that are all black or all white: many mistakes draw such a picture, so none is named.</summary>
+    TellsNothing,
+}
