@@ -1,3 +1,5 @@
+using static System.FormattableString;
+
 namespace RayCaster.Cli;
 
 internal sealed class CheckCommand : Command
@@ -54,7 +56,7 @@ internal sealed class CheckCommand : Command
         if (!json && !quiet)
             StandardFile.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors." + Environment.NewLine);
         if (!scenes.TrueForAll(SceneFitness.CanJudge))
-            throw new ProblemException($"A scene has more than {SceneFitness.MostModels} models: too many to try mistakes on.");
+            throw new ProblemException(Invariant($"A scene has more than {SceneFitness.MostModels:N0} models: too many to try mistakes on."));
         var shapes = line.Names(Option.For, ',', SceneReader.ModelTypes, "a kind of shape");
         var fitness = SceneFitness.Of(
             scenes, threads, [.. MistakeCatalog.All.Where(mistake => shapes.Length == 0 || mistake.Touches(shapes))]);

@@ -1,3 +1,5 @@
+using static System.FormattableString;
+
 namespace RayCaster.Cli;
 
 /// <summary>The parsed command line: a command, its operands and its options.</summary>
@@ -28,7 +30,7 @@ internal sealed class CommandLine
     /// <summary>Prints a line about what was done, unless only errors are wanted.</summary>
     public void Tell(FormattableString text)
     {
-        if (!Has(Option.Quiet)) StandardFile.WriteError(FormattableString.Invariant(text) + Environment.NewLine);
+        if (!Has(Option.Quiet)) StandardFile.WriteError(Invariant(text) + Environment.NewLine);
     }
 
     /// <summary>The warnings so far, for an answer in JSON; null if there are none.</summary>
@@ -88,7 +90,7 @@ internal sealed class CommandLine
     /// <param name="what">What is counted, for the message if the value is no such number.</param>
     public int? Count(Option option, string what, int most) => this[option] is not { } text ? null
         : ParseCount(text) is { } count && count <= most ? count
-        : throw ProblemException.Usage($"'{text}' is not a number of {what}: it is a whole number from 1 to {most}");
+        : throw ProblemException.Usage(Invariant($"'{text}' is not a number of {what}: it is a whole number from 1 to {most:N0}"));
 
     /// <summary>The lines of a picture that --rows names, or the frames of --only; all if the option is not given.</summary>
     /// <param name="option">Its value is <c>0..249</c> for the lines 0 to 249, both included, or <c>3/8</c> for the third of eight parts.</param>
@@ -121,7 +123,7 @@ internal sealed class CommandLine
             throw ProblemException.Usage($"'{text}' is not a size: write width and height in pixels as in 640x480");
         if (width > Camera.MaxSide || height > Camera.MaxSide || (long)width * height > Camera.MaxPixels)
             throw ProblemException.Usage(
-                $"'{text}' is too large: width and height are at most {Camera.MaxSide}, their product at most {Camera.MaxPixels}");
+                Invariant($"'{text}' is too large: width and height are at most {Camera.MaxSide:N0}, their product at most {Camera.MaxPixels:N0}"));
         return (width, height);
     }
 

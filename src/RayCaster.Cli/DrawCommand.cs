@@ -166,10 +166,9 @@ internal sealed class DrawCommand : Command
     private static string Summary(string output, Scene scene, LineRange lines, TimeSpan elapsed)
     {
         var (width, height, models) = (scene.Camera.Width, scene.Camera.Height, scene.Models.Count);
-        var rays = (double)width * lines.Count / elapsed.TotalSeconds;
         return string.Create(CultureInfo.InvariantCulture,
             $"{PictureOutput.NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
             $"{models} {(models == 1 ? "model" : "models")}, " +
-            $"{elapsed.TotalSeconds:0.00} s, {rays / 1e6:0.0} million rays per second");
+            $"{elapsed.TotalSeconds:0.00} s, {ProgressLine.Rate((double)width * lines.Count, "rays", elapsed)}");
     }
 }

@@ -1,3 +1,5 @@
+using static System.FormattableString;
+
 namespace RayCaster.Cli;
 
 /// <summary>
@@ -53,13 +55,19 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
             if (drawn > 0) Draw("");
     }
 
+    /// <summary>A speed in words: in millions, but for a small picture or a slow formula, where that would be 0.0.</summary>
+    public static string Rate(double count, string what, TimeSpan elapsed)
+    {
+        var rate = count / elapsed.TotalSeconds;
+        return (rate < 1e5 ? Invariant($"{rate:N0}") : Invariant($"{rate / 1e6:0.0} million")) + $" {what} per second";
+    }
+
     private string Text(int done, int all, TimeSpan elapsed)
     {
         var share = (double)done / all;
-        var speed = FormattableString.Invariant($"{done * (double)width / elapsed.TotalSeconds / 1e6:0.0} million {what} per second  ");
         var left = TimeSpan.FromSeconds(elapsed.TotalSeconds / share * (1 - share));
         return string.Create(CultureInfo.InvariantCulture,
-            $"{share * 100,3:0} %  {done} of {all} {(width > 0 ? $"lines  {speed}" : $"{what}  ")}" +
+            $"{share * 100,3:0} %  {done} of {all} {(width > 0 ? $"lines  {Rate((double)done * width, what, elapsed)}  " : $"{what}  ")}" +
             $"{(long)left.TotalHours:00}:{left:mm\\:ss} left");
     }
 

@@ -24,7 +24,7 @@ public sealed class DrawTests : IDisposable
     public void OneLineTellsPictureSizeModelsTimeAndRaysPerSecond()
     {
         raycaster.Run(Room, "--size", "30x20");
-        Assert.Matches(@"^room\.png: 30 x 20 pixels, 9 models, \d+\.\d\d s, \d+\.\d million rays per second\n$", raycaster.Error);
+        Assert.Matches(@"^room\.png: 30 x 20 pixels, 9 models, \d+\.\d\d s, (\d{1,3}(,\d{3})?|\d+\.\d million) rays per second\n$", raycaster.Error);
         Assert.Empty(raycaster.Output);
     }
 

@@ -61,13 +61,13 @@ public sealed class FrameTests : IDisposable
     [Theory]
     [InlineData("orbit takes <scene>, but nothing is given\n", "orbit")]
     [InlineData("orbit needs a number of frames, as in --frames 48\n", "orbit", "a.json")]
-    [InlineData("'0' is not a number of frames: it is a whole number from 1 to 1000000\n", "orbit", "a.json", "--frames", "0")]
+    [InlineData("'0' is not a number of frames: it is a whole number from 1 to 1,000,000\n", "orbit", "a.json", "--frames", "0")]
     [InlineData("the frames 5..9 do not all exist: a film of 8 frames has 0..7\n", "orbit", "a.json", "--frames", "8", "--only", "5..9")]
     [InlineData("animate needs a name for the picture, as in -o animate.png\n", "animate", ".")]
     [InlineData("animate writes a PNG, to a file: choose a name with .png\n", "animate", ".", "-o", "a.ppm")]
     [InlineData("no picture is given: name PNG files, a pattern, or a folder with some\n", "animate", ".", "-o", "a.png")]
     [InlineData(
-        "'2000' is not a number of frames per second: it is a whole number from 1 to 1000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
+        "'2000' is not a number of frames per second: it is a whole number from 1 to 1,000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
     [InlineData("picture file not found: b.png\n", "sheet", "b.png", "-o", "a.png")]
     [InlineData("'x' is not a number of columns\n", "sheet", "b.png", "-o", "a.png", "--columns", "x")]
     public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)

@@ -32,6 +32,13 @@ public class ProgressLineTests
         Assert.EndsWith("\r", terminal.ToString());
     }
 
+    [Theory]
+    [InlineData(2_500_000, "2.5 million rays per second")]
+    [InlineData(100_000, "0.1 million rays per second")]
+    [InlineData(99_999, "99,999 rays per second")]
+    public void ASlowRunHasASpeed(double raysInASecond, string words) =>
+        Assert.Equal(words, ProgressLine.Rate(raysInASecond * 2, "rays", TimeSpan.FromSeconds(2)));
+
     [Fact]
     public void ItIsDrawnTenTimesASecond()
     {

@@ -130,7 +130,8 @@ public static class SceneReader
     }
 
     private static void RefuseSize(SceneObject o, int width, int height) =>
-        o.Refuse("height", $" times {o.PathOf("width")} must be at most {Camera.MaxPixels}, but is {height} x {width} = {(long)width * height}");
+        o.Refuse(
+            "height", $" times {o.PathOf("width")} must be at most {Camera.MaxPixels:N0}, but is {height} x {width} = {(long)width * height:N0}");
 
     private static void WarnOfRadians(SceneObject o, double fovY) =>
         o.Warn("fovY", $" is {fovY}; fovY is in degrees, and {fovY} would be {fovY * 180 / Math.PI:0.##} degrees if it were in radians");

@@ -152,7 +152,7 @@ public static class RubricReader
             else if (StoredReference.Contradiction(path, scene) is { } message)
                 o.Refuse("scenes", $" cannot be used. {message}: undo the change in src/RayCaster", i);
             else if ((long)scene.Camera.Width * scene.Camera.Height > MostPixels)
-                o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MostPixels} in all", i);
+                o.Refuse("scenes", $" is too large: {scene.Camera.Width} x {scene.Camera.Height} pixels, the limit is {MostPixels:N0} in all", i);
             else
                 scenes.Add(new(name, Path.GetFullPath(path), new(scene)));
         }
