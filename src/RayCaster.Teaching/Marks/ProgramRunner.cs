@@ -148,9 +148,12 @@ internal sealed class ProgramRunner(Containment containment)
         private async Task Read(Stream stream)
         {
             var bytes = new byte[1 << 16];
+            var characters = new char[bytes.Length + 1]; // one that was cut before, and the rest
+            var decoder = Encoding.UTF8.GetDecoder(); // keeps a character that is cut until the next read
             try
             {
-                for (int count; (count = await stream.ReadAsync(bytes).ConfigureAwait(false)) > 0 && !IsTooLong;) Add(bytes.AsSpan(0, count));
+                for (int count; (count = await stream.ReadAsync(bytes).ConfigureAwait(false)) > 0 && !IsTooLong;)
+                    Add(count, characters.AsSpan(0, decoder.GetChars(bytes, 0, count, characters, 0)));
             }
             catch (Exception e) when (e is IOException or ObjectDisposedException)
             {
@@ -158,12 +161,12 @@ internal sealed class ProgramRunner(Containment containment)
             }
         }
 
-        private void Add(ReadOnlySpan<byte> bytes)
+        private void Add(int bytes, ReadOnlySpan<char> characters)
         {
-            Interlocked.Add(ref length, bytes.Length);
+            Interlocked.Add(ref length, bytes);
             lock (text)
             {
-                text.Append(Encoding.UTF8.GetString(bytes));
+                text.Append(characters);
                 if (text.Length > 2 * Kept) text.Remove(0, text.Length - Kept);
             }
         }

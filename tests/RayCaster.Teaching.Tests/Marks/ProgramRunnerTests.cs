@@ -37,6 +37,14 @@ public sealed class ProgramRunnerTests : IDisposable
 
     [Theory]
     [MemberData(nameof(Contained))]
+    public void ACharacterThatIsPrintedInTwoPiecesStaysOne(bool isContained)
+    {
+        var generous = limits with { Time = TimeSpan.FromMinutes(1) };
+        Assert.Equal("Größe", Run(isContained, @"printf 'Gr\303'; sleep 0.3; printf '\266\303\237e'", generous).Printed);
+    }
+
+    [Theory]
+    [MemberData(nameof(Contained))]
     public void AProgramThatNeverEndsIsEndedWithItsChildren(bool isContained)
     {
         var start = Stopwatch.GetTimestamp();
