@@ -74,9 +74,16 @@ internal sealed class DiagnoseCommand : Command
         var hidden = diagnosis.Finding == Finding.Matches ? prepared.Hidden : [];
         StandardFile.WriteOutput(json
             ? DiagnosisReport.Json(diagnosis, (picture.Width, picture.Height), size, hidden, line.Warning)
-            : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden));
+            : DiagnosisReport.Text(diagnosis, picturePath, scenePath, level) + DiagnosisReport.HiddenText(hidden) + MoreHelp(diagnosis, level));
         return diagnosis.Finding == Finding.Matches && !hasOtherSize ? ExitCode.Done : ExitCode.No;
     }
+
+    private static string MoreHelp(Diagnosis diagnosis, HintLevel level) => diagnosis.Finding != Finding.Mistake ? "" : level switch
+    {
+        HintLevel.Symptom => "\nMore help: --hint question, or --hint answer\n",
+        HintLevel.Question => "\nMore help: --hint answer\n",
+        _ => "",
+    };
 
     private static HintLevel Level(string? text) => text switch
     {

@@ -52,7 +52,7 @@ internal sealed class FileWatch
         {
             var watcher = new FileSystemWatcher(folder)
             {
-                NotifyFilter = NotifyFilters.FileName | NotifyFilters.LastWrite | NotifyFilters.Size | NotifyFilters.CreationTime,
+                NotifyFilter = NotifyFilters.FileName | NotifyFilters.DirectoryName | NotifyFilters.LastWrite | NotifyFilters.Size | NotifyFilters.CreationTime,
             };
             watcher.Changed += (_, e) => Notice(e.FullPath);
             watcher.Created += (_, e) => Notice(e.FullPath);

@@ -50,7 +50,7 @@ internal sealed class LiveScene
         {
             await Task.Delay(1); // most editors cause a second notice within this time
             var reading = await ReadPatiently();
-            var isSame = reading.Text.Span.SequenceEqual(State.Text.Span) && reading.Scene is not null == State.IsGood;
+            var isSame = reading.Text.Span.SequenceEqual(State.Text.Span) && reading.Problems.SequenceEqual(State.Problems);
             if (isSame && stamps.AsSpan().SequenceEqual(StampsOf(reading))) continue; // a second notice of the same save
             State = Next(reading);
             Interlocked.Exchange(ref outdated, new()).Cancel();

@@ -31,7 +31,7 @@ internal static class Messages
             state.Version,
             live.Path,
             Good = state.IsGood,
-            IsGone = !state.IsGood && !File.Exists(live.FullPath),
+            IsGone = !state.IsGood && !Path.Exists(live.FullPath),
             Problems = state.Problems.OrderByDescending(problem => problem.IsError).Take(SceneReading.Printed)
                 .Select(problem => Shown(problem, live.FullPath)),
             More = Math.Max(0, state.Problems.Count - SceneReading.Printed),

@@ -14,7 +14,7 @@ passed=0 failed=0
 draw() { # options; prints the message, if there is one; the picture is new.png
     dotnet build src/RayCaster.Cli -v quiet --no-restore >build.txt 2>&1 || { cat build.txt; echo "does not build"; return 1; }
     rm -f new.png
-    dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll scenes/room.json -o new.png "$@" 2>&1 | grep -v 'million rays' || true
+    dotnet src/RayCaster.Cli/bin/Release/net10.0/raycaster.dll scenes/room.json -o new.png "$@" 2>&1 | grep -v 'rays per second' || true
 }
 
 edit() { # name, file, sed expression

@@ -52,6 +52,20 @@ public class BrowserTests(Chromium chromium)
     }
 
     [BrowserFact]
+    public async Task IfAllModelsAreHiddenTheLedgerSaysSo()
+    {
+        await using var live = await LivePage.OpenAsync();
+        var (page, complaints) = await chromium.OpenAsync(live);
+        await page.ClickAsync("#ledger summary");
+        await page.WaitForFunctionAsync("() => document.getElementById('ledger-report').textContent.includes('every model shows')");
+        await page.ClickAsync("#model-0-hide");
+        await page.WaitForFunctionAsync("() => document.getElementById('ledger-report').textContent === 'All models are hidden.'");
+        await page.ClickAsync("#model-0-hide");
+        await page.WaitForFunctionAsync("() => document.getElementById('ledger-report').textContent.includes('every model shows')");
+        Assert.Empty(complaints);
+    }
+
+    [BrowserFact]
     public async Task AClickExplainsThePixelAndArrowKeysStepOn()
     {
         await using var live = await LivePage.OpenAsync();

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Text;
 using System.Text.Json;
 
 namespace RayCaster.Live.Tests;
@@ -58,6 +59,22 @@ public class FollowingTests
         Assert.Contains("^~~~", problems[0].GetProperty("excerpt").GetString());
         Assert.Equal(40, said.GetProperty("width").GetInt32());
 
+        File.WriteAllText(page.Scene, Moved(9));
+        (await page.FrameAsync()).IsThatOf(page.Scene);
+    }
+
+    [Fact]
+    public async Task ASceneFileThatBecomesAFolderIsToldAsOneAndComesBack()
+    {
+        await using var page = await LivePage.OpenAsync();
+        await page.ConnectAsync();
+        await page.FrameAsync();
+        File.Delete(page.Scene);
+        await page.MessageAsync("scene", message => message.GetProperty("isGone").GetBoolean());
+        Directory.CreateDirectory(page.Scene);
+        var said = await page.MessageAsync("scene", message => !message.GetProperty("isGone").GetBoolean());
+        Assert.Equal("this is a folder, not a scene file", said.GetProperty("problems")[0].GetProperty("message").GetString());
+        Directory.Delete(page.Scene);
         File.WriteAllText(page.Scene, Moved(9));
         (await page.FrameAsync()).IsThatOf(page.Scene);
     }
@@ -179,6 +196,20 @@ public class FollowingTests
         Assert.Equal(JsonValueKind.Array, wrong.GetProperty("middle").ValueKind);
         PictureFile.Write(page.Folder["mine.png"], ScalarRenderer.Render(SceneReader.Read(page.Scene).Scene!));
         await page.MessageAsync("comparison", message => message.GetProperty("verdict").GetString() == "identical");
+    }
+
+    [Fact]
+    public async Task ADiagnosisNamesNoOptionOfACommandForMoreHelp()
+    {
+        var right = ScalarRenderer.Render(SceneReader.Parse(Encoding.UTF8.GetBytes(LivePage.Ball), "", "").Scene!);
+        var upsideDown = new Picture(40, 30);
+        for (var i = 0; i < 40 * 30; i++) upsideDown[i % 40, 29 - i / 40] = right[i % 40, i / 40];
+        await using var page = await LivePage.OpenAsync(mine: "mine.png", prepare: folder => PictureFile.Write(folder["mine.png"], upsideDown));
+        await page.ConnectAsync();
+        await page.AskAsync("""{"diagnose":true}""");
+        var text = (await page.MessageAsync("diagnosis")).GetProperty("text").GetString();
+        Assert.Contains("Question: ", text);
+        Assert.DoesNotContain("--hint", text);
     }
 
     [Fact]

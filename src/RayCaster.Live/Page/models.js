@@ -22,7 +22,7 @@ on("ledger", ledger => {
     cell.textContent = hidden.has(i) ? "hidden" : entry.shows > 0 ? `${share < 0.1 ? "<\u00a00.1" : share.toFixed(1)}\u00a0%` : entry.reason;
     $(`model-${i}`).classList.toggle("unseen", entry.shows === 0);
   });
-  $("ledger-report").textContent = ledger.report;
+  $("ledger-report").textContent = hidden.size > 0 && hidden.size === scene.modelCount ? "All models are hidden." : ledger.report;
 });
 
 on("legend", legend => {

@@ -12,7 +12,8 @@ public static class DiagnosisReport
             AppendMatch(text, diagnosis, picture, scene);
             return text.ToString();
         }
-        text.AppendLine($"{picture} is not the picture of {scene}: {ComparisonText.Part(diagnosis.WrongCount, diagnosis.PixelCount)} differ.");
+        text.AppendLine($"{picture} is not the picture of {scene}: {ComparisonText.Part(diagnosis.WrongCount, diagnosis.PixelCount)} " +
+            $"differ by more than {Evidence.Tolerance} levels.");
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
             text.Wrap("", $"Not drawn yet: {string.Join(", ", diagnosis.NotYet)}.{(IsRestRight(diagnosis) ? " The rest is right." : "")}");
@@ -107,11 +108,6 @@ public static class DiagnosisReport
             }
         }
         AppendNotTried(text, diagnosis);
-        if (level < HintLevel.Answer)
-        {
-            text.AppendLine();
-            text.AppendLine($"More help: --hint {(level == HintLevel.Symptom ? "question, or --hint answer" : "answer")}");
-        }
     }
 
     /// <summary>Everything, with the answers.</summary>

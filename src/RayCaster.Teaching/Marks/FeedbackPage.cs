@@ -65,7 +65,7 @@ internal static class FeedbackPage
         else
         {
             page.Element("p",
-                FormattableString.Invariant($"{100 * scene.WrongShare:0.##} % of the pixels differ. ") +
+                FormattableString.Invariant($"{100 * scene.WrongShare:0.##} % of the pixels differ by more than {Evidence.Tolerance} levels. ") +
                 "Your picture is left of the line, the right picture right of it:", "small");
             page.Html($"""
                 <div class="slid"><div class="pair">
