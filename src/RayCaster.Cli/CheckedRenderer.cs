@@ -37,7 +37,7 @@ internal sealed class CheckedRenderer(Scene scene, int? threads, bool plain, boo
     private void DrawChecked(LineRange lines, Action<ReadOnlySpan<byte>> write, Action<int>? linesDone, CancellationToken cancellation)
     {
         var check = new DefinitionCheck(scene, lines);
-        fast.Draw(lines, Take, linesDone, cancellation);
+        check.Watch(() => fast.Draw(lines, Take, linesDone, cancellation));
         if (check.FirstDifference() is not { } difference) return;
         StandardFile.WriteError($"The fast way no longer agrees with your change: {difference}; drawn by ScalarRenderer.{Environment.NewLine}");
         isByDefinition = true;

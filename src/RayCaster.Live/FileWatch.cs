@@ -50,10 +50,7 @@ internal sealed class FileWatch
     {
         try
         {
-            var watcher = new FileSystemWatcher(folder)
-            {
-                NotifyFilter = NotifyFilters.FileName | NotifyFilters.DirectoryName | NotifyFilters.LastWrite | NotifyFilters.Size | NotifyFilters.CreationTime,
-            };
+            var watcher = new FileSystemWatcher(folder);
             watcher.Changed += (_, e) => Notice(e.FullPath);
             watcher.Created += (_, e) => Notice(e.FullPath);
             watcher.Deleted += (_, e) => Notice(e.FullPath);

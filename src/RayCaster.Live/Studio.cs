@@ -67,14 +67,17 @@ internal sealed class Studio
         var frame = new Frame(scene.Camera.Width, scene.Camera.Height);
         var check = ScalarRenderer.IsChanged ? new DefinitionCheck(scene, ..) : null;
         var pixel = 0;
-        new Renderer(scene) { ManyFrames = true }.Draw(.., lines =>
+        if (check is null) Cast();
+        else check.Watch(Cast);
+        // If a changed formula makes the fast renderer differ from the definition, the definition draws the picture.
+        return check?.FirstDifference() is null ? frame : Frame.Of(ScalarRenderer.Render(scene));
+
+        void Cast() => new Renderer(scene) { ManyFrames = true }.Draw(.., lines =>
         {
             check?.Take(lines);
             frame.Fill(lines, pixel);
             pixel += lines.Length / 3;
         }, cancellation: cancellation);
-        // If a changed formula makes the fast renderer differ from the definition, the definition draws the picture.
-        return check?.FirstDifference() is null ? frame : Frame.Of(ScalarRenderer.Render(scene));
     }
 }
 

@@ -1,3 +1,5 @@
+using System.Runtime.ExceptionServices;
+
 namespace RayCaster.Teaching;
 
 /// <summary>Compares some hundred pixels of a picture with the definition's (<see cref="ScalarRenderer"/>): windows of two by two pixels in the
@@ -28,6 +30,20 @@ public sealed class DefinitionCheck
         definition.Start();
     }
 
+    /// <summary>Draws the fast way. If that fails, and the definition, too, the exception is the definition's: its stack names the class whose formula
+    /// fails, which the engine's code has inlined.</summary>
+    public void Watch(Action draw)
+    {
+        try
+        {
+            draw();
+        }
+        catch (Exception e) when (e is not OperationCanceledException && Failure is { } fault)
+        {
+            ExceptionDispatchInfo.Throw(fault);
+        }
+    }
+
     /// <summary>Takes the next lines that were drawn.</summary>
     /// <param name="rgb">Whole lines, three bytes a pixel.</param>
     public void Take(ReadOnlySpan<byte> rgb)
@@ -42,8 +58,7 @@ public sealed class DefinitionCheck
     /// <summary>The first pixel that differs, once all lines are taken, as a message; null where all are equal.</summary>
     public string? FirstDifference()
     {
-        definition.Join();
-        if (failure is not null) return $"the definition cannot be compared: {failure.Message}";
+        if (Failure is { } fault) return $"the definition cannot be compared: {fault.Message}";
         foreach (var window in windows)
         {
             for (var i = 0; i < window.Drawn.Rgb.Length; i += 3)
@@ -57,6 +72,15 @@ public sealed class DefinitionCheck
             }
         }
         return null;
+    }
+
+    private Exception? Failure
+    {
+        get
+        {
+            definition.Join();
+            return failure;
+        }
     }
 
     private void Compute()
