@@ -17,7 +17,6 @@ internal sealed class AnimateCommand : Command
           -o, --output <file>  The animation, a .png.
               --fps <n>        Frames per second, 1 to 1000. [default: 25]
           -q, --quiet          Prints errors only.
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -44,7 +43,6 @@ internal sealed class AnimateCommand : Command
         var frames = InputFiles.Of(line.Operands, out var chosen);
         frames.RemoveAll(file => !chosen.Contains(file) && Path.GetFullPath(file) == Path.GetFullPath(output));
         InputFiles.Note(frames);
-        InputFiles.Keep(output);
         return frames.Count > 0 ? frames : throw ProblemException.Usage("no picture is given: name PNG files, a pattern, or a folder with some");
     }
 }

@@ -1,5 +1,3 @@
-using static System.FormattableString;
-
 namespace RayCaster.Cli;
 
 internal sealed class CheckCommand : Command
@@ -32,7 +30,6 @@ internal sealed class CheckCommand : Command
 
         Exit codes:
           0 no error, 1 a scene has errors or does not show a required mistake, 2 failed.
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -54,9 +51,9 @@ internal sealed class CheckCommand : Command
         if (exitCode != ExitCode.Done || (quiet && required.Length == 0)) return exitCode;
 
         if (!json && !quiet)
-            StandardFile.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors." + Environment.NewLine);
+            StandardFile.WriteOutput((scenes.Count == 1 ? line.Operands[0] : $"{scenes.Count} scenes") + ": no errors.");
         if (!scenes.TrueForAll(SceneFitness.CanJudge))
-            throw new ProblemException(Invariant($"A scene has more than {SceneFitness.MostModels:N0} models: too many to try mistakes on."));
+            throw new ProblemException($"a scene has more than {SceneFitness.MostModels:N0} models: too many to try mistakes on");
         var shapes = line.Names(Option.For, ',', SceneReader.ModelTypes, "a kind of shape");
         var fitness = SceneFitness.Of(
             scenes, threads, [.. MistakeCatalog.All.Where(mistake => shapes.Length == 0 || mistake.Touches(shapes))]);
@@ -65,7 +62,7 @@ internal sealed class CheckCommand : Command
         if (json) StandardFile.WriteOutput(FitnessReport.Json(fitness, absent, line.Warning));
         else if (!quiet) StandardFile.WriteOutput(FitnessReport.Text(fitness));
         if (absent.Length == 0) return ExitCode.Done;
-        StandardFile.WriteError($"required, but not shown: {string.Join(", ", absent)}{Environment.NewLine}");
+        StandardFile.WriteError($"required, but not shown: {string.Join(", ", absent)}");
         return ExitCode.No;
     }
 }

@@ -3,22 +3,22 @@ namespace RayCaster.Cli;
 internal abstract class Command
 {
     /// <summary>All commands by their names. Without one of these, the app draws a scene.</summary>
-    public static readonly IReadOnlyDictionary<string, Func<Command>> All = new Dictionary<string, Func<Command>>
+    public static readonly IReadOnlyDictionary<string, Command> All = new Dictionary<string, Command>
     {
-        ["draw"] = () => new DrawCommand(),
-        ["check"] = () => new CheckCommand(),
-        ["compare"] = () => new CompareCommand(),
-        ["diagnose"] = () => new DiagnoseCommand(),
-        ["explain"] = () => new ExplainCommand(),
-        ["stitch"] = () => new StitchCommand(),
-        ["orbit"] = () => new OrbitCommand(),
-        ["animate"] = () => new AnimateCommand(),
-        ["sheet"] = () => new SheetCommand(),
-        ["handout"] = () => new HandOutCommand(),
-        ["mark"] = () => new MarkCommand(),
-        ["vary"] = () => new VaryCommand(),
-        ["live"] = () => new LiveCommand(),
-        ["help"] = () => new HelpCommand(),
+        ["draw"] = new DrawCommand(),
+        ["check"] = new CheckCommand(),
+        ["compare"] = new CompareCommand(),
+        ["diagnose"] = new DiagnoseCommand(),
+        ["explain"] = new ExplainCommand(),
+        ["stitch"] = new StitchCommand(),
+        ["orbit"] = new OrbitCommand(),
+        ["animate"] = new AnimateCommand(),
+        ["sheet"] = new SheetCommand(),
+        ["handout"] = new HandOutCommand(),
+        ["mark"] = new MarkCommand(),
+        ["vary"] = new VaryCommand(),
+        ["live"] = new LiveCommand(),
+        ["help"] = new HelpCommand(),
     };
 
     /// <summary>The command that a command line names, even if it is wrong in other ways; null for drawing and for help.</summary>

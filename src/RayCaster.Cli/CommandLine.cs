@@ -1,5 +1,3 @@
-using static System.FormattableString;
-
 namespace RayCaster.Cli;
 
 /// <summary>The parsed command line: a command, its operands and its options.</summary>
@@ -10,9 +8,7 @@ internal sealed class CommandLine
     private readonly Dictionary<Option, string> values = [];
     private readonly List<string> operands = [];
 
-    private CommandLine(Command command) => Command = command;
-
-    public Command Command { get; private set; }
+    public Command Command { get; private set; } = Command.All["draw"];
 
     /// <summary>The command's name; empty for drawing, which needs none.</summary>
     public string CommandName { get; private set; } = "";
@@ -24,13 +20,10 @@ internal sealed class CommandLine
 
     public bool Has(Option option) => values.ContainsKey(option);
 
-    /// <summary>Whether the work may draw a progress line.</summary>
-    public bool ShowsProgress => !Has(Option.Quiet) && !Has(Option.NoProgress) && ProgressLine.IsWanted;
-
     /// <summary>Prints a line about what was done, unless only errors are wanted.</summary>
-    public void Tell(FormattableString text)
+    public void Tell(string text)
     {
-        if (!Has(Option.Quiet)) StandardFile.WriteError(Invariant(text) + Environment.NewLine);
+        if (!Has(Option.Quiet)) StandardFile.WriteError(text);
     }
 
     /// <summary>The warnings so far, for an answer in JSON; null if there are none.</summary>
@@ -40,13 +33,13 @@ internal sealed class CommandLine
     public void Warn(string text)
     {
         Warning = Warning is null ? text : $"{Warning} {text}";
-        StandardFile.WriteError(text + Environment.NewLine);
+        StandardFile.WriteError(text);
     }
 
     public static CommandLine Parse(string[] arguments)
     {
         foreach (var word in arguments) FileWord.Check(word);
-        var line = new CommandLine(new DrawCommand());
+        var line = new CommandLine();
         for (var next = 0; next < arguments.Length;)
         {
             var word = arguments[next++];
@@ -57,7 +50,7 @@ internal sealed class CommandLine
             }
             if (word != "-" && word.StartsWith('-') && !IsNumber(word)) line.ReadOption(word, arguments, ref next);
             else if (line.operands.Count == 0 && line.CommandName == "" && Command.All.TryGetValue(word, out var command))
-                (line.Command, line.CommandName) = (command(), word);
+                (line.Command, line.CommandName) = (command, word);
             else
                 line.operands.Add(word);
         }
@@ -90,7 +83,7 @@ internal sealed class CommandLine
     /// <param name="what">What is counted, for the message if the value is no such number.</param>
     public int? Count(Option option, string what, int most) => this[option] is not { } text ? null
         : ParseCount(text) is { } count && count <= most ? count
-        : throw ProblemException.Usage(Invariant($"'{text}' is not a number of {what}: it is a whole number from 1 to {most:N0}"));
+        : throw ProblemException.Usage($"'{text}' is not a number of {what}: it is a whole number from 1 to {most:N0}");
 
     /// <summary>The lines of a picture that --rows names, or the frames of --only; all if the option is not given.</summary>
     /// <param name="option">Its value is <c>0..249</c> for the lines 0 to 249, both included, or <c>3/8</c> for the third of eight parts.</param>
@@ -103,7 +96,7 @@ internal sealed class CommandLine
         if (this[option] is not { } text) return whole;
         if (text.Split('/') is [var k, var n] && ParseCount(k) is { } part && ParseCount(n) is { } parts && part <= parts)
         {
-            if (parts > height) throw new ProblemException($"raycaster: {of} of {height} {what} cannot be divided into {parts} parts");
+            if (parts > height) throw new ProblemException($"{of} of {height} {what} cannot be divided into {parts} parts");
             return new((int)((part - 1L) * height / parts), (int)((long)part * height / parts) - 1);
         }
         if (LineRange.Parse(text) is not { } lines)
@@ -111,7 +104,7 @@ internal sealed class CommandLine
                 $"'{text}' names no {what}: write the first and the last as in 0..249, " +
                     $"counted from 0{(what == "lines" ? " at the top" : "")}, or 3/8 for the third of eight parts");
         if (lines.Last > whole.Last)
-            throw new ProblemException($"raycaster: the {what} {lines} do not all exist: {of} of {height} {what} has {whole}");
+            throw new ProblemException($"the {what} {lines} do not all exist: {of} of {height} {what} has {whole}");
         return lines;
     }
 
@@ -123,7 +116,7 @@ internal sealed class CommandLine
             throw ProblemException.Usage($"'{text}' is not a size: write width and height in pixels as in 640x480");
         if (width > Camera.MaxSide || height > Camera.MaxSide || (long)width * height > Camera.MaxPixels)
             throw ProblemException.Usage(
-                Invariant($"'{text}' is too large: width and height are at most {Camera.MaxSide:N0}, their product at most {Camera.MaxPixels:N0}"));
+                $"'{text}' is too large: width and height are at most {Camera.MaxSide:N0}, their product at most {Camera.MaxPixels:N0}");
         return (width, height);
     }
 
@@ -157,19 +150,15 @@ internal sealed class CommandLine
         }
     }
 
-    /// <summary>"; did you mean …?" for the end of a message about an unknown word; empty if no known word is like it.</summary>
-    public static string DidYouMean(string word, IEnumerable<string> known) =>
-        Spelling.Nearest(word, known) is { } near ? $"; did you mean '{near}'?" : "";
-
     /// <summary>A whole number greater than 0; null for any other text.</summary>
-    public static int? ParseCount(string text) =>
+    private static int? ParseCount(string text) =>
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var count) && count > 0 ? count : null;
 
     private void ReadOption(string word, string[] arguments, ref int next)
     {
         var (name, value) = word.StartsWith("--") && word.Split('=', 2) is [var left, var right] ? (left, right) : (word, null);
         if (Option.Named(name) is not { } option)
-            throw ProblemException.Usage($"unknown option '{name}'{DidYouMean(name, Option.All.Select(known => known.Name))}");
+            throw ProblemException.Usage($"unknown option '{name}'{Spelling.DidYouMean(name, Option.All.Select(known => known.Name), quote: '\'')}");
         if (values.ContainsKey(option)) throw ProblemException.Usage($"option '{option.Name}' is given twice");
         if (!option.TakesValue && value is not null)
             throw ProblemException.Usage($"option '{option.Name}' takes no value, but '{value}' is given");

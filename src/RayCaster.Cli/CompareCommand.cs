@@ -35,7 +35,6 @@ internal sealed class CompareCommand : Command
 
         Exit codes:
           0 same, 1 different, 2 failed.
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -43,7 +42,6 @@ internal sealed class CompareCommand : Command
         var files = line.Exactly("<mine>", "<reference>");
         var (mineFile, referenceFile, output, threads) = (files[0], files[1], line[Option.Output], line.ThreadCount());
         InputFiles.Note(files);
-        if (output is not null) InputFiles.Keep(output);
         var format = output is null ? PictureFormat.Png : PictureFormats.ByExtension(output);
         var (mine, reference) = (PictureFile.Read(mineFile), PictureFile.Read(referenceFile));
         var scene = line[Option.Scene] is { } path ? SceneInput.Read(path, line, cancellation, warns: false, judges: true) : null;

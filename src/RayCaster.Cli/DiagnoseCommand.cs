@@ -31,7 +31,6 @@ internal sealed class DiagnoseCommand : Command
         Exit codes:
           0 the picture is right, 1 it is wrong (or has another size than the scene), 2 failed.
           All known mistakes, with pictures: docs/mistakes.md
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -66,7 +65,7 @@ internal sealed class DiagnoseCommand : Command
         if (hasOtherSize)
         {
             StandardFile.WriteError($"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
-                "it is compared with the scene drawn in that size" + Environment.NewLine);
+                "it is compared with the scene drawn in that size");
             scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
         }
         var prepared = new SceneDiagnosis(scene, threads);

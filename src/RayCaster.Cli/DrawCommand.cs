@@ -70,12 +70,11 @@ internal sealed class DrawCommand : Command
         Exit codes:
           0 done, 1 the answer is no (pictures differ, parts are missing), 2 failed,
           70 internal error, 129 hung up, 130 interrupted, 143 terminated.
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
-        var path = ScenePath(line);
+        if (line.Operands is not [var path]) throw NotOneScene(line.Operands);
         if (line.Has(Option.Map) && (line.Has(Option.Rows) || line.Has(Option.Resume)))
             throw ProblemException.Usage("a map is drawn whole: leave --rows and --resume out");
         if (line.Has(Option.Mistake) && (line.Has(Option.Map) || line.Has(Option.Rows) || line.Has(Option.Resume)))
@@ -111,14 +110,14 @@ internal sealed class DrawCommand : Command
         scene = SpatialOrder.Of(scene, threads);
         var renderer = new CheckedRenderer(scene, threads, line.Has(Option.Plain));
         PictureOutput.Draw(
-            output, format, renderer, lines, part, line.ShowsProgress, cancellation, quiet && !line.Has(Option.Preview) ? null : Watch);
+            output, format, renderer, lines, part, line, cancellation, quiet && !line.Has(Option.Preview) ? null : Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
-        StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)) + Environment.NewLine);
+        StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)));
         var isOdd = odd!.IsOdd && lines.Count == scene.Camera.Height; // a part may have one colour without a mistake
         if (line.Has(Option.Ledger) || (isOdd && HitLedger.IsQuick(scene))) StandardFile.WriteError(HitLedger.Take(scene, cancellation).Report());
         else if (isOdd)
-            StandardFile.WriteError("The picture shows nothing, or one colour; --ledger says why, which takes a while with so many triangles.\n");
+            StandardFile.WriteError("The picture shows nothing, or one colour; --ledger says why, which takes a while with so many triangles.");
         return ExitCode.Done;
 
         Action<ReadOnlySpan<byte>> Watch()
@@ -132,8 +131,6 @@ internal sealed class DrawCommand : Command
             };
         }
     }
-
-    private static string ScenePath(CommandLine line) => line.Operands is [var scene] ? scene : throw NotOneScene(line.Operands);
 
     private static ProblemException NotOneScene(IReadOnlyList<string> operands) => operands switch
     {
@@ -160,15 +157,14 @@ internal sealed class DrawCommand : Command
 
     /// <summary>A number of 0 to count − 1 for a file's name: all have one length, so the files sort in order.</summary>
     public static string Padded(int number, int count) =>
-        number.ToString($"D{Math.Max(4, (count - 1).ToString(CultureInfo.InvariantCulture).Length)}", CultureInfo.InvariantCulture);
+        number.ToString($"D{Math.Max(4, $"{count - 1}".Length)}");
 
     /// <summary>One line: picture, size, models, time, rays per second.</summary>
     private static string Summary(string output, Scene scene, LineRange lines, TimeSpan elapsed)
     {
         var (width, height, models) = (scene.Camera.Width, scene.Camera.Height, scene.Models.Count);
-        return string.Create(CultureInfo.InvariantCulture,
-            $"{PictureOutput.NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
+        return $"{PictureOutput.NameOf(output)}: {(lines.Count == height ? "" : $"lines {lines} of ")}{width} x {height} pixels, " +
             $"{models} {(models == 1 ? "model" : "models")}, " +
-            $"{elapsed.TotalSeconds:0.00} s, {ProgressLine.Rate((double)width * lines.Count, "rays", elapsed)}");
+            $"{elapsed.TotalSeconds:0.00} s, {ProgressLine.Rate((double)width * lines.Count, "rays", elapsed)}";
     }
 }

@@ -29,7 +29,6 @@ internal sealed class ExplainCommand : Command
 
         Exit codes:
           0 done, 1 the reference differs by more than rounding, 2 failed.
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -51,14 +50,14 @@ internal sealed class ExplainCommand : Command
         if (!long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out var value))
             throw ProblemException.Usage($"'{text}' is not a {what}: it is a whole number from 0 to {count - 1}");
         return value >= 0 && value < count ? (int)value : throw new ProblemException(
-            $"raycaster: there is no {what} {value}: the picture has {what}s 0 to {count - 1}, {order}");
+            $"there is no {what} {value}: the picture has {what}s 0 to {count - 1}, {order}");
     }
 
     private static Picture ReadReference(string path, Camera camera)
     {
         var picture = PictureFile.Read(path);
         return (picture.Width, picture.Height) == (camera.Width, camera.Height) ? picture : throw new ProblemException(
-            $"raycaster: {path} has {picture.Width} x {picture.Height} pixels, but the scene's picture {camera.Width} x {camera.Height}\n" +
+            $"{path} has {picture.Width} x {picture.Height} pixels, but the scene's picture {camera.Width} x {camera.Height}\n" +
             $"  Its size as an option: --size {picture.Width}x{picture.Height}");
     }
 }

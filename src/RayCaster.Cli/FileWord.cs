@@ -14,10 +14,10 @@ internal static class FileWord
     {
         foreach (var c in word)
         {
-            if (c == NotUtf8) throw new ProblemException($"raycaster: the name '{PrintableText.Of(word)}' is not UTF-8: rename the file");
+            if (c == NotUtf8) throw new ProblemException($"the name '{PrintableText.Of(word)}' is not UTF-8: rename the file");
             if (PrintableText.IsPrintable(c)) continue;
             throw new ProblemException(
-                $"raycaster: '{PrintableText.Of(word)}' holds the invisible character U+{(int)c:X4}: rename the file, " +
+                $"'{PrintableText.Of(word)}' holds the invisible character U+{(int)c:X4}: rename the file, " +
                     "or type the name again if it was copied");
         }
     }

@@ -23,7 +23,6 @@ internal sealed class HandOutCommand : Command
         Examples:
           dotnet run --project src/RayCaster.Cli -- handout ../lab1
           dotnet run --project src/RayCaster.Cli -- handout ../lab1-boxes --open 7
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -31,7 +30,7 @@ internal sealed class HandOutCommand : Command
         var folder = line.Exactly("<folder>")[0];
         var (first, last) = OpenSteps(line);
         if (ScalarRenderer.IsChanged)
-            throw new ProblemException("raycaster: src/RayCaster has been changed since it was tested, and a hand-out would judge by it\n" +
+            throw new ProblemException("src/RayCaster has been changed since it was tested, and a hand-out would judge by it\n" +
                 "  Undo the change, or test it: dotnet test, then dotnet build src/RayCaster -t:Tested");
         HandOutFolder.Write(folder, step => first <= step && step <= last, cancellation);
         var steps = last == 0 ? "all steps are done" : first == last ? $"step {first} is open" : $"steps {first} to {last} are open";

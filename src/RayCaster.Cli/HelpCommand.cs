@@ -7,10 +7,9 @@ internal sealed class HelpCommand : Command
         raycaster draws a scene: it casts one ray for each pixel and writes the picture.
         Try:   dotnet run --project src/RayCaster.Cli -- scenes/first.json
         More:  dotnet run --project src/RayCaster.Cli -- help
-
         """;
 
-    public override string Help => new DrawCommand().Help;
+    public override string Help => All["draw"].Help;
 
     public override bool Takes(Option option) => false;
 
@@ -18,8 +17,8 @@ internal sealed class HelpCommand : Command
     {
         var name = line.Operands is [var first, ..] ? first : "help";
         if (!All.TryGetValue(name, out var command))
-            throw ProblemException.Usage($"there is no command '{name}'{CommandLine.DidYouMean(name, All.Keys)}");
-        StandardFile.WriteOutput(command().Help);
+            throw ProblemException.Usage($"there is no command '{name}'{Spelling.DidYouMean(name, All.Keys, quote: '\'')}");
+        StandardFile.WriteOutput(command.Help);
         return ExitCode.Done;
     }
 
@@ -27,7 +26,7 @@ internal sealed class HelpCommand : Command
     public static string HintAfter(string[] arguments)
     {
         if (NameIn(arguments) is not { } name) return "Try 'raycaster help', or dotnet run --project src/RayCaster.Cli -- help.\n";
-        var help = All[name]().Help;
+        var help = All[name].Help;
         var usage = help.AsSpan(help.IndexOf("Usage:", StringComparison.Ordinal));
         return $"{usage[..usage.IndexOf("\n\n")]}\nTry 'raycaster help {name}', or dotnet run --project src/RayCaster.Cli -- help {name}.\n";
     }

@@ -6,18 +6,14 @@ internal static class InputFiles
     private static readonly HashSet<string> read = [];
 
     /// <summary>Notes files that are read, so that no output replaces one.</summary>
-    public static void Note(IEnumerable<string> files)
-    {
-        foreach (var file in files)
-            if (file != SceneInput.Standard) read.Add(PlaceOf(file));
-    }
+    public static void Note(IEnumerable<string> files) => read.UnionWith(files.Where(file => file != SceneInput.Standard).Select(PlaceOf));
 
     /// <summary>Refuses an output that is one of the files that were read.</summary>
     /// <exception cref="ProblemException">It is one of them.</exception>
     public static void Keep(string output)
     {
         if (read.Contains(PlaceOf(output)))
-            throw new ProblemException($"raycaster: {output} is one of the files that are read\n  Choose another name with -o.");
+            throw new ProblemException($"{output} is one of the files that are read\n  Choose another name with -o.");
     }
 
     /// <summary>The full path of a file, with links to folders resolved: the same for all names of the file.</summary>
@@ -70,7 +66,7 @@ internal static class InputFiles
         var folder = Path.GetDirectoryName(operand) is { Length: > 0 } path ? path : ".";
         if (Directory.Exists(folder) && FilesIn(folder, name) is { Length: > 0 } files)
             return folder == "." ? Array.ConvertAll(files, file => Path.GetFileName(file)) : files;
-        throw new ProblemException($"raycaster: no file matches {operand}");
+        throw new ProblemException($"no file matches {operand}");
     }
 
     /// <exception cref="ProblemException">The folder may not be listed, or a name in it has a dangerous character.</exception>
@@ -84,7 +80,7 @@ internal static class InputFiles
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {
-            throw new ProblemException($"raycaster: cannot list the folder {folder}: {(e is IOException ? e.Message : "you may not read it")}");
+            throw new ProblemException($"cannot list the folder {folder}: {(e is IOException ? e.Message : "you may not read it")}");
         }
     }
 }

@@ -11,10 +11,10 @@ internal static class Interruption
     public static void Tell(string[] arguments)
     {
         WrittenFiles.GiveUp();
-        var command = Command.NameIn(arguments) is { } name ? Command.All[name]() : null;
+        var command = Command.NameIn(arguments) is { } name ? Command.All[name] : null;
         var resumes = WrittenFiles.Count > 0 && command?.Takes(Option.Resume) == true;
         var end = command is LiveCommand ? "the page's server has stopped" : $"{WhatIsThere()}{(resumes ? "; --resume continues" : "")}";
-        var telling = new Thread(() => StandardFile.WriteError($"raycaster: interrupted; {end}\n")) { IsBackground = true };
+        var telling = new Thread(() => StandardFile.WriteError($"raycaster: interrupted; {end}")) { IsBackground = true };
         telling.Start();
         telling.Join(Patience);
     }

@@ -31,7 +31,7 @@ internal sealed class LiveCommand : Command
         var beside = Path.Combine(AppContext.BaseDirectory, name);
         var start = File.Exists(beside) ? new ProcessStartInfo(beside, arguments)
             : ProjectAbove(AppContext.BaseDirectory) is { } project ? new("dotnet", ["run", "--project", project, "--", .. arguments])
-            : throw new ProblemException($"raycaster: the live page is a program of its own, {name}, which is not in {AppContext.BaseDirectory}\n" +
+            : throw new ProblemException($"the live page is a program of its own, {name}, which is not in {AppContext.BaseDirectory}\n" +
                 "  In a clone of the project: dotnet run --project src/RayCaster.Live -- <scene>");
         try
         {
@@ -39,7 +39,7 @@ internal sealed class LiveCommand : Command
         }
         catch (Win32Exception e)
         {
-            throw new ProblemException($"raycaster: {start.FileName} cannot be started: {e.Message}");
+            throw new ProblemException($"{start.FileName} cannot be started: {e.Message}");
         }
     }
 

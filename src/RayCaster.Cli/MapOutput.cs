@@ -37,6 +37,6 @@ internal static class MapOutput
     }
 
     private static string Range(NumberMap map, MapKind kind) => kind is MapKind.T or MapKind.Depth && map.Range is var (least, greatest)
-        ? FormattableString.Invariant($", {kind.Name()} from {least:G7} to {greatest:G7}")
+        ? $", {kind.Name()} from {least:G7} to {greatest:G7}"
         : "";
 }

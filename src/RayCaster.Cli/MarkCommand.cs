@@ -37,7 +37,6 @@ internal sealed class MarkCommand : Command
 
         Exit codes:
           0 marked, whatever the marks are; 1 the rubric has errors; 2 failed.
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -54,19 +53,19 @@ internal sealed class MarkCommand : Command
 
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("mark needs a folder for the marks, as in -o marks");
         var runs = rubric.Source.Run.Count > 0;
-        if (runs) line.Tell($"{RubricReport.LimitsOf(rubric)}");
-        using var progress = line.ShowsProgress ? ProgressLine.OnTerminal(0, 0, "submissions") : null;
+        if (runs) line.Tell(RubricReport.LimitsOf(rubric));
+        using var progress = ProgressLine.For(line, 0, 0, "submissions");
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(
             line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit],
-            progress is null ? null : progress.Show,
-            copy => StandardFile.WriteError($"marks.csv was edited since the last run; that table is now {copy}{Environment.NewLine}"));
+            (done, all) => progress?.Show(done, all),
+            copy => StandardFile.WriteError($"marks.csv was edited since the last run; that table is now {copy}"));
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
         progress?.Dispose();
         var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);
         line.Tell($"{output}: {marks.Count} submission{(marks.Count == 1 ? "" : "s")} marked, {flagged} to look at yourself, {seconds:0.0} s");
         if (marks.Count > 1 && marks.Select(student => student.CommonProblem).Distinct().ToArray() is [not null]) // for one reason
-            StandardFile.WriteError($"No submission has a picture. Does {line.Operands[1]} contain a folder for each student?{Environment.NewLine}");
+            StandardFile.WriteError($"No submission has a picture. Does {line.Operands[1]} contain a folder for each student?");
         return ExitCode.Done;
     }
 }

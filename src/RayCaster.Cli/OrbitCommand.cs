@@ -31,7 +31,6 @@ internal sealed class OrbitCommand : Command
         Examples, where raycaster is "dotnet run --project src/RayCaster.Cli --":
           raycaster orbit scenes/room.json --frames 48 -o frames
           raycaster animate frames -o room.png --fps 24
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -61,7 +60,7 @@ internal sealed class OrbitCommand : Command
         {
             cancellation.ThrowIfCancellationRequested();
             var camera = way?.Frame(scene.Camera, frame, frames) ?? CameraMotion.Orbit(scene.Camera, frame, frames);
-            if (camera.Flaw is { } flaw) throw new ProblemException($"raycaster: frame {frame} cannot be drawn: {flaw}");
+            if (camera.Flaw is { } flaw) throw new ProblemException($"frame {frame} cannot be drawn: {flaw}");
             var view = scene with { Camera = camera };
             var whole = LineRange.Whole(camera.Height);
             var output = Path.Combine(folder, $"{name}-{DrawCommand.Padded(frame, frames)}.png");
@@ -69,7 +68,7 @@ internal sealed class OrbitCommand : Command
             // The reason to draw a frame again is printed for the first one only.
             if (line.Has(Option.Resume) && PictureOutput.IsThere(output, part, quiet || drawn > 0)) continue;
             PictureOutput.Draw(
-                output, PictureFormat.Png, new(view, threads, plain: false, manyFrames: true), whole, part, line.ShowsProgress, cancellation);
+                output, PictureFormat.Png, new(view, threads, plain: false, manyFrames: true), whole, part, line, cancellation);
             drawn++;
         }
         var (pixels, seconds) = ($"{scene.Camera.Width} x {scene.Camera.Height} pixels", Stopwatch.GetElapsedTime(start).TotalSeconds);

@@ -14,7 +14,7 @@ internal static class PictureOutput
     {
         if (output == SceneInput.Standard && TerminalScreen.TakesOutput)
             throw new ProblemException(
-                "raycaster: a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
+                "a terminal cannot show picture bytes\n  Use -o FILE, or redirect them: -o - > picture.ppm");
         return line.Format() ?? (output == SceneInput.Standard ? ofStandardOutput
             : Directory.Exists(output) ? throw new PictureFileException($"cannot write {output}: it is a folder; name a file in it")
             : PictureFormats.ByExtension(output));
@@ -41,7 +41,7 @@ internal static class PictureOutput
     /// <param name="part">What the file shows, to be written into it; null for nothing.</param>
     /// <param name="watch">Gives what also gets the lines, in order; called again if the picture is drawn again.</param>
     public static void Draw(string output, PictureFormat format, CheckedRenderer renderer, LineRange lines, PartFacts? part,
-        bool showProgress, CancellationToken cancellation, Func<Action<ReadOnlySpan<byte>>>? watch = null)
+        CommandLine line, CancellationToken cancellation, Func<Action<ReadOnlySpan<byte>>>? watch = null)
     {
         try
         {
@@ -56,9 +56,9 @@ internal static class PictureOutput
         void WriteOnce(Stream stream)
         {
             var (width, height, watcher) = (renderer.Scene.Camera.Width, lines.Count, watch?.Invoke());
-            using var progress = showProgress ? ProgressLine.OnTerminal(width, height) : null;
+            using var progress = ProgressLine.For(line, width, height);
             using var writer = PictureWriter.Create(format, stream, width, height, part);
-            renderer.Draw(lines, Take, progress is null ? null : progress.LinesDone, cancellation);
+            renderer.Draw(lines, Take, done => progress?.LinesDone(done), cancellation);
             writer.Finish();
 
             void Take(ReadOnlySpan<byte> drawn)
@@ -74,7 +74,7 @@ internal static class PictureOutput
     public static bool IsThere(string output, PartFacts part, bool quiet)
     {
         if (PartFile.Holds(output, part, out var reason)) return true;
-        if (reason is not null && !quiet) StandardFile.WriteError($"{output} is drawn again: {reason}\n");
+        if (reason is not null && !quiet) StandardFile.WriteError($"{output} is drawn again: {reason}");
         return false;
     }
 
@@ -88,7 +88,7 @@ internal static class PictureOutput
         }
         catch (NotSupportedException e)
         {
-            throw new ProblemException($"raycaster: the scene cannot be drawn in parts: {e.Message}");
+            throw new ProblemException($"the scene cannot be drawn in parts: {e.Message}");
         }
     }
 }

@@ -58,7 +58,7 @@ internal static class Program
         }
         catch (Exception e) when (Message(e) is { } message)
         {
-            StandardFile.WriteError(message + Environment.NewLine);
+            StandardFile.WriteError($"raycaster: {message}");
             if (e is ProblemException { IsUsage: true }) StandardFile.WriteError(HelpCommand.HintAfter(arguments));
             return ExitCode.CouldNot;
         }
@@ -67,10 +67,9 @@ internal static class Program
             StandardFile.WriteError($"""
                 {Fault.InWords("raycaster", unexpected)}
                 With RAYCASTER_TRACE=1 it shows where it happened.
-
                 """);
             if (Environment.GetEnvironmentVariable("RAYCASTER_TRACE") == "1")
-                StandardFile.WriteError(unexpected.StackTrace + Environment.NewLine);
+                StandardFile.WriteError($"{unexpected.StackTrace}");
             return ExitCode.InternalError;
         }
     }
@@ -86,7 +85,7 @@ internal static class Program
         if (line.Has(Option.Help))
             StandardFile.WriteOutput(line.Command.Help);
         else if (line.Has(Option.Version))
-            StandardFile.WriteOutput(typeof(Program).Assembly.GetName().Version!.ToString(3) + Environment.NewLine);
+            StandardFile.WriteOutput(typeof(Program).Assembly.GetName().Version!.ToString(3));
         else
             return line.Command.Run(line, cancellation);
         return ExitCode.Done;
@@ -95,10 +94,9 @@ internal static class Program
     /// <summary>What to tell the user; null for a fault of this program.</summary>
     private static string? Message(Exception e) => e switch
     {
-        ProblemException => e.Message,
-        PictureFileException => "raycaster: " + e.Message,
-        IOException or UnauthorizedAccessException => "raycaster: " + (IsCurrentFolderThere() ? e.Message : "the current folder was deleted"),
-        _ => IsOutOfMemory(e) ? "raycaster: there is not enough memory" : null,
+        ProblemException or PictureFileException => e.Message,
+        IOException or UnauthorizedAccessException => IsCurrentFolderThere() ? e.Message : "the current folder was deleted",
+        _ => IsOutOfMemory(e) ? "there is not enough memory" : null,
     };
 
     private static bool IsCurrentFolderThere()

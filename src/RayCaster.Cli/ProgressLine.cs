@@ -1,5 +1,3 @@
-using static System.FormattableString;
-
 namespace RayCaster.Cli;
 
 /// <summary>
@@ -19,14 +17,16 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     private int linesDone, drawn;
     private bool isGone;
 
-    /// <summary>Whether the line can be seen.</summary>
-    public static bool IsWanted =>
+    private static bool IsSeen =>
         !Console.IsErrorRedirected
         && Environment.GetEnvironmentVariable("TERM") != "dumb"
         && string.IsNullOrEmpty(Environment.GetEnvironmentVariable("CI"));
 
-    /// <summary>A progress line on standard error's terminal.</summary>
-    public static ProgressLine OnTerminal(int width, int height, string what = "rays") =>
+    /// <summary>A progress line on standard error's terminal; null if it is not wanted, or nobody sees it.</summary>
+    public static ProgressLine? For(CommandLine line, int width, int height, string what = "rays") =>
+        line.Has(Option.Quiet) || line.Has(Option.NoProgress) || !IsSeen ? null : OnTerminal(width, height, what);
+
+    private static ProgressLine OnTerminal(int width, int height, string what) =>
         new(Console.Error, width, height, TerminalScreen.Columns(), TimeProvider.System, what);
 
     /// <summary>Counts finished lines of the picture. Any thread may call it.</summary>
@@ -59,16 +59,15 @@ internal sealed class ProgressLine(TextWriter output, int width, int height, int
     public static string Rate(double count, string what, TimeSpan elapsed)
     {
         var rate = count / elapsed.TotalSeconds;
-        return (rate < 1e5 ? Invariant($"{rate:N0}") : Invariant($"{rate / 1e6:0.0} million")) + $" {what} per second";
+        return (rate < 1e5 ? $"{rate:N0}" : $"{rate / 1e6:0.0} million") + $" {what} per second";
     }
 
     private string Text(int done, int all, TimeSpan elapsed)
     {
         var share = (double)done / all;
         var left = TimeSpan.FromSeconds(elapsed.TotalSeconds / share * (1 - share));
-        return string.Create(CultureInfo.InvariantCulture,
-            $"{share * 100,3:0} %  {done} of {all} {(width > 0 ? $"lines  {Rate((double)done * width, what, elapsed)}  " : $"{what}  ")}" +
-            $"{(long)left.TotalHours:00}:{left:mm\\:ss} left");
+        return $"{share * 100,3:0} %  {done} of {all} {(width > 0 ? $"lines  {Rate((double)done * width, what, elapsed)}  " : $"{what}  ")}" +
+            $"{(long)left.TotalHours:00}:{left:mm\\:ss} left";
     }
 
     private void Draw(string text)

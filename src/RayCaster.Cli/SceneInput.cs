@@ -36,7 +36,7 @@ internal static class SceneInput
     /// <remarks>A method of its own, because the runtime would load the console library wherever this is compiled.</remarks>
     private static SceneReading ReadStandardInput(int? threads, Action<ReadOnlySpan<byte>>? look)
     {
-        if (StandardInput.IsClosed) throw new ProblemException("raycaster: the scene is to be read from standard input, but that is closed");
+        if (StandardInput.IsClosed) throw new ProblemException("the scene is to be read from standard input, but that is closed");
         using var input = Console.OpenStandardInput();
         return SceneReader.Read(input, "<stdin>", Environment.CurrentDirectory, threads, look);
     }

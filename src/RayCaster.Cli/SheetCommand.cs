@@ -19,20 +19,17 @@ internal sealed class SheetCommand : Command
           -s, --size <W>x<H>   Size of each small picture, in pixels.
                                [default: at most 160 wide, in proportion to the first]
           -q, --quiet          Prints errors only.
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         var output = AnimateCommand.OutputOf(line, "sheet");
         var pictures = AnimateCommand.FramesOf(line, output);
-        var columns = line[Option.Columns] is not { } text ? (int)Math.Ceiling(Math.Sqrt(pictures.Count))
-            : CommandLine.ParseCount(text) ?? throw ProblemException.Usage($"'{text}' is not a number of columns");
-        columns = Math.Min(columns, pictures.Count);
+        var columns = line.Count(Option.Columns, "columns", Camera.MaxSide) ?? (int)Math.Ceiling(Math.Sqrt(pictures.Count));
         var (width, height) = line.PictureSize() ?? ContactSheet.SizeFor(pictures[0]);
-        var sheet = new ContactSheet(pictures, columns, width, height);
+        var sheet = new ContactSheet(pictures, Math.Min(columns, pictures.Count), width, height);
         if (sheet.Width > Camera.MaxSide || sheet.Height > Camera.MaxSide || 3 * sheet.Width * (height + ContactSheet.Gap) > Array.MaxLength)
-            throw new ProblemException($"raycaster: a sheet of {sheet.Width} x {sheet.Height} pixels is too large: " +
+            throw new ProblemException($"a sheet of {sheet.Width} x {sheet.Height} pixels is too large: " +
                 "make its pictures smaller with --size");
         PictureOutput.Write(output, cancellation, stream =>
         {

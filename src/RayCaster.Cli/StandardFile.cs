@@ -13,12 +13,9 @@ internal static class StandardFile
     /// <summary>Whether a write to standard output was begun.</summary>
     public static bool HasTakenBytes { get; private set; }
 
-    /// <summary>Writes a command's answer to standard output, without control characters: even the name of the current folder may contain
-    /// some.</summary>
-    /// <param name="text">Whole lines.</param>
+    /// <summary>Writes a command's answer, in whole lines, to standard output.</summary>
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>
-    public static void WriteOutput(string text) =>
-        WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(PrintableText.Of(text, ofLines: true))));
+    public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(Lines(text))));
 
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>
     public static void WriteOutput(Action<Stream> write)
@@ -38,7 +35,7 @@ internal static class StandardFile
         }
         catch (Exception e) when (IsRefusal(e))
         {
-            throw new ProblemException($"raycaster: cannot write to standard output: {Reason(e)}");
+            throw new ProblemException($"cannot write to standard output: {Reason(e)}");
         }
     }
 
@@ -50,12 +47,11 @@ internal static class StandardFile
         if (stream is FileStream file) _ = file.SafeFileHandle; // a FileStream keeps its own position until its handle is used
     }
 
-    /// <summary>Writes a message to standard error. Errors of the write are ignored.</summary>
-    /// <param name="text">Whole lines.</param>
+    /// <summary>Writes a message, in whole lines, to standard error. Errors of the write are ignored.</summary>
     public static void WriteError(string text)
     {
         if (text.Length == 0) return;
-        text = PrintableText.Of(text, ofLines: true);
+        text = Lines(text);
         if (OperatingSystem.IsWindows())
         {
             Console.Error.Write(text);
@@ -71,6 +67,9 @@ internal static class StandardFile
         {
         }
     }
+
+    /// <summary>The text with a line end, and without control characters: even the name of the current folder may contain some.</summary>
+    private static string Lines(string text) => PrintableText.Of(text is "" or [.., '\n'] ? text : text + Environment.NewLine, ofLines: true);
 
     /// <summary>A closed file gives the second kind of exception, a file that is larger than the system allows the third.</summary>
     private static bool IsRefusal(Exception e) => e is IOException or UnauthorizedAccessException or ArgumentOutOfRangeException;

@@ -41,7 +41,6 @@ internal sealed class StitchCommand : Command
         Exit codes:
           0 done, or with --missing: no line is missing, 1 lines are missing or parts do not
           belong together, 2 failed, for example because a part is damaged.
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -59,7 +58,7 @@ internal sealed class StitchCommand : Command
         var start = Stopwatch.GetTimestamp();
         var parts = new PartSet(files, chosen.Contains);
         if (parts.Count == 0 && parts.Problems.Count == 0)
-            throw new ProblemException($"raycaster: there are no parts of a picture in {string.Join(", ", line.Operands)}");
+            throw new ProblemException($"there are no parts of a picture in {string.Join(", ", line.Operands)}");
 
         if (parts.Problems.Count > 0) return No("these are not the parts of one picture", parts.Problems);
         if (onlyMissing)
@@ -74,9 +73,9 @@ internal sealed class StitchCommand : Command
         var (width, height) = parts.Size;
         PictureOutput.Write(output, cancellation, stream =>
         {
-            using var progress = line.ShowsProgress ? ProgressLine.OnTerminal(width, height, "pixels") : null;
+            using var progress = ProgressLine.For(line, width, height, "pixels");
             using var writer = PictureWriter.Create(format, stream, width, height);
-            parts.Write(writer, progress is null ? null : progress.LinesDone, cancellation);
+            parts.Write(writer, lines => progress?.LinesDone(lines), cancellation);
             writer.Finish();
         });
         var (seconds, noun) = (Stopwatch.GetElapsedTime(start).TotalSeconds, parts.Count == 1 ? "part" : "parts");

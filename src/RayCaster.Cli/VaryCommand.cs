@@ -24,7 +24,6 @@ internal sealed class VaryCommand : Command
 
         Exit codes:
           0 done, 1 the scene has errors, or no variation shows the same mistakes, 2 failed.
-
         """;
 
     public override int Run(CommandLine line, CancellationToken cancellation)
@@ -32,8 +31,6 @@ internal sealed class VaryCommand : Command
         var path = line.Exactly("<scene>")[0];
         if (line[Option.Seed] is not { Length: > 0 } seed) throw ProblemException.Usage("vary needs a seed, as in --seed 12345");
         if (line[Option.Output] is not { } output) throw ProblemException.Usage("vary needs a name for the scene, as in -o mine.json");
-        InputFiles.Note([path]);
-        InputFiles.Keep(output);
         var reading = SceneInput.Read(path, line, judges: true);
         StandardFile.WriteError(reading.Report());
         if (reading.Scene is not { } scene) return reading.IsUnread ? ExitCode.CouldNot : ExitCode.No;
@@ -41,11 +38,11 @@ internal sealed class VaryCommand : Command
         var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
         var newFolder = Path.GetDirectoryName(Path.GetFullPath(output))!;
         if (scene.Models.Any(model => model is Mesh) && newFolder != folder)
-            throw new ProblemException($"raycaster: {path} names mesh files, whose paths start at its folder: " +
+            throw new ProblemException($"{path} names mesh files, whose paths start at its folder: " +
                 $"write {Path.GetFileName(output)} to {folder}");
         if (SceneVariation.Of(reading.Text, folder, seed, newFolder) is not { } varied)
         {
-            StandardFile.WriteError($"{path}: no variation of it shows all its mistakes; try another seed{Environment.NewLine}");
+            StandardFile.WriteError($"{path}: no variation of it shows all its mistakes; try another seed");
             return ExitCode.No;
         }
         PictureOutput.Write(output, cancellation, stream => stream.Write(varied));

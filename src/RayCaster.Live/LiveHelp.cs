@@ -21,6 +21,5 @@ internal static class LiveHelp
 
         Exit codes:
           2 failed, 130 interrupted (Ctrl-C), 143 terminated.
-
         """;
 }

@@ -27,8 +27,8 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
                     port = PortOf(Value(arguments, ref i));
                     break;
                 case ['-', _, ..] unknown:
-                    throw ProblemException.Usage(
-                        $"there is no option '{unknown}'{Spelling.DidYouMean(unknown, ["--mine", "--port", "--no-browser", "--help"])}");
+                    string[] options = ["--mine", "--port", "--no-browser", "--help"];
+                    throw ProblemException.Usage($"there is no option '{unknown}'{Spelling.DidYouMean(unknown, options, quote: '\'')}");
                 case var operand when scene is null:
                     scene = operand;
                     break;

@@ -16,7 +16,7 @@ internal static class Program
         {
             if (LiveOptions.Parse(arguments) is not { } options)
             {
-                Console.Out.Write(LiveHelp.Text);
+                Console.Out.WriteLine(LiveHelp.Text);
                 return ExitCode.Done;
             }
             // The page shows a scene's mistakes; a file that does not exist is a mistake on the command line.

@@ -69,7 +69,7 @@ public sealed class FrameTests : IDisposable
     [InlineData(
         "'2000' is not a number of frames per second: it is a whole number from 1 to 1,000\n", "animate", ".", "-o", "a.png", "--fps", "2000")]
     [InlineData("picture file not found: b.png\n", "sheet", "b.png", "-o", "a.png")]
-    [InlineData("'x' is not a number of columns\n", "sheet", "b.png", "-o", "a.png", "--columns", "x")]
+    [InlineData("'x' is not a number of columns: it is a whole number from 1 to 1,000,000\n", "sheet", "b.png", "-o", "a.png", "--columns", "x")]
     public void WhatCannotBeDoneIsRefused(string message, params string[] arguments)
     {
         raycaster.Run(arguments);

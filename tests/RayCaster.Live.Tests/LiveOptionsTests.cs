@@ -4,6 +4,6 @@ public class LiveOptionsTests
 {
     [Fact]
     public void AMisspeltOptionIsToldWithTheRightOne() => Assert.StartsWith(
-        "raycaster-live: there is no option '--prot'; did you mean \"--port\"?",
+        "raycaster-live: there is no option '--prot'; did you mean '--port'?",
         Assert.Throws<ProblemException>(() => LiveOptions.Parse(["a.json", "--prot", "3"])).Message);
 }

@@ -10,9 +10,6 @@ internal static partial class Bodies
 {
     private const string Stub = "// STUB ";
 
-    /// <summary>The slides of a file's bodies.</summary>
-    public static IEnumerable<string> SlidesOf(string text) => Body().Matches(text).Select(body => body.Groups["slide"].Value);
-
     /// <summary>A file with stubs in place of some bodies.</summary>
     /// <param name="file">Its name in messages.</param>
     /// <param name="isOpen">Whether students write the bodies of a step. Only these bodies keep their markers.</param>

@@ -22,7 +22,7 @@ internal static class HandOutFiles
         }
         var folder = Path.Combine(AppContext.BaseDirectory, Prefix);
         if (!Directory.Exists(folder))
-            throw new ProblemException($"raycaster: the folder {Prefix} is not beside this program: publish it as a whole");
+            throw new ProblemException($"the folder {Prefix} is not beside this program: publish it as a whole");
         foreach (var file in Directory.GetFiles(folder, "*", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
             yield return (Path.GetRelativePath(folder, file).Replace('\\', '/'), File.ReadAllBytes(file));
     }

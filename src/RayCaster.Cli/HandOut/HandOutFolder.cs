@@ -12,7 +12,7 @@ internal static class HandOutFolder
     {
         var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
-            throw new ProblemException($"raycaster: {folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
+            throw new ProblemException($"{folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
         var files = HandOutFiles.With(isOpen);
         try
         {
@@ -32,7 +32,7 @@ internal static class HandOutFolder
         catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
         {
             var reason = e is UnauthorizedAccessException ? "access is denied" : e.Message; // its own message names the temporary folder
-            throw new ProblemException($"raycaster: the hand-out cannot be written to {folder}: {reason}");
+            throw new ProblemException($"the hand-out cannot be written to {folder}: {reason}");
         }
     }
 
@@ -41,7 +41,7 @@ internal static class HandOutFolder
         Directory.CreateDirectory(folder);
         var file = Path.Combine(AppContext.BaseDirectory, name + ".dll");
         if (!File.Exists(file))
-            throw new ProblemException($"raycaster: {name}.dll is not beside this program, " +
+            throw new ProblemException($"{name}.dll is not beside this program, " +
                 "so it cannot be copied into a hand-out\n  Publish raycaster as separate files, not as one.");
         File.Copy(file, Path.Combine(folder, name + ".dll"));
     }
@@ -53,7 +53,7 @@ internal static class HandOutFolder
         {
             if (file.EndsWith(".schema.json")) continue;
             var reading = SceneReader.Read(file);
-            var scene = reading.Scene ?? throw new ProblemException($"raycaster: a scene of the hand-out has errors\n{reading.Report()}");
+            var scene = reading.Scene ?? throw new ProblemException($"a scene of the hand-out has errors\n{reading.Report()}");
             for (var step = 1; step <= LabSteps.Count; step++)
             {
                 cancellation.ThrowIfCancellationRequested();

@@ -45,10 +45,10 @@ public static class Spelling
 
     /// <summary>"; did you mean …?" for the end of a message, or an empty text.</summary>
     /// <inheritdoc cref="Nearest"/>
-    public static string DidYouMean(string word, IEnumerable<string> known)
+    public static string DidYouMean(string word, IEnumerable<string> known, char quote = '"')
     {
         if (Nearest(word, known) is not { } nearest) return "";
-        return $"; did you mean \"{nearest}\"?" + (nearest.Equals(word, StringComparison.OrdinalIgnoreCase) ? " (case matters)" : "");
+        return $"; did you mean {quote}{nearest}{quote}?" + (nearest.Equals(word, StringComparison.OrdinalIgnoreCase) ? " (case matters)" : "");
     }
 
     /// <summary>How many letters must be added, left out, changed or swapped with their neighbour; case is ignored.</summary>
