@@ -71,8 +71,7 @@ internal sealed class CommandLine
     {
         if (operands.Count == names.Length) return operands;
         throw ProblemException.Usage(
-            $"{CommandName} takes {string.Join(' ', names!)}, but {(operands.Count == 0 ? "nothing is" : $"'{string.Join(' ', operands)}' is")} " +
-                "given");
+            $"{CommandName} takes {string.Join(' ', names!)}, but {(operands.Count == 0 ? "nothing" : $"'{string.Join(' ', operands)}'")} is given");
     }
 
     /// <summary>How many threads; null for one per core. More than a few per core only need memory.</summary>

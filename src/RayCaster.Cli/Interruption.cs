@@ -7,7 +7,6 @@ internal static class Interruption
 
     /// <summary>Deletes unfinished files, and says in one line what was finished, and how to continue. Does not wait if standard error is a pipe
     /// that no program reads.</summary>
-    /// <param name="arguments">The command line.</param>
     public static void Tell(string[] arguments)
     {
         WrittenFiles.GiveUp();

@@ -3,7 +3,6 @@ namespace RayCaster.Cli;
 /// <summary>Drawing with --mistake: the picture of a wrong program, for exams and for testing a rubric.</summary>
 internal static class MistakeOutput
 {
-    /// <summary>The names of all mistakes.</summary>
     public static IReadOnlyList<string> Ids => [.. MistakeCatalog.All.Select(mistake => mistake.Id)];
 
     /// <summary>Reads the scene, draws it with the mistakes, and writes the picture.</summary>

@@ -1,4 +1,5 @@
 using System.Globalization;
+using RayCaster.Cli;
 
 namespace RayCaster.Live;
 
@@ -46,11 +47,4 @@ internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool Op
         int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out var port) && port is > 0 and <= 65535
             ? port
             : throw ProblemException.Usage($"'{text}' is not a port; a port is a whole number from 1 to 65535");
-}
-
-/// <summary>A problem that the user can solve. The program prints the message and nothing else.</summary>
-internal sealed class ProblemException(string message) : Exception(message)
-{
-    public static ProblemException Usage(string problem) =>
-        new($"raycaster-live: {problem}\nTry dotnet run --project src/RayCaster.Live -- --help.");
 }

@@ -7,6 +7,7 @@ using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
 using Microsoft.Extensions.FileProviders;
+using RayCaster.Cli;
 
 namespace RayCaster.Live;
 
@@ -78,7 +79,7 @@ internal sealed class LiveServer : IAsyncDisposable
                 await server.DisposeAsync();
                 if (options.Port == 0 && attempt < MostAttempts) continue;
                 var reason = e.InnerException is AddressInUseException ? "is taken" : "cannot be used";
-                throw new ProblemException($"raycaster-live: port {port} {reason}; choose another one above 1023, or leave --port out");
+                throw new ProblemException($"port {port} {reason}; choose another one above 1023, or leave --port out");
             }
         }
     }

@@ -21,7 +21,10 @@ internal static class Program
             }
             // The page shows a scene's mistakes; a file that does not exist is a mistake on the command line.
             if (!File.Exists(options.Scene))
-                throw new ProblemException(SceneReader.Read(options.Scene).Report().TrimEnd());
+            {
+                Console.Error.Write(SceneReader.Read(options.Scene).Report());
+                return ExitCode.CouldNot;
+            }
             var server = await LiveServer.StartAsync(options);
             Console.Out.WriteLine(Greeting(options, server));
             if (options.OpensBrowser && !DotnetWatch.IsRestart) Open(server.Address);
@@ -29,7 +32,8 @@ internal static class Program
         }
         catch (ProblemException problem)
         {
-            Console.Error.WriteLine(problem.Message);
+            Console.Error.WriteLine($"raycaster-live: {problem.Message}");
+            if (problem.IsUsage) Console.Error.WriteLine("Try dotnet run --project src/RayCaster.Live -- --help.");
             return ExitCode.CouldNot;
         }
         catch (Exception unexpected)
