@@ -88,7 +88,6 @@ internal sealed class CommandLine
     /// <param name="option">Its value is <c>0..249</c> for the lines 0 to 249, both included, or <c>3/8</c> for the third of eight parts.</param>
     /// <param name="what">Their name in messages: lines or frames.</param>
     /// <param name="of">What has them, in messages: a picture or a film.</param>
-    /// <exception cref="ProblemException">The value has another form, or the picture has no such lines.</exception>
     public LineRange Lines(Option option, int height, string what = "lines", string of = "a picture")
     {
         var whole = LineRange.Whole(height);

@@ -8,7 +8,6 @@ internal static class FileWord
 {
     private const char NotUtf8 = '\uFFFD';
 
-    /// <exception cref="ProblemException">The word has one; the message names it.</exception>
     public static void Check(string word)
     {
         foreach (var c in word)

@@ -9,7 +9,6 @@ internal static class InputFiles
     public static void Note(IEnumerable<string> files) => read.UnionWith(files.Where(file => file != SceneInput.Standard).Select(PlaceOf));
 
     /// <summary>Refuses an output that is one of the files that were read.</summary>
-    /// <exception cref="ProblemException">It is one of them.</exception>
     public static void Keep(string output)
     {
         if (read.Contains(PlaceOf(output)))
@@ -39,7 +38,6 @@ internal static class InputFiles
 
     /// <summary>The files that operands name, each once.</summary>
     /// <param name="chosen">The files that were named themselves, not only by their folder.</param>
-    /// <exception cref="ProblemException">An operand names nothing.</exception>
     public static List<string> Of(IReadOnlyList<string> operands, out HashSet<string> chosen)
     {
         var (files, seen) = (new List<string>(), new HashSet<string>());
@@ -69,7 +67,6 @@ internal static class InputFiles
         throw new ProblemException($"no file matches {operand}");
     }
 
-    /// <exception cref="ProblemException">The folder may not be listed, or a name in it has a dangerous character.</exception>
     private static string[] FilesIn(string folder, string pattern)
     {
         try

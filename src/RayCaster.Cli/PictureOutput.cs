@@ -8,8 +8,6 @@ internal static class PictureOutput
 
     /// <summary>The format of --format, or that of the file's extension.</summary>
     /// <param name="ofStandardOutput">The format of standard output without --format.</param>
-    /// <exception cref="ProblemException">The output is a terminal.</exception>
-    /// <exception cref="PictureFileException">The output is a folder, or its extension is unknown.</exception>
     public static PictureFormat FormatOf(CommandLine line, string output, PictureFormat ofStandardOutput = PictureFormat.Ppm)
     {
         if (output == SceneInput.Standard && TerminalScreen.TakesOutput)
@@ -21,8 +19,6 @@ internal static class PictureOutput
     }
 
     /// <param name="cancellation">If cancelled, the old file stays.</param>
-    /// <exception cref="ProblemException">Standard output cannot be written, or the picture would replace a file that was read.</exception>
-    /// <exception cref="PictureFileException">The file cannot be written.</exception>
     public static void Write(string output, CancellationToken cancellation, Action<Stream> write)
     {
         if (output == SceneInput.Standard)
@@ -79,7 +75,6 @@ internal static class PictureOutput
     }
 
     /// <summary>The digest of a scene's models, for the facts in the files of its parts and frames.</summary>
-    /// <exception cref="ProblemException">A model cannot describe its numbers.</exception>
     public static string DigestOfModels(Scene scene)
     {
         try

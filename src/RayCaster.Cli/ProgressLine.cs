@@ -3,7 +3,6 @@ namespace RayCaster.Cli;
 /// <summary>
 /// A progress line on the terminal: drawn only if the work takes long, at most ten times a second, and wiped at the end.
 /// </summary>
-/// <param name="columns">The terminal's width.</param>
 /// <param name="width">Pixels in a line of the picture; 0 if there is no picture, and something else is counted.</param>
 /// <param name="what">What is counted for each pixel: rays, or something else if no rays are cast.</param>
 internal sealed class ProgressLine(TextWriter output, int width, int height, int columns, TimeProvider clock, string what = "rays") : IDisposable

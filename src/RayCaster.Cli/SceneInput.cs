@@ -8,7 +8,6 @@ internal static class SceneInput
 
     /// <summary>Reads a scene and prints its errors and warnings.</summary>
     /// <param name="path">The file, or "-".</param>
-    /// <param name="warns">Whether to print the warnings, too.</param>
     /// <returns>The scene; null if it has errors.</returns>
     /// <inheritdoc cref="Read(string, CommandLine, bool, Action{ReadOnlySpan{byte}}?)"/>
     public static Scene? Read(string path, CommandLine line, CancellationToken cancellation, bool warns = true, bool judges = false)

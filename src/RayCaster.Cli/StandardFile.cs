@@ -14,7 +14,6 @@ internal static class StandardFile
     public static bool HasTakenBytes { get; private set; }
 
     /// <summary>Writes a command's answer, in whole lines, to standard output.</summary>
-    /// <exception cref="ProblemException">Standard output cannot be written.</exception>
     public static void WriteOutput(string text) => WriteOutput(stream => stream.Write(Encoding.UTF8.GetBytes(Lines(text))));
 
     /// <exception cref="ProblemException">Standard output cannot be written.</exception>

@@ -12,8 +12,6 @@ internal sealed class TerminalPreview
     private readonly int across, down;
     private readonly SmallPicture cells;
 
-    /// <param name="columns">Characters in a line of the terminal.</param>
-    /// <param name="lines">Lines that may be used.</param>
     public TerminalPreview(int width, int height, int columns, int lines)
     {
         var scale = Math.Min(1, Math.Min((double)columns / width, 2.0 * lines / height)); // a small picture is not enlarged

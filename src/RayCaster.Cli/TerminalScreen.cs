@@ -14,16 +14,12 @@ internal static class TerminalScreen
     private const int UsualColumns = 80, UsualLines = 24, FewestColumns = 20, FewestLines = 4;
 
     /// <summary>The colours of standard output, if there is a preview.</summary>
-    /// <exception cref="ProblemException">--color is neither auto nor always nor never.</exception>
     public static ColorDepth Colors(CommandLine line) =>
         !line.Has(Option.Preview) && !line.Has(Option.Color) ? ColorDepth.None // not needed, and the console library takes time to load
         : Choose(line[Option.Color], !TakesOutput, Environment.GetEnvironmentVariable);
 
     /// <summary>The first of these that is set decides: --color, NO_COLOR, FORCE_COLOR, the kind of standard output.</summary>
-    /// <param name="when">The value of --color: auto, always or never; null if it is not given.</param>
-    /// <param name="isRedirected">Whether standard output is no terminal.</param>
     /// <param name="variable">Reads an environment variable; an empty one counts as not set.</param>
-    /// <exception cref="ProblemException">--color has another value.</exception>
     internal static ColorDepth Choose(string? when, bool isRedirected, Func<string, string?> variable)
     {
         var isWanted = when switch
@@ -52,7 +48,6 @@ internal static class TerminalScreen
     }
 
     /// <summary>Writes a preview to standard output.</summary>
-    /// <exception cref="ProblemException">Standard output cannot be written.</exception>
     public static void Show(TerminalPreview preview, ColorDepth colors)
     {
         if (OperatingSystem.IsWindows() && TakesOutput) Console.OutputEncoding = Encoding.UTF8; // for the blocks

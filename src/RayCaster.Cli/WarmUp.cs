@@ -34,7 +34,6 @@ internal static class WarmUp
 
     /// <summary>Starts the warm-up on another thread, once in a process, if there is more than one core.</summary>
     /// <param name="text">A scene file's text, which may have errors.</param>
-    /// <param name="pixels">The number of pixels, if it is known already.</param>
     public static void Begin(ReadOnlySpan<byte> text, long pixels)
     {
         if (!RuntimeFeature.IsDynamicCodeCompiled || Environment.ProcessorCount == 1) return; // the first: a native program

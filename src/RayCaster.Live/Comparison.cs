@@ -30,7 +30,6 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
     }
 
     /// <summary>Names the mistake that may have made the picture.</summary>
-    /// <param name="level">How much of it the text reveals.</param>
     public async Task<string> DiagnoseAsync(HintLevel level)
     {
         if (Result is null || Scene is null) return "";

@@ -13,7 +13,6 @@ internal sealed class FileWatch
     private readonly CancellationToken end;
     private Dictionary<string, (DateTime, long)> stamps = [];
 
-    /// <param name="end">When to stop watching.</param>
     public FileWatch(CancellationToken end)
     {
         this.end = end;

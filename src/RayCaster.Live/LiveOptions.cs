@@ -8,7 +8,6 @@ namespace RayCaster.Live;
 internal sealed record LiveOptions(string Scene, string? Mine, int Port, bool OpensBrowser)
 {
     /// <summary>What a command line asks for; null for the help.</summary>
-    /// <exception cref="ProblemException">The command line cannot be understood.</exception>
     public static LiveOptions? Parse(string[] arguments)
     {
         var (scene, mine, port, opens) = (default(string), default(string), 0, true);

@@ -22,7 +22,6 @@ internal sealed class LiveScene
     private CancellationTokenSource outdated = new();
     private (DateTime, long)[] stamps = []; // of the meshes that are shown
 
-    /// <param name="end">When to stop watching the file.</param>
     public LiveScene(string path, CancellationToken end)
     {
         (Path, FullPath, watch) = (path, System.IO.Path.GetFullPath(path), new(end));

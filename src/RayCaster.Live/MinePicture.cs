@@ -1,8 +1,6 @@
 namespace RayCaster.Live;
 
 /// <summary>The picture of the user's own program: a watched file, or one that was dropped on the page.</summary>
-/// <param name="path">The file to watch; null for none.</param>
-/// <param name="end">When to stop watching it.</param>
 internal sealed class MinePicture(string? path, CancellationToken end)
 {
     /// <summary>How long a file must be broken before it is reported: the user's program may still be writing it.</summary>

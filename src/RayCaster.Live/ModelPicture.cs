@@ -10,7 +10,6 @@ internal static class ModelPicture
 
     /// <summary>Draws the scene with one model lit and the others dark; or with the model visible through those in front of it.</summary>
     /// <param name="model">Its index; −1 for none: all models are dark.</param>
-    /// <param name="cancellation">Ends the work between its steps.</param>
     public static Picture Draw(Scene scene, Look look, int model, CancellationToken cancellation)
     {
         var hits = new Renderer(scene).CastHits();

@@ -6,8 +6,6 @@ internal static class HandOutFolder
     /// <summary>The assemblies of this program that the lab and its tests use.</summary>
     private static readonly string[] libraries = ["RayCaster.Library", "RayCaster.Files", "RayCaster.Engine", "RayCaster.Teaching"];
 
-    /// <param name="folder">The folder, which must be new or empty.</param>
-    /// <exception cref="ProblemException">The folder cannot be written.</exception>
     public static void Write(string folder, Func<int, bool> isOpen, CancellationToken cancellation)
     {
         var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(folder));
