@@ -75,15 +75,15 @@ internal sealed class DrawCommand : Command
     public override int Run(CommandLine line, CancellationToken cancellation)
     {
         if (line.Operands is not [var path]) throw NotOneScene(line.Operands);
-        if (line.Has(Option.Map) && (line.Has(Option.Rows) || line.Has(Option.Resume)))
+        var isPart = line.Has(Option.Rows) || line.Has(Option.Resume);
+        if (line.Has(Option.Map) && isPart)
             throw ProblemException.Usage("a map is drawn whole: leave --rows and --resume out");
-        if (line.Has(Option.Mistake) && (line.Has(Option.Map) || line.Has(Option.Rows) || line.Has(Option.Resume)))
+        if (line.Has(Option.Mistake) && (line.Has(Option.Map) || isPart))
             throw ProblemException.Usage("a wrong picture is drawn whole: leave --map, --rows and --resume out");
         if (line.Has(Option.Map)) return MapOutput.Run(line, path, cancellation);
         if (line.Has(Option.Mistake)) return MistakeOutput.Run(line, path, cancellation);
         var (threads, quiet) = (line.ThreadCount(), line.Has(Option.Quiet));
         line.Lines(Option.Rows, int.MaxValue); // refuses another form before the scene is read
-        var isPart = line.Has(Option.Rows) || line.Has(Option.Resume);
         var output = line[Option.Output] ?? (line.Has(Option.Rows) ? null : NameOf(path) + ".png"); // the name of a part needs the picture's height
         var format = PictureOutput.FormatOf(line, output ?? ".png", isPart ? PictureFormat.Png : PictureFormat.Ppm);
         if (isPart && format != PictureFormat.Png)
@@ -109,8 +109,7 @@ internal sealed class DrawCommand : Command
         var (odd, preview) = (default(OddPicture), default(TerminalPreview));
         scene = SpatialOrder.Of(scene, threads);
         var renderer = new CheckedRenderer(scene, threads, line.Has(Option.Plain));
-        PictureOutput.Draw(
-            output, format, renderer, lines, part, line, cancellation, quiet && !line.Has(Option.Preview) ? null : Watch);
+        PictureOutput.Draw(output, format, renderer, lines, part, line, cancellation, Watch);
         if (preview is not null) TerminalScreen.Show(preview, colors);
         if (quiet) return ExitCode.Done;
         StandardFile.WriteError(Summary(output, scene, lines, Stopwatch.GetElapsedTime(start)));
