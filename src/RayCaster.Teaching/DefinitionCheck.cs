@@ -30,8 +30,8 @@ public sealed class DefinitionCheck
         definition.Start();
     }
 
-    /// <summary>Draws the fast way. If that fails, and the definition, too, the exception is the definition's: its stack names the class whose formula
-    /// fails, which the engine's code has inlined.</summary>
+    /// <summary>Draws the fast way. If that fails, and the definition, too, the exception is the definition's: its stack names the class whose
+    /// formula fails, which the engine's code has inlined.</summary>
     public void Watch(Action draw)
     {
         try
