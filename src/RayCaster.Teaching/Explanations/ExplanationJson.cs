@@ -48,14 +48,14 @@ public static class ExplanationJson
 
     private static object Model(ModelExplanation model) => new
     {
-        model.Index,
+        model.Trial.Index,
         model.Name,
-        model.Type,
+        Type = model.Trial.Model.Kind,
         Verdict = model.Outcome.Verdict(),
         model.Reason,
-        Slide = ShapeKind.Of(model.Type)?.Slide,
+        Slide = ShapeKind.Of(model.Trial.Model.Kind)?.Slide,
         model.Beside,
-        Mesh = model.Mesh is { } mesh ? Triangles(mesh) : null,
+        Mesh = model.Trial is { Triangles: { } triangles, Triangle: var triangle } ? Mesh(triangles, triangle) : null,
         model.Steps,
         Slabs = model.Slabs.Count > 0 ? model.Slabs : null,
         model.Weights,
@@ -71,16 +71,16 @@ public static class ExplanationJson
         }),
     };
 
-    private static object Triangles(MeshTrial mesh) => new
+    private static object Mesh(Tally triangles, int? triangle) => new
     {
-        Triangles = mesh.Triangles.Total,
-        Triangle = mesh.Triangle ?? JsonText.Null,
-        Missed = mesh.Triangles[Outcome.NoNumber],
-        Behind = mesh.Triangles[Outcome.Behind],
-        UnderBias = mesh.Triangles[Outcome.UnderBias],
-        BeforeNear = mesh.Triangles[Outcome.BeforeNear],
-        BeyondFar = mesh.Triangles[Outcome.BeyondFar],
-        Counting = mesh.Triangles[Outcome.Shows],
+        Triangles = triangles.Total,
+        Triangle = triangle ?? JsonText.Null,
+        triangles.Missed,
+        Behind = triangles[Outcome.Behind],
+        UnderBias = triangles[Outcome.UnderBias],
+        BeforeNear = triangles[Outcome.BeforeNear],
+        BeyondFar = triangles[Outcome.BeyondFar],
+        Counting = triangles[Outcome.Shows],
     };
 
     private static object Others(Tally others) => new
@@ -91,7 +91,7 @@ public static class ExplanationJson
         UnderBias = others[Outcome.UnderBias],
         BeforeNear = others[Outcome.BeforeNear],
         BeyondFar = others[Outcome.BeyondFar],
-        Missed = others[Outcome.NoNumber],
+        others.Missed,
     };
 
     private static object Hit(PixelExplanation pixel, int index) => new

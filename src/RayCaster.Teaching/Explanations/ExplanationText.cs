@@ -5,33 +5,26 @@ public sealed class ExplanationText
 {
     private const int Width = 100;
 
-    private static readonly (Outcome, string)[] refused =
-    [
-        (Outcome.Behind, "behind the camera"), (Outcome.UnderBias, "under the bias"), (Outcome.BeforeNear, "nearer than zNear"),
-        (Outcome.BeyondFar, "beyond zFar"),
-    ];
-
+    private readonly PixelExplanation pixel;
     private readonly StringBuilder text = new();
 
-    private ExplanationText()
-    {
-    }
+    private ExplanationText(PixelExplanation pixel) => this.pixel = pixel;
 
     /// <summary>The text, in lines, with the same pixel in another picture if there is one.</summary>
     public static string Of(PixelExplanation pixel, ReferenceExplanation? reference = null)
     {
-        var writer = new ExplanationText();
-        writer.Pixel(pixel);
+        var writer = new ExplanationText(pixel);
+        writer.Pixel();
         writer.Section("Camera", "the same for every pixel");
         writer.Steps(2, pixel.CameraSteps);
-        writer.Ray(pixel);
-        writer.Models(pixel);
-        writer.Color(pixel);
+        writer.Ray();
+        writer.Models();
+        writer.Color();
         if (reference is not null) writer.Reference(reference);
         return writer.text.ToString();
     }
 
-    private void Pixel(PixelExplanation pixel)
+    private void Pixel()
     {
         var camera = pixel.Scene.Camera;
         var (r, g, b) = pixel.Bytes;
@@ -41,30 +34,39 @@ public sealed class ExplanationText
         foreach (var note in pixel.Notes) Line(0, $"Note: {note}.");
     }
 
-    private void Ray(PixelExplanation pixel)
+    private void Ray()
     {
-        var camera = pixel.Scene.Camera;
+        var (camera, ray) = (pixel.Scene.Camera, pixel.Ray);
         Section("Ray", camera.Sample == Sample.Corner ? "through the pixel's lower left corner" : "through the pixel's middle");
         Steps(2, pixel.RaySteps);
-        Line(2, $"X(t) = P + t d = {Digits.Of(pixel.Ray.Origin)} + t · {Digits.Of(pixel.Ray.Direction)}");
-        Line(2, camera.Clip == Clip.Depth ? $"z = t · (−d·W) = t · {Digits.Of(pixel.Ray.ZPerT)}" : "z = t");
+        Line(2, $"X(t) = P + t d = {Digits.Of(ray.Origin)} + t · {Digits.Of(ray.Direction)}");
+        Line(2, camera.Clip == Clip.Depth ? $"z = t · (−d·W) = t · {Digits.Of(ray.ZPerT)}" : "z = t");
         var least = camera.Bias == 0 ? "t ≥ 0" : $"t > bias = {Digits.Of(camera.Bias)}";
         Line(2, $"A crossing counts where {least} and zNear = {Digits.Of(camera.ZNear)} ≤ z ≤ zFar = {Digits.Of(camera.ZFar)}");
     }
 
-    private void Models(PixelExplanation pixel)
+    private void Models()
     {
-        var (many, count) = (pixel.Others.Total > 0, pixel.Scene.Models.Count);
-        Section("Models", many ? $"{pixel.Models.Count} of {count}: what shows and what nearly does" : count == 0 ? "none" : "in the scene's order");
+        var (others, count) = (pixel.Others, pixel.Scene.Models.Count);
+        Section("Models", others.Total > 0 ? $"{pixel.Models.Count} of {count}: what shows and what nearly does"
+            : count == 0 ? "none" : "in the scene's order");
         foreach (var model in pixel.Models) Model(model);
-        if (many) Line(2, Others(pixel.Others));
+        if (others.Total > 0)
+            Line(2, $"{ComparisonText.Count(others.Total, "other model")}: " +
+                Counted([(others[Outcome.Shows], "hidden by a nearer one"), .. Refused(others), (others.Missed, "passed by")]));
     }
 
     private void Model(ModelExplanation model)
     {
-        Line(2, $"{model.Name} ({model.Type}): {model.Reason}");
+        Line(2, $"{model.Name} ({model.Trial.Model.Kind}): {model.Reason}");
         if (model.Beside is { } beside) Line(6, $"It shows in the next pixel: {beside}.");
-        if (model.Mesh is { } mesh) Line(6, Mesh(mesh));
+        if (model.Trial is { Triangles: { } triangles, Triangle: var triangle })
+        {
+            var which = triangles[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest";
+            Line(6, $"{ComparisonText.Count(triangles.Total, "triangle")} tried: " +
+                Counted([(triangles.Missed, "passed by"), .. Refused(triangles), (triangles[Outcome.Shows], "hit")]) +
+                (triangle is null ? "" : $"; number {triangle}, from 0, is {which}:"));
+        }
         Slabs(model.Slabs);
         Steps(6, [.. model.Steps.Where(step => model.Slabs.Count == 0 || step.Name is not ("t0" or "t1"))]);
         if (model.Weights is [var w, var u, var v])
@@ -72,15 +74,14 @@ public sealed class ExplanationText
         foreach (var crossing in model.Crossings) Crossing(model, crossing);
     }
 
-    private static string Mesh(MeshTrial mesh)
-    {
-        var tally = mesh.Triangles;
-        var which = mesh.Triangle is { } triangle
-            ? $"; number {triangle}, from 0, is {(tally[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest")}:"
-            : "";
-        return $"{tally.Total} {(tally.Total == 1 ? "triangle" : "triangles")} tried: " +
-            Counted(tally, [(Outcome.NoNumber, "passed by"), .. refused, (Outcome.Shows, "hit")]) + which;
-    }
+    private static (long, string)[] Refused(Tally tally) =>
+    [
+        (tally[Outcome.Behind], "behind the camera"), (tally[Outcome.UnderBias], "under the bias"),
+        (tally[Outcome.BeforeNear], "nearer than zNear"), (tally[Outcome.BeyondFar], "beyond zFar"),
+    ];
+
+    private static string Counted(IEnumerable<(long Count, string Words)> parts) =>
+        string.Join(", ", parts.Where(part => part.Count > 0).Select(part => $"{ComparisonText.Number(part.Count)} {part.Words}"));
 
     private void Slabs(IReadOnlyList<SlabExplanation> slabs)
     {
@@ -118,13 +119,7 @@ public sealed class ExplanationText
         _ => "does not count",
     };
 
-    private static string Others(Tally others) => $"{others.Total} other {(others.Total == 1 ? "model" : "models")}: " +
-        Counted(others, [(Outcome.Shows, "hidden by a nearer one"), .. refused, (Outcome.NoNumber, "passed by")]);
-
-    private static string Counted(Tally tally, (Outcome Outcome, string Words)[] parts) =>
-        string.Join(", ", parts.Where(part => tally[part.Outcome] > 0).Select(part => $"{tally[part.Outcome]} {part.Words}"));
-
-    private void Color(PixelExplanation pixel)
+    private void Color()
     {
         Section("Colour", pixel.Winner is { } index
             ? $"of {pixel.NameOf(index)}, {Digits.Of(pixel.Scene.Models[index].Color)}"

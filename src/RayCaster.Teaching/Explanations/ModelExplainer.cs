@@ -26,10 +26,10 @@ internal sealed class ModelExplainer(PixelExplanation pixel)
         else if (shape is not null) crossings = [OfPlainDoubles(trial)];
 
         var (outcome, reason) = trial.Hit is { } hit ? Hit(trial.Index, hit)
-            : crossings.Count == 0 ? (Outcome.PassesBy, "the ray passes all its triangles by")
-            : (trial.Outcome, string.Join("; ", crossings.Select(crossing => crossing.Reason).Distinct()));
-        return new(trial.Index, pixel.NameOf(trial.Index), trial.Model.Kind, outcome, reason, steps, crossings, slabs,
-            shape is Model<Triangle> ? Reasons.Weights(steps) : null, trial.Mesh, Beside(trial.Index));
+            : (trial.Outcome, shape is null ? "the ray passes all its triangles by"
+                : string.Join("; ", crossings.Select(crossing => crossing.Reason).Distinct()));
+        return new(trial, pixel.NameOf(trial.Index), outcome, reason, steps, crossings, slabs,
+            shape is Model<Triangle> ? Reasons.Weights(steps) : null, Beside(trial.Index));
     }
 
     /// <summary>What becomes of a crossing that counts.</summary>
@@ -70,13 +70,10 @@ internal sealed class ModelExplainer(PixelExplanation pixel)
     /// <summary>The crossing of a model in plain doubles and ifs.</summary>
     private CrossingExplanation OfPlainDoubles(Trial trial)
     {
-        var (t, z) = (trial.Near, trial.Near * cast.ZPerT);
-        var (outcome, reason) = trial.Hit is { } hit ? Hit(trial.Index, hit) : trial.Outcome switch
-        {
-            Outcome.NoNumber => (Outcome.NoNumber, "its Intersect finds no crossing"),
-            Outcome.Shows => (Outcome.NoNumber, "its Intersect gives no hit, though this t counts"),
-            var refused => (refused, Reasons.Of(refused, t, z, camera)),
-        };
+        var (t, z) = (trial.T, trial.T * cast.ZPerT);
+        var (outcome, reason) = trial.Hit is { } hit ? Hit(trial.Index, hit)
+            : !trial.Outcome.IsMiss() ? (trial.Outcome, Reasons.Of(trial.Outcome, t, z, camera))
+            : (Outcome.NoNumber, double.IsFinite(t) ? "its Intersect gives no hit, though this t counts" : "its Intersect finds no crossing");
         return new(t, z, outcome, reason);
     }
 

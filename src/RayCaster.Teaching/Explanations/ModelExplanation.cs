@@ -1,17 +1,17 @@
 namespace RayCaster.Teaching;
 
 /// <summary>One model in the explanation of a pixel.</summary>
+/// <param name="Trial">Of a mesh the steps and crossings are those of <see cref="Trial.Triangle"/>.</param>
 /// <param name="Name">Its name, or its path in the scene file.</param>
 /// <param name="Steps">The steps of its formula; empty for a model in plain doubles and ifs, of which only t is known.</param>
 /// <param name="Crossings">The crossings, nearest first; if there is none, one entry says why.</param>
 /// <param name="Slabs">A box's slabs; empty for other shapes.</param>
 /// <param name="Weights">A triangle's barycentric numbers w, u, v, which add up to 1; null for other shapes and for a triangle seen
 /// edge-on.</param>
-/// <param name="Mesh">What becomes of a mesh's triangles; null for other shapes. Steps and crossings are those of one of them.</param>
 /// <param name="Beside">Which neighbouring pixels show the model, in words; null if none does.</param>
-internal sealed record ModelExplanation(int Index, string Name, string Type, Outcome Outcome, string Reason,
+internal sealed record ModelExplanation(Trial Trial, string Name, Outcome Outcome, string Reason,
     IReadOnlyList<FormulaStep> Steps, IReadOnlyList<CrossingExplanation> Crossings, IReadOnlyList<SlabExplanation> Slabs,
-    IReadOnlyList<double>? Weights, MeshTrial? Mesh, string? Beside);
+    IReadOnlyList<double>? Weights, string? Beside);
 
 /// <summary>One place where a ray crosses a model, or would cross it.</summary>
 /// <param name="T">The ray parameter; NaN where there is no crossing.</param>

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>Finds what becomes of a ray, for one model.</summary>
 internal static class ModelWitness
 {
-    /// <param name="t">The t that counts, else that of a crossing that does not; not finite if there is none.</param>
+    /// <param name="t">The t of the hit, else of the crossing that comes closest to counting; not finite if there is none.</param>
     /// <returns><see cref="Outcome.Shows"/> for a hit, whatever else is in the scene.</returns>
     public static Outcome Judge(Model model, Ray ray, out double t) =>
         model is Mesh mesh ? JudgeMesh(mesh, ray, out t)
@@ -15,8 +15,8 @@ internal static class ModelWitness
         t = ray.ClipRange.First(crossings, (Scalar)ray.ZPerT);
         if (!double.IsNaN(t)) return Outcome.Shows;
 
-        // The far crossing is nearer to counting: if only the near one were too near, the far one would count.
-        t = double.IsFinite(crossings.Far) ? crossings.Far : crossings.Near;
+        // The far crossing comes closer to counting, unless both are too far away.
+        t = double.IsFinite(crossings.Far) && Outcomes.Of(crossings.Near, ray) != Outcome.BeyondFar ? crossings.Far : crossings.Near;
         if (double.IsFinite(t)) return Outcomes.Of(t, ray);
         var witness = model.Intersect(new Ray<Witness>(ray.Origin, ray.Direction))!.Value.Near.Loss;
         return witness == Outcome.Shows ? Outcome.NoNumber : witness;
@@ -43,11 +43,13 @@ internal static class ModelWitness
     /// direction.</summary>
     private static Outcome JudgeByAsking(Model model, Ray ray, out double t)
     {
-        t = model.Intersect(ray) ?? double.NegativeInfinity;
-        if (ray.Counts(t)) return Outcome.Shows;
-        if (double.IsNaN(t) || double.IsPositiveInfinity(t)) return Outcome.NoNumber;
+        if (model.Intersect(ray) is { } hit)
+        {
+            t = hit;
+            return hit < double.PositiveInfinity ? Outcome.Shows : Outcome.NoNumber;
+        }
         t = model.Intersect(new Ray(ray.Origin, ray.Direction)) ?? double.NaN;
-        if (double.IsFinite(t)) return Outcomes.Of(t, ray);
+        if (double.IsFinite(t)) return Outcomes.Of(t, ray) is var refusal and not Outcome.Shows ? refusal : Outcome.NoNumber;
         t = -(model.Intersect(new Ray(ray.Origin, -ray.Direction)) ?? double.NaN);
         return double.IsFinite(t) ? Outcome.Behind : Outcome.PassesBy;
     }

@@ -25,16 +25,13 @@ internal static class NearMisses
     /// <summary>How far a crossing is from counting.</summary>
     private static double Lacking(Trial trial, PixelExplanation pixel)
     {
-        var (ray, camera) = (pixel.Ray, pixel.Scene.Camera);
-        return Math.Min(Distance(trial.Near), Distance(trial.Far));
-
-        double Distance(double t) => Outcomes.Of(t, ray) switch
+        var (t, z, camera) = (trial.T, trial.T * pixel.Ray.ZPerT, pixel.Scene.Camera);
+        return trial.Outcome switch
         {
             Outcome.Behind => -t,
             Outcome.UnderBias => camera.Bias - t,
-            Outcome.BeforeNear => camera.ZNear - t * ray.ZPerT,
-            Outcome.BeyondFar => t * ray.ZPerT - camera.ZFar,
-            _ => double.PositiveInfinity,
+            Outcome.BeforeNear => camera.ZNear - z,
+            _ => z - camera.ZFar,
         };
     }
 }

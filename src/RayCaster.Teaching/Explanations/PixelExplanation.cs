@@ -17,8 +17,7 @@ public sealed class PixelExplanation
         Neighbours = [.. FindNeighbours()];
         Trials = [.. scene.Models.Select((model, i) => Trial.Of(model, i, Ray))];
         var explained = Trials.Count <= ManyModels ? Trials : NearMisses.Of(this);
-        Explainer = new(this);
-        Models = [.. explained.Select(Explainer.Explain)];
+        Models = [.. explained.Select(new ModelExplainer(this).Explain)];
         foreach (var trial in Trials.Except(explained)) Others[trial.Outcome]++;
         (CameraSteps, RaySteps) = (PixelSteps.OfCamera(scene.Camera), PixelSteps.OfRay(scene.Camera, column, Row));
         (AttenuationSteps, ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
@@ -62,10 +61,8 @@ public sealed class PixelExplanation
     /// <summary>What the pixels beside it show.</summary>
     internal IReadOnlyList<Neighbour> Neighbours { get; }
 
-    /// <summary>The crossings of all models, in plain doubles.</summary>
+    /// <summary>Of all models, in the scene's order.</summary>
     internal IReadOnlyList<Trial> Trials { get; }
-
-    internal ModelExplainer Explainer { get; }
 
     /// <summary>The models in the scene's order; of more than <see cref="ManyModels"/> those that matter for the pixel.</summary>
     internal IReadOnlyList<ModelExplanation> Models { get; }

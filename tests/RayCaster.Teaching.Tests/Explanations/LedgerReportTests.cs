@@ -44,7 +44,7 @@ public class LedgerReportTests
 
     [Fact]
     public void AFarPlaneThatCutsAllIsTold() => Assert.Contains(
-        "zFar is 5, but their crossings lie at z = 1", // the far side of the ball: the near one is refused, too
+        "zFar is 5, but their crossings lie at z = 8 and more.",
         Report(new Camera(new(new(10, 0, 0), Vector3.Zero) { Width = 30, Height = 20, ZFar = 5 })));
 
     [Fact]

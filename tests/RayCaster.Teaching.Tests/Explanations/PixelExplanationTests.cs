@@ -71,7 +71,7 @@ public class PixelExplanationTests
     public void AShapeOfOnesOwnIsExplainedByItsOwnFormula()
     {
         var model = Explain(Model.Of(new Ring(new(-5, 0.5, 0), new(1, 0, 0), 1, 2)));
-        Assert.Equal(("ring", "missed"), (model.Type, model.Outcome.Verdict()));
+        Assert.Equal(("ring", "missed"), (model.Trial.Model.Kind, model.Outcome.Verdict()));
         Assert.EndsWith("= 0.25 ≥ 1 is false", model.Reason);
         Assert.Equal("t", Assert.Single(model.Steps).Name);
         Assert.Equal(5, model.Crossings[0].Untested);
@@ -85,6 +85,7 @@ public class PixelExplanationTests
         var clipped = Explain(new Cylinder(new(-5, 0, 0), 1, 4), zNear: 20);
         Assert.Equal(("refused", 4.0), (clipped.Outcome.Verdict(), Assert.Single(clipped.Crossings).T));
         Assert.StartsWith("z = 4 < zNear = 20", clipped.Reason);
+        Assert.EndsWith("< 0: behind the camera", Explain(new Cylinder(new(5, 0, 0), 1, 4)).Reason);
     }
 
     [Fact]
@@ -94,9 +95,9 @@ public class PixelExplanationTests
             new(3, 9, -9), new(3, 0, 9)],
             [3, 4, 5, 6, 7, 8, 0, 1, 2]);
         var model = Explain(mesh);
-        var (triangle, _, tally) = model.Mesh!;
+        var tally = model.Trial.Triangles!;
         Assert.Equal((2, 3, 1, 1, 1),
-            (triangle, tally.Total, tally[Outcome.NoNumber], tally[Outcome.Behind], tally[Outcome.Shows]));
+            (model.Trial.Triangle, tally.Total, tally.Missed, tally[Outcome.Behind], tally[Outcome.Shows]));
         Assert.Equal(5, model.Crossings[0].T, 12);
     }
 
@@ -132,9 +133,9 @@ public class PixelExplanationTests
         for (var i = 0; i < 40; i++) models.Add(Model.Of(new Sphere(new(-30, 30 + i, 0), 0.4)));
         var pixel = PixelExplanation.Of(Scene(models), 0, 0);
         Assert.Equal(30, pixel.Winner); // the camera is in it
-        Assert.Equal([27, 28, 29, 30, 31, 32, 33], pixel.Models.Select(model => model.Index));
+        Assert.Equal([27, 28, 29, 30, 31, 32, 33], pixel.Models.Select(model => model.Trial.Index));
         Assert.Equal((73, 27, 6, 40),
-            (pixel.Others.Total, pixel.Others[Outcome.Shows], pixel.Others[Outcome.Behind], pixel.Others[Outcome.NoNumber]));
+            (pixel.Others.Total, pixel.Others[Outcome.Shows], pixel.Others[Outcome.Behind], pixel.Others.Missed));
     }
 
     [Fact]
