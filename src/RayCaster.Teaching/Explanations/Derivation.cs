@@ -55,23 +55,13 @@ internal readonly struct Derivation : IReal<Derivation>
     public static Derivation If(Derivation mask, Derivation value) =>
         new(Operation.If, mask.Value != 0 ? value.Value : double.NaN, mask, value);
 
-    public static Derivation Named(Derivation value, string name, string formula)
-    {
-        var step = new StepName(name, formula);
-        var named = value.Called(step);
-        step.Terms = [named.Term];
-        return named;
-    }
+    public static Derivation Named(Derivation value, string name, string formula) => new(new StepName(name, formula, value.Term).Terms[0]);
 
     public static Vector3<Derivation> Named(Vector3<Derivation> value, string name, string formula)
     {
-        var step = new StepName(name, formula);
-        var named = new Vector3<Derivation>(value.X.Called(step), value.Y.Called(step), value.Z.Called(step));
-        step.Terms = [named.X.Term, named.Y.Term, named.Z.Term];
-        return named;
+        var terms = new StepName(name, formula, value.X.Term, value.Y.Term, value.Z.Term).Terms;
+        return new(new(terms[0]), new(terms[1]), new(terms[2]));
     }
-
-    private Derivation Called(StepName step) => new(new Term(Operation.Name, Value, Term) { Step = step });
 
     private static double Mask(bool holds) => holds ? 1 : 0;
 }

@@ -12,13 +12,9 @@ internal static class Digits
 
     public static string Of(double value) => Of(value, 6);
 
-    /// <summary>A number for one value, a vector for three.</summary>
-    public static string Of(IReadOnlyList<double> values) =>
-        values is [var only] ? Of(only) : $"({string.Join(", ", values.Select(value => Of(value)))})";
+    public static string Of(Vector3 v) => $"({Of(v.X)}, {Of(v.Y)}, {Of(v.Z)})";
 
-    public static string Of(Vector3 v) => Of([v.X, v.Y, v.Z]);
-
-    public static string Of(Color color) => Of([color.R, color.G, color.B]);
+    public static string Of(Color color) => Of(new Vector3(color.R, color.G, color.B));
 
     /// <summary>Two numbers, with enough digits to show their difference.</summary>
     public static (string A, string B) Apart(double a, double b)

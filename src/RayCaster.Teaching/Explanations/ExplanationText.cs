@@ -137,13 +137,11 @@ public sealed class ExplanationText
         var verdict = difference == (0, 0, 0) ? "the same" : reference.Agrees ? "the same but for rounding" : "different";
         Line(2, $"It has {r} {g} {b} here: {verdict}");
         if (difference != (0, 0, 0))
-            Line(2, $"difference (its bytes less these): {Signed(difference.R)} {Signed(difference.G)} {Signed(difference.B)}");
+            Line(2, $"difference (its bytes less these): {difference.R:+0;−0;0} {difference.G:+0;−0;0} {difference.B:+0;−0;0}");
         if (reference.Agrees) return;
         foreach (var cause in reference.Causes) Line(2, $"Perhaps: {cause}.");
         if (reference.Causes.Count == 0) Line(2, "No crossing of this ray gives that colour.");
     }
-
-    private static string Signed(int difference) => difference > 0 ? $"+{difference}" : Digits.Of(difference);
 
     /// <summary>Steps in lines, with the equals signs in one column.</summary>
     private void Steps(int indent, IReadOnlyList<FormulaStep> steps)
@@ -151,7 +149,7 @@ public sealed class ExplanationText
         var longest = steps.Count == 0 ? 0 : steps.Max(step => step.Name.Length);
         foreach (var step in steps)
         {
-            var value = step.Value is bool holds ? holds ? "true" : "false" : Digits.Of(step.Values);
+            var value = step.Value switch { bool holds => holds ? "true" : "false", Vector3 v => Digits.Of(v), var number => Digits.Of((double)number) };
             string[] parts = step.Formula == step.Numbers || step.Numbers == value ? [step.Formula, value] : [step.Formula, step.Numbers, value];
             text.Append(' ', indent).Append(step.Name.PadRight(longest));
             var column = indent + longest;

@@ -19,7 +19,8 @@ internal sealed class ModelExplainer(PixelExplanation pixel)
         {
             (var corners, slabs) = (Corners(shape), Slabs(shape, derived));
             var writer = new TermText(
-                [.. corners.SelectMany(step => step.Values), .. slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
+                [.. corners.Select(step => step.Value).OfType<Vector3>().SelectMany(v => (double[])[v.X, v.Y, v.Z]),
+                 .. slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
             steps = [.. corners, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
             crossings = Crossings(trial, derived, term => Reasons.NoCrossing(shape, steps, slabs, term), writer);
         }
@@ -93,8 +94,8 @@ internal sealed class ModelExplainer(PixelExplanation pixel)
     private static SlabExplanation[] Slabs(Model shape, Crossings<Derivation> derived)
     {
         if (shape is not Model<Aabb> { Primitive: var (B0, B1) }) return [];
-        var steps = FormulaStep.LeadingTo(derived.Near).ToLookup(step => step.Name, step => step.Number);
-        if ((steps["t0"].ToArray(), steps["t1"].ToArray()) is not ([var x0, var y0, var z0], [var x1, var y1, var z1])) return [];
+        var steps = FormulaStep.LeadingTo(derived.Near).ToLookup(step => step.Name, step => step.Value);
+        if ((steps["t0"].ToArray(), steps["t1"].ToArray()) is not ([double x0, double y0, double z0], [double x1, double y1, double z1])) return [];
         SlabExplanation[] slabs = [new('x', B0.X, B1.X, x0, x1), new('y', B0.Y, B1.Y, y0, y1), new('z', B0.Z, B1.Z, z0, z1)];
         var (last, first) = (slabs.MaxBy(slab => slab.Enters), slabs.MinBy(slab => slab.Leaves));
         return Array.ConvertAll(slabs, slab => slab with { DecidesEntry = slab == last, DecidesExit = slab == first });

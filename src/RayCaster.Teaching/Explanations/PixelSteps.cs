@@ -9,11 +9,11 @@ internal static class PixelSteps
         var (P, T, up) = (Digits.Of(camera.Position), Digits.Of(camera.Target), Digits.Of(camera.Up));
         return
         [
-            Vector("W", "−(T − P) normalised", $"−({T} − {P}) / {Digits.Of((camera.Target - camera.Position).Length)}", camera.W),
-            Vector("U", "(up × W) normalised", $"{up} × {Digits.Of(camera.W)} / {Digits.Of((camera.Up % camera.W).Length)}", camera.U),
-            Vector("V", "W × U", $"{Digits.Of(camera.W)} × {Digits.Of(camera.U)}", camera.V),
-            new("h", "2 tan(fovY / 2)", $"2 · tan({Digits.Of(camera.FovY)}° / 2)", [camera.PlaneHeight]),
-            new("w", "h · width / height", $"{Digits.Of(camera.PlaneHeight)} · {camera.Width} / {camera.Height}", [camera.PlaneWidth]),
+            new("W", "−(T − P) normalised", $"−({T} − {P}) / {Digits.Of((camera.Target - camera.Position).Length)}", camera.W),
+            new("U", "(up × W) normalised", $"{up} × {Digits.Of(camera.W)} / {Digits.Of((camera.Up % camera.W).Length)}", camera.U),
+            new("V", "W × U", $"{Digits.Of(camera.W)} × {Digits.Of(camera.U)}", camera.V),
+            new("h", "2 tan(fovY / 2)", $"2 · tan({Digits.Of(camera.FovY)}° / 2)", camera.PlaneHeight),
+            new("w", "h · width / height", $"{Digits.Of(camera.PlaneHeight)} · {camera.Width} / {camera.Height}", camera.PlaneWidth),
         ];
     }
 
@@ -36,8 +36,6 @@ internal static class PixelSteps
         Derivation red = attenuation * model.Color.R, green = attenuation * model.Color.G, blue = attenuation * model.Color.B;
         return (FormulaStep.LeadingTo(attenuation), Channels("attenuation * color", red, green, blue), new(red.Value, green.Value, blue.Value));
     }
-
-    private static FormulaStep Vector(string name, string formula, string numbers, Vector3 v) => new(name, formula, numbers, [v.X, v.Y, v.Z]);
 
     private static List<FormulaStep> Channels(string formula, Derivation red, Derivation green, Derivation blue)
     {

@@ -20,10 +20,10 @@ internal static class Reasons
         model switch
         {
             Model<Plane> => "d·n = 0: the ray runs along the plane",
-            Model<Circle> when !double.IsFinite(Find(steps, "t")?.Number ?? double.NaN) => "d·n = 0: the ray runs along the circle's plane",
+            Model<Circle> when Find(steps, "t") is not double t || !double.IsFinite(t) => "d·n = 0: the ray runs along the circle's plane",
             Model<Circle> { Primitive.Radius: var R } => Beyond(R, "|X − C|", Find(steps, "CX"), "outside the circle"),
             Model<Sphere> { Primitive.Radius: var R } => Beyond(R, "|D|", Find(steps, "D"), "the ray passes the sphere by"),
-            Model<Aabb> when (Find(steps, "t_min"), Find(steps, "t_max")) is ({ Number: var tMin }, { Number: var tMax }) =>
+            Model<Aabb> when (Find(steps, "t_min"), Find(steps, "t_max")) is (double tMin, double tMax) =>
                 $"{Compare("t_min", tMin, ">", "t_max", tMax)}: {BesideSlabs(slabs, tMin, tMax)}",
             Model<Triangle> => Weights(steps) is [var w, var u, var v] ? Outside(w, u, v) : "d·n = 0: the triangle is seen edge-on",
             _ => null,
@@ -32,7 +32,7 @@ internal static class Reasons
     /// <summary>The barycentric numbers w, u, v of a triangle, which add up to 1; null for a triangle seen edge-on.</summary>
     public static IReadOnlyList<double>? Weights(IReadOnlyList<FormulaStep> steps)
     {
-        if ((Find(steps, "w"), Find(steps, "u"), Find(steps, "v")) is not ({ Number: var w }, { Number: var u }, { Number: var v })) return null;
+        if ((Find(steps, "w"), Find(steps, "u"), Find(steps, "v")) is not (double w, double u, double v)) return null;
         var sum = w + u + v;
         return sum != 0 && double.IsFinite(sum) ? [w / sum, u / sum, v / sum] : null;
     }
@@ -44,10 +44,10 @@ internal static class Reasons
         return $"{left} = {first} {sign} {right} = {second}";
     }
 
-    private static FormulaStep? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name);
+    private static object? Find(IReadOnlyList<FormulaStep> steps, string name) => steps.FirstOrDefault(step => step.Name == name)?.Value;
 
-    private static string? Beyond(double R, string name, FormulaStep? distance, string reason) =>
-        distance?.Vector.Length is { } length && length > R ? $"{Compare(name, length, ">", "R", R)}: {reason}" : null;
+    private static string? Beyond(double R, string name, object? distance, string reason) =>
+        distance is Vector3 { Length: var length } && length > R ? $"{Compare(name, length, ">", "R", R)}: {reason}" : null;
 
     private static string BesideSlabs(IReadOnlyList<SlabExplanation> slabs, double tMin, double tMax)
     {

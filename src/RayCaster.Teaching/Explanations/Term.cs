@@ -38,6 +38,9 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
     /// <summary>Whether it is the result of a test, true or false, or a name for one.</summary>
     public bool IsTest => operation is >= Operation.Less and <= Operation.Or || (operation is Operation.Name && A.IsTest);
 
+    /// <summary>Whether it is written as its value alone.</summary>
+    public bool IsLeaf => operation is Operation.Name or Operation.Constant;
+
     /// <summary>The length of the written term; a step counts as its name, a choice as the chosen operand.</summary>
     public int Size { get; } = operation switch
     {
@@ -68,22 +71,29 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
 }
 
 /// <summary>The name of a step, shared by the three coordinates of a vector.</summary>
-/// <param name="name">As on the slide.</param>
-/// <param name="formula">As in the code; empty for given numbers like the ray's.</param>
-internal sealed class StepName(string name, string formula)
+internal sealed class StepName
 {
     private static long count;
+
+    /// <param name="name">As on the slide.</param>
+    /// <param name="formula">As in the code; empty for given numbers like the ray's.</param>
+    /// <param name="values">What gets the name: a number, or the three of a vector.</param>
+    public StepName(string name, string formula, params Term[] values)
+    {
+        (Name, Formula) = (name, Tidy(formula));
+        Terms = Array.ConvertAll(values, value => new Term(Operation.Name, value.Value, value) { Step = this });
+    }
 
     /// <summary>A number that grows in the order in which steps are computed.</summary>
     public long Number { get; } = Interlocked.Increment(ref count);
 
-    public string Name => name;
+    public string Name { get; }
 
     /// <summary>As in the code, on one line and without the brackets around it.</summary>
-    public string Formula { get; } = Tidy(formula);
+    public string Formula { get; }
 
-    /// <summary>The named number, or the three of a vector.</summary>
-    public Term[] Terms { get; set; } = [];
+    /// <summary>The values under this name.</summary>
+    public Term[] Terms { get; }
 
     private static string Tidy(string formula)
     {

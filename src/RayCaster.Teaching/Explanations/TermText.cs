@@ -16,19 +16,17 @@ internal sealed class TermText(HashSet<double>? known = null)
     /// <summary>The formula of a number or a vector, with its numbers; for a step, the formula behind its name.</summary>
     public string Of(params IReadOnlyList<Term> terms)
     {
-        var formula = (terms is [var x, var y, var z] ? new Three(x, y, z) : new Three(terms[0])).Chosen;
-        return Text(formula.Is(Operation.Name) ? formula.A.Chosen : formula, Condition, leads: true, isRoot: true);
+        var formula = terms is [var x, var y, var z] ? new Three(x, y, z) : new Three(terms[0]);
+        return Text(formula.Is(Operation.Name) ? formula.A : formula, Condition, leads: true, isRoot: true);
     }
 
     /// <param name="rank">The least rank that needs no brackets here.</param>
     /// <param name="leads">Whether it begins the formula or a bracket; elsewhere a negative number needs brackets.</param>
     private string Text(Three term, int rank, bool leads, bool isRoot = false)
     {
-        term = term.Chosen;
-        if (term.IsOne && (term.IsLeaf || (!isRoot && (term.X.Size > LargestPart || known?.Contains(term.X.Value) == true))))
-            return Number(term.X.Value, leads);
+        if (term.IsLeaf || (!isRoot && (term.IsLong || (term.IsOne && known?.Contains(term.X.Value) == true))))
+            return term.IsOne ? Number(term.X.Value, leads) : Digits.Of(new Vector3(term.X.Value, term.Y.Value, term.Z.Value));
         if (DotProduct(term) is var (a, b)) return Infix(a, " · ", b, Product, rank, leads);
-        if (!term.IsOne && (term.IsLeaf || (!isRoot && term.IsLong))) return Digits.Of([term.X.Value, term.Y.Value, term.Z.Value]);
         if (!term.IsOfOneShape) return $"({Inner(new(term.X))}, {Inner(new(term.Y))}, {Inner(new(term.Z))})";
         return term.X.Operation switch
         {
@@ -73,57 +71,43 @@ internal sealed class TermText(HashSet<double>? known = null)
         return products.A.IsVector && products.B.IsVector ? (products.A, products.B) : null;
     }
 
-    /// <summary>The coordinates of a vector, or one number three times.</summary>
-    private readonly record struct Three(Term X, Term Y, Term Z)
+    /// <summary>The coordinates of a vector, or one number three times; of choices the chosen operands.</summary>
+    private readonly struct Three(Term x, Term y, Term z)
     {
         public Three(Term one) : this(one, one, one) { }
+
+        public Term X { get; } = x.Chosen;
+
+        public Term Y { get; } = y.Chosen;
+
+        public Term Z { get; } = z.Chosen;
 
         public Three A => new(X.A, Y.A, Z.A);
 
         public Three B => new(X.B, Y.B, Z.B);
 
-        public Three Chosen => new(X.Chosen, Y.Chosen, Z.Chosen);
-
         public bool IsOne => ReferenceEquals(X, Y) && ReferenceEquals(Y, Z);
 
         public bool IsAlike => X.Operation == Y.Operation && Y.Operation == Z.Operation;
 
+        public bool IsLeaf => X.IsLeaf && Y.IsLeaf && Z.IsLeaf;
+
         public bool IsLong => Math.Max(X.Size, Math.Max(Y.Size, Z.Size)) > LargestPart;
 
         /// <summary>Whether the three can be written as one formula of vectors.</summary>
-        public bool IsOfOneShape
-        {
-            get
-            {
-                var chosen = Chosen;
-                return chosen.IsOne || chosen.IsLeaf
-                    || (chosen.IsAlike && chosen.A.IsOfOneShape && (!chosen.X.HasB || chosen.B.IsOfOneShape));
-            }
-        }
-
-        public bool IsLeaf => IsLeafTerm(X) && IsLeafTerm(Y) && IsLeafTerm(Z);
-
-        public bool Is(Operation operation) => IsAlike && X.Operation == operation;
+        public bool IsOfOneShape => IsOne || IsLeaf || (IsAlike && A.IsOfOneShape && (!X.HasB || B.IsOfOneShape));
 
         /// <summary>Whether the three belong together, as the code wrote them, and differ.</summary>
-        public bool IsVector
+        public bool IsVector => !IsOne && IsAlike && X.Operation switch
         {
-            get
-            {
-                var (x, y, z) = Chosen;
-                if (new Three(x, y, z) is var chosen && (chosen.IsOne || !chosen.IsAlike)) return false;
-                return x.Operation switch
-                {
-                    Operation.Constant => true,
-                    Operation.Name => x.Step == y.Step && y.Step == z.Step,
-                    Operation.Negate => chosen.A.IsVector,
-                    Operation.Add or Operation.Subtract => chosen.A.IsVector && chosen.B.IsVector,
-                    Operation.Multiply or Operation.Divide => chosen.A.IsVector != chosen.B.IsVector && (chosen.A.IsOne || chosen.B.IsOne),
-                    _ => false,
-                };
-            }
-        }
+            Operation.Constant => true,
+            Operation.Name => X.Step == Y.Step && Y.Step == Z.Step,
+            Operation.Negate => A.IsVector,
+            Operation.Add or Operation.Subtract => A.IsVector && B.IsVector,
+            Operation.Multiply or Operation.Divide => A.IsVector != B.IsVector && (A.IsOne || B.IsOne),
+            _ => false,
+        };
 
-        private static bool IsLeafTerm(Term term) => term.Operation is Operation.Name or Operation.Constant;
+        public bool Is(Operation operation) => IsAlike && X.Operation == operation;
     }
 }
