@@ -38,7 +38,7 @@ internal sealed class ExplainCommand : Command
             return ExitCode.CouldNot;
 
         var camera = scene.Camera;
-        var explanation = PixelExplanation.Of(scene,
+        var explanation = new PixelExplanation(scene,
             Coordinate("column", operands[1], camera.Width, "left to right"), Coordinate("line", operands[2], camera.Height, "top to bottom"));
         var reference = line[Option.Reference] is { } path ? ReferenceExplanation.Of(explanation, ReadReference(path, camera)) : null;
         StandardFile.WriteOutput(line.Has(Option.Json) ? ExplanationJson.Of(explanation, reference) : ExplanationText.Of(explanation, reference));

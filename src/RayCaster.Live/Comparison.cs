@@ -25,7 +25,7 @@ internal sealed record Comparison(string? Name, string? Problem, PictureComparis
     {
         if (Result?.Difference is not { } difference) yield break;
         yield return (Layer.Mine, Frame.Of(Result.Mine));
-        yield return (Layer.Difference, Frame.Of(SideBySide.Heat(difference)));
+        yield return (Layer.Difference, Frame.Of(HeatMap.Of(difference)));
         yield return (Layer.ByObject, Frame.Of(HeatMap.ByModel(Result)));
     }
 

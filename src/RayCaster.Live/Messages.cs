@@ -85,7 +85,7 @@ internal static class Messages
     /// <summary>The explanation of a pixel, with the drawing of its ray.</summary>
     public static byte[] OfExplanation(Scene scene, int column, int line, Picture? mine)
     {
-        var pixel = PixelExplanation.Of(scene, column, line);
+        var pixel = new PixelExplanation(scene, column, line);
         var text = ExplanationJson.Of(pixel, mine is null ? null : ReferenceExplanation.Of(pixel, mine));
         var section = JsonSerializer.Serialize(RaySection.Of(pixel), options);
         return Encoding.UTF8.GetBytes($$"""{"kind":"explanation","pixel":{{text}},"section":{{section}}}""");

@@ -1,12 +1,19 @@
 namespace RayCaster.Teaching;
 
-/// <summary>The colours of differences.</summary>
+/// <summary>The colours of differences, and pictures of them.</summary>
 public static class HeatMap
 {
     /// <summary>The colour of a difference: black for none, clearly visible for 1 level, then by the logarithm.</summary>
     /// <param name="levels">0 … 255.</param>
     public static (byte R, byte G, byte B) Of(int levels) =>
         levels == 0 ? default : ColorRamp.Inferno.At(1.5 + (ColorRamp.Inferno.Last - 1.5) * Math.Log2(levels) / Math.Log2(255));
+
+    /// <summary>Each pixel in the colour of its difference.</summary>
+    public static Picture Of(PictureDifference difference)
+    {
+        var colors = Enumerable.Range(0, 256).Select(Of).ToArray();
+        return Picture.Of(difference.Mine.Width, difference.Mine.Height, (x, y) => colors[difference.LevelsAt(x, y)]);
+    }
 
     /// <summary>Each model in one colour: the larger the share of its pixels that are wrong, the hotter. Black if the pictures were not compared
     /// model by model.</summary>

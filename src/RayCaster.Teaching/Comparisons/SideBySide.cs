@@ -4,7 +4,7 @@ namespace RayCaster.Teaching;
 public static class SideBySide
 {
     /// <summary>Pixels of grey between two pictures.</summary>
-    public const int Gap = 2;
+    private const int Gap = 2;
 
     private const byte Grey = 128;
 
@@ -20,15 +20,8 @@ public static class SideBySide
         Array.Fill(picture.Rgb, Grey);
         Put(mine, picture, 0);
         Put(reference, picture, mine.Width + Gap);
-        if (comparison.Difference is { } difference) Put(Heat(difference), picture, 2 * (mine.Width + Gap));
+        if (comparison.Difference is { } difference) Put(HeatMap.Of(difference), picture, 2 * (mine.Width + Gap));
         return picture;
-    }
-
-    /// <summary>The heat map alone.</summary>
-    public static Picture Heat(PictureDifference difference)
-    {
-        var colors = Enumerable.Range(0, 256).Select(HeatMap.Of).ToArray();
-        return Picture.Of(difference.Mine.Width, difference.Mine.Height, (x, y) => colors[difference.LevelsAt(x, y)]);
     }
 
     private static void Put(Picture part, Picture whole, int left)

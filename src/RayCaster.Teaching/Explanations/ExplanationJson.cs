@@ -106,11 +106,11 @@ public static class ExplanationJson
 
     private static object Color(PixelExplanation pixel) => new
     {
-        Attenuation = pixel.AttenuationSteps is [.., { } attenuation] ? attenuation.Value : JsonText.Null,
+        Attenuation = pixel.ColorSteps.FirstOrDefault(step => step.Name == "attenuation")?.Value ?? JsonText.Null,
         Full = pixel.Ray.HitModel?.Color ?? pixel.Scene.Background,
         Value = pixel.Color,
         pixel.Bytes,
         Slide = Slides.Shading,
-        Steps = pixel.AttenuationSteps.Concat(pixel.ColorSteps),
+        Steps = pixel.ColorSteps,
     };
 }

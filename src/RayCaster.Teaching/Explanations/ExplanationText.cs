@@ -124,7 +124,6 @@ public sealed class ExplanationText
         Section("Colour", pixel.Winner is { } index
             ? $"of {pixel.NameOf(index)}, {Digits.Of(pixel.Scene.Models[index].Color)}"
             : "of the background");
-        Steps(2, pixel.AttenuationSteps);
         Steps(2, pixel.ColorSteps);
         var (r, g, b) = pixel.Bytes;
         Line(2, $"The bytes are the levels without their fractions: {r} {g} {b}");

@@ -22,37 +22,32 @@ internal static class LedgerVerdict
             .OrderBy(group => group.Key).Select(group => (Reason: group.Key, Entries: group.ToList())).ToList();
         var parts = groups.Select(group => group.Entries is [var only]
             ? $"{only.Label} {Phrase(group.Reason, true)}"
-            : Invariant($"{group.Entries.Count:N0} models {Phrase(group.Reason, false)}"));
+            : $"{ComparisonText.Count(group.Entries.Count, "model")} {Phrase(group.Reason, false)}");
         return groups.Select(group => Remedy(ledger, group.Reason, group.Entries)).OfType<string>()
-            .Prepend(Invariant($"0 of {ledger.Rays:N0} rays hit anything: {string.Join(", ", parts)}."));
+            .Prepend($"0 of {ComparisonText.Count(ledger.Rays, "ray")} hit anything: {string.Join(", ", parts)}.");
     }
 
     /// <summary>What to change if some models do not show for this reason.</summary>
     private static string? Remedy(HitLedger ledger, Outcome reason, List<LedgerEntry> group)
     {
         var camera = ledger.Scene.Camera;
-        switch (reason)
+        return reason switch
         {
-            case Outcome.Behind:
-                return OfLookingAway(ledger.Scene);
-            case Outcome.UnderBias:
-                return Invariant($"bias is {camera.Bias:G7}: only t > bias is a hit. Make it smaller; 1e-6 is usual.");
-            case Outcome.BeforeNear:
-                var greatest = group.Max(entry => entry.GreatestBeforeNear);
-                return Invariant($"zNear is {camera.ZNear:G7}, but their crossings lie at z = {greatest:G7} and less. Make zNear smaller, ") +
-                    "or move the camera back.";
-            case Outcome.BeyondFar:
-                var least = group.Min(entry => entry.LeastBeyondFar);
-                return Invariant($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {least:G7} and more. Make zFar greater.");
-            case Outcome.Outside:
-                return PercentHit(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
-                    ? Invariant($"They lie beside the picture: aim target at them (it is {camera.Target}), ") +
-                        Invariant($"or make fovY greater (it is {camera.FovY:G7} degrees).")
-                    : Invariant($"The camera looks past them: it stands at {camera.Position} and looks towards {camera.Target}. ") +
-                        "Is target where the models are?";
-            default:
-                return null;
-        }
+            Outcome.Behind => OfLookingAway(ledger.Scene),
+            Outcome.UnderBias => Invariant($"bias is {camera.Bias:G7}: only t > bias is a hit. Make it smaller; 1e-6 is usual."),
+            Outcome.BeforeNear =>
+                Invariant($"zNear is {camera.ZNear:G7}, but their crossings lie at z = {group.Max(entry => entry.GreatestBeforeNear):G7} ") +
+                "and less. Make zNear smaller, or move the camera back.",
+            Outcome.BeyondFar =>
+                Invariant($"zFar is {camera.ZFar:G7}, but their crossings lie at z = {group.Min(entry => entry.LeastBeyondFar):G7} ") +
+                "and more. Make zFar greater.",
+            Outcome.Outside => PercentHit(ledger.Scene, camera.Position, camera.Target, Math.Max(camera.FovY, 120)) > 0
+                ? Invariant($"They lie beside the picture: aim target at them (it is {camera.Target}), ") +
+                    Invariant($"or make fovY greater (it is {camera.FovY:G7} degrees).")
+                : Invariant($"The camera looks past them: it stands at {camera.Position} and looks towards {camera.Target}. ") +
+                    "Is target where the models are?",
+            _ => null,
+        };
     }
 
     /// <summary>Tries each proposal before it is made.</summary>
@@ -81,8 +76,8 @@ internal static class LedgerVerdict
         var (camera, color) = (ledger.Scene.Camera, ledger.OnlyColor);
         if (ledger.Unlit > ledger.Hits / 2)
         {
-            var share = Invariant($"{(ledger.Unlit == ledger.Hits ? "All" : Invariant($"{ledger.Unlit:N0} of"))} {ledger.Hits:N0} hits");
-            yield return Invariant($"{share} are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, ") +
+            var of = ledger.Unlit == ledger.Hits ? "All" : $"{ComparisonText.Number(ledger.Unlit)} of";
+            yield return Invariant($"{of} {ledger.Hits:N0} hits are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, ") +
                 Invariant($"and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}.");
             yield return "target sets the light, which ends at twice its distance: move it away along the line of sight.";
         }
@@ -105,20 +100,19 @@ internal static class LedgerVerdict
         {
             if (entry[Outcome.Shows] > 0 || missing++ >= MostNamed) continue;
             yield return entry.Hits > 0
-                ? Invariant($"{entry.Label} does not show: it is hit by {entry.Hits:N0} {(entry.Hits == 1 ? "ray" : "rays")}, ") +
-                    "but something nearer hides it there."
+                ? $"{entry.Label} does not show: it is hit by {ComparisonText.Count(entry.Hits, "ray")}, but something nearer hides it there."
                 : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}" +
                     (ScalarRenderer.IsChanged ? ", or a formula that was changed finds no crossing." : ".");
         }
-        if (missing > MostNamed) yield return Invariant($"Nor do {missing - MostNamed:N0} more.");
+        if (missing > MostNamed) yield return $"Nor do {ComparisonText.Number(missing - MostNamed)} more.";
     }
 
     private static IEnumerable<string> OfNoNumbers(HitLedger ledger)
     {
         foreach (var entry in ledger.Models)
             if (entry[Outcome.NoNumber] > ledger.Rays / 2)
-                yield return Invariant($"The formula of {entry.Label} gives no number (NaN) for {entry[Outcome.NoNumber]:N0} of ") +
-                    Invariant($"{ledger.Rays:N0} rays: are its numbers far out of range, or is infinity taken from infinity?");
+                yield return $"The formula of {entry.Label} gives no number (NaN) for {ComparisonText.Number(entry[Outcome.NoNumber])} of " +
+                    $"{ComparisonText.Count(ledger.Rays, "ray")}: are its numbers far out of range, or is infinity taken from infinity?";
     }
 
     private static string Phrase(Outcome reason, bool isOne)

@@ -9,8 +9,16 @@ public sealed class PixelExplanation
     /// <summary>If there are more models, only those that matter for the pixel are explained one by one.</summary>
     private const int ManyModels = 12;
 
-    private PixelExplanation(Scene scene, int column, int line)
+    /// <summary>Explains a pixel.</summary>
+    /// <param name="column">c, from the left, from 0.</param>
+    /// <param name="line">The picture's line, from the top, from 0: row r = Height − 1 − line of the formulas.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The picture has no such pixel.</exception>
+    public PixelExplanation(Scene scene, int column, int line)
     {
+        ArgumentOutOfRangeException.ThrowIfNegative(column);
+        ArgumentOutOfRangeException.ThrowIfNegative(line);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(column, scene.Camera.Width);
+        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(line, scene.Camera.Height);
         (Scene, Column, Line) = (scene, column, line);
         Ray = ScalarRenderer.Cast(scene, column, Row);
         Winner = IndexOf(Ray.HitModel);
@@ -19,22 +27,7 @@ public sealed class PixelExplanation
         var explained = Trials.Count <= ManyModels ? Trials : NearMisses.Of(this);
         Models = [.. explained.Select(new ModelExplainer(this).Explain)];
         foreach (var trial in Trials.Except(explained)) Others[trial.Outcome]++;
-        (CameraSteps, RaySteps) = (PixelSteps.OfCamera(scene.Camera), PixelSteps.OfRay(scene.Camera, column, Row));
-        (AttenuationSteps, ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
-        Notes = PixelNotes.Of(this);
-    }
-
-    /// <summary>Explains a pixel.</summary>
-    /// <param name="column">c, from the left, from 0.</param>
-    /// <param name="line">The picture's line, from the top, from 0: row r = Height − 1 − line of the formulas.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The picture has no such pixel.</exception>
-    public static PixelExplanation Of(Scene scene, int column, int line)
-    {
-        ArgumentOutOfRangeException.ThrowIfNegative(column);
-        ArgumentOutOfRangeException.ThrowIfNegative(line);
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(column, scene.Camera.Width);
-        ArgumentOutOfRangeException.ThrowIfGreaterThanOrEqual(line, scene.Camera.Height);
-        return new(scene, column, line);
+        (ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
     }
 
     internal Scene Scene { get; }
@@ -47,10 +40,10 @@ public sealed class PixelExplanation
     internal int Row => Scene.Camera.Height - 1 - Line;
 
     /// <summary>W, U, V, h and w: the same for all pixels.</summary>
-    internal IReadOnlyList<FormulaStep> CameraSteps { get; }
+    internal IReadOnlyList<FormulaStep> CameraSteps => PixelSteps.OfCamera(Scene.Camera);
 
     /// <summary>uc, ur, the direction before and after normalising.</summary>
-    internal IReadOnlyList<FormulaStep> RaySteps { get; }
+    internal IReadOnlyList<FormulaStep> RaySteps => PixelSteps.OfRay(Scene.Camera, Column, Row);
 
     /// <summary>The ray with its nearest hit.</summary>
     internal Ray Ray { get; }
@@ -70,10 +63,7 @@ public sealed class PixelExplanation
     /// <summary>The models that are not among <see cref="Models"/>; one that shows would show if no other were nearer.</summary>
     internal Tally Others { get; } = new();
 
-    /// <summary>The steps of the attenuation; empty for the background, which is not attenuated.</summary>
-    internal IReadOnlyList<FormulaStep> AttenuationSteps { get; }
-
-    /// <summary>The steps of each channel and its level; the byte is the whole part of the level.</summary>
+    /// <summary>The steps of the attenuation, which the background has not, of each channel and its level, whose whole part is the byte.</summary>
     internal IReadOnlyList<FormulaStep> ColorSteps { get; }
 
     /// <summary>The colour before it is clamped.</summary>
@@ -83,7 +73,7 @@ public sealed class PixelExplanation
     internal (byte R, byte G, byte B) Bytes => Color.ToBytes();
 
     /// <summary>What is special about this pixel, in words.</summary>
-    internal IReadOnlyList<string> Notes { get; }
+    internal IReadOnlyList<string> Notes => PixelNotes.Of(this);
 
     /// <summary>A model's name, or its path in the scene file.</summary>
     internal string NameOf(int? index) => index is { } i ? ModelName.Plain(Scene, i) : ModelName.Background;

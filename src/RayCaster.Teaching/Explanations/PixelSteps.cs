@@ -24,24 +24,18 @@ internal static class PixelSteps
         return FormulaStep.LeadingTo(d.X, d.Y, d.Z);
     }
 
-    /// <summary>The steps from the hit to the channels, and from the channels to their levels.</summary>
-    public static (IReadOnlyList<FormulaStep> Attenuation, IReadOnlyList<FormulaStep> Color, Color Value) OfColor(Scene scene, Ray ray)
+    /// <summary>The steps from the hit to the channels' levels, and the colour before it is clamped.</summary>
+    public static (IReadOnlyList<FormulaStep> Steps, Color Color) OfColor(Scene scene, Ray ray)
     {
-        if (ray.HitModel is not { } model)
-        {
-            var (r, g, b) = scene.Background;
-            return ([], Channels("background", r, g, b), scene.Background);
-        }
-        var attenuation = scene.Attenuation(((Derivation)ray.HitParameter).As("t", ""));
-        Derivation red = attenuation * model.Color.R, green = attenuation * model.Color.G, blue = attenuation * model.Color.B;
-        return (FormulaStep.LeadingTo(attenuation), Channels("attenuation * color", red, green, blue), new(red.Value, green.Value, blue.Value));
+        if (ray.HitModel is not { } model) return OfChannels("background", scene.Background.R, scene.Background.G, scene.Background.B);
+        var (attenuation, color) = (scene.Attenuation(((Derivation)ray.HitParameter).As("t", "")), model.Color);
+        return OfChannels("attenuation * color", attenuation * color.R, attenuation * color.G, attenuation * color.B);
     }
 
-    private static List<FormulaStep> Channels(string formula, Derivation red, Derivation green, Derivation blue)
+    private static (IReadOnlyList<FormulaStep>, Color) OfChannels(string formula, Derivation red, Derivation green, Derivation blue)
     {
         (red, green, blue) = (red.As("red", $"{formula}.R"), green.As("green", $"{formula}.G"), blue.As("blue", $"{formula}.B"));
-        return [.. FormulaStep.LeadingTo(Level(red, "red"), Level(green, "green"), Level(blue, "blue"))
-            .Where(step => step.Name != "attenuation")];
+        return (FormulaStep.LeadingTo(Level(red, "red"), Level(green, "green"), Level(blue, "blue")), new(red.Value, green.Value, blue.Value));
     }
 
     private static Derivation Level(Derivation channel, string name) =>

@@ -52,7 +52,7 @@ public class DocsTests
     public void TheExplanationOfTheDocumentIsTheOneThatIsPrinted()
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/first.json")).Scene!;
-        var text = ExplanationText.Of(PixelExplanation.Of(scene, 250, 250));
+        var text = ExplanationText.Of(new PixelExplanation(scene, 250, 250));
         Assert.Contains($"-- explain scenes/first.json 250 250\n{text}```", Read("docs/explain.md"));
     }
 

@@ -105,7 +105,7 @@ public class PixelExplanationTests
     public void OfTwoEqualHitsTheFirstInTheSceneShows()
     {
         var plane = new Plane(new(-5, 0, 0), new(1, 0, 0));
-        var pixel = PixelExplanation.Of(Scene([Model.Of(plane), Model.Of(plane)]), 0, 0);
+        var pixel = new PixelExplanation(Scene([Model.Of(plane), Model.Of(plane)]), 0, 0);
         Assert.Equal(0, pixel.Winner);
         Assert.Contains("a tie", pixel.Models[1].Reason);
         Assert.Contains(pixel.Notes, note => note.StartsWith("a tie:"));
@@ -113,16 +113,16 @@ public class PixelExplanationTests
 
     [Fact]
     public void ARayInAFaceOfABoxIsNoted() =>
-        Assert.Contains("0 / 0", Assert.Single(PixelExplanation.Of(Scene([Model.Of(new Aabb(new(-6, 0, -1), new(-5, 2, 1)))]), 0, 0).Notes));
+        Assert.Contains("0 / 0", Assert.Single(new PixelExplanation(Scene([Model.Of(new Aabb(new(-6, 0, -1), new(-5, 2, 1)))]), 0, 0).Notes));
 
     [Fact]
     public void LostLightAndClampedColoursAreNoted()
     {
-        var far = PixelExplanation.Of(Scene([Model.Of(new Plane(new(-50, 0, 0), new(1, 0, 0)))]), 0, 0);
+        var far = new PixelExplanation(Scene([Model.Of(new Plane(new(-50, 0, 0), new(1, 0, 0)))]), 0, 0);
         Assert.Contains(far.Notes, note => note == "all light is lost: t = 50 ≥ 2 |T − P| = 40, so the attenuation is 0");
         var bright = Model.Of(new Plane(new(-4, 0, 0), new(1, 0, 0)));
         bright.Color = new(2, 0, 0);
-        Assert.Contains(PixelExplanation.Of(Scene([bright]), 0, 0).Notes, note => note.Contains("clamped: the colour is (1.8, 0, 0)"));
+        Assert.Contains(new PixelExplanation(Scene([bright]), 0, 0).Notes, note => note.Contains("clamped: the colour is (1.8, 0, 0)"));
     }
 
     [Fact]
@@ -131,7 +131,7 @@ public class PixelExplanationTests
         var models = new List<Model>();
         for (var i = 0; i < 40; i++) models.Add(Model.Of(new Sphere(new(-30 + i, 0, 0), 0.4)));
         for (var i = 0; i < 40; i++) models.Add(Model.Of(new Sphere(new(-30, 30 + i, 0), 0.4)));
-        var pixel = PixelExplanation.Of(Scene(models), 0, 0);
+        var pixel = new PixelExplanation(Scene(models), 0, 0);
         Assert.Equal(30, pixel.Winner); // the camera is in it
         Assert.Equal([27, 28, 29, 30, 31, 32, 33], pixel.Models.Select(model => model.Trial.Index));
         Assert.Equal((73, 27, 6, 40),
@@ -146,7 +146,7 @@ public class PixelExplanationTests
         var scene = new Scene(new Camera(new(new(0, 0, 0), new(-20, 0, 0)) { Width = 40, Height = 40 }), [ball]);
         var picture = ScalarRenderer.Render(scene);
         var column = Enumerable.Range(0, 40).First(x => picture[x + 1, 20] != (0, 0, 0));
-        var pixel = PixelExplanation.Of(scene, column, 20);
+        var pixel = new PixelExplanation(scene, column, 20);
         Assert.Equal("right", pixel.Models[0].Beside);
         Assert.Contains(pixel.Notes, note => note == $"an outline: the pixel to the right (column {column + 1}, line 20) shows ball");
     }
@@ -157,7 +157,7 @@ public class PixelExplanationTests
         var (near, far) = (Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0))), Model.Of(new Plane(new(-10, 0, 0), new(1, 0, 0))));
         (near.Name, near.Color, far.Name, far.Color) = ("ball", new(1, 0, 0), "wall", new(0, 1, 0));
         var scene = Scene([near, far]);
-        var explanation = ReferenceExplanation.Of(PixelExplanation.Of(scene, 0, 0), ScalarRenderer.Render(scene with { Models = [far] }));
+        var explanation = ReferenceExplanation.Of(new PixelExplanation(scene, 0, 0), ScalarRenderer.Render(scene with { Models = [far] }));
         Assert.False(explanation.Agrees);
         Assert.Equal((-223, 191, 0), explanation.Difference);
         Assert.Equal("the other picture's colour is what wall would give: its crossing at t = 10 is hidden by ball, whose t = 5 < 10",
@@ -170,7 +170,7 @@ public class PixelExplanationTests
         var scene = Scene([Model.Of(new Plane(new(-5, 0, 0), new(1, 0, 0)))]);
         var picture = ScalarRenderer.Render(scene);
         picture[0, 0] = ((byte)(picture[0, 0].R - 1), picture[0, 0].G, picture[0, 0].B);
-        var explanation = ReferenceExplanation.Of(PixelExplanation.Of(scene, 0, 0), picture);
+        var explanation = ReferenceExplanation.Of(new PixelExplanation(scene, 0, 0), picture);
         Assert.True(explanation.Agrees);
         Assert.Empty(explanation.Causes);
     }
@@ -178,8 +178,8 @@ public class PixelExplanationTests
     [Fact]
     public void APixelOutsideOfThePictureIsRefused()
     {
-        Assert.Throws<ArgumentOutOfRangeException>(() => PixelExplanation.Of(Scene([]), 1, 0));
-        Assert.Throws<ArgumentOutOfRangeException>(() => PixelExplanation.Of(Scene([]), 0, -1));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new PixelExplanation(Scene([]), 1, 0));
+        Assert.Throws<ArgumentOutOfRangeException>(() => new PixelExplanation(Scene([]), 0, -1));
     }
 
     /// <summary>tests/RayCaster.Teaching.Tests/Explanations/room.txt; <c>RAYCASTER_ACCEPT=1 dotnet test</c> writes it again.</summary>
@@ -187,7 +187,7 @@ public class PixelExplanationTests
     public void TheTextForPeopleStaysAsItIs()
     {
         var file = ProjectFolder.PathOf("tests/RayCaster.Teaching.Tests/Explanations/room.txt");
-        var text = ExplanationText.Of(PixelExplanation.Of(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!, 250, 380));
+        var text = ExplanationText.Of(new PixelExplanation(SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!, 250, 380));
         if (Environment.GetEnvironmentVariable("RAYCASTER_ACCEPT") == "1") File.WriteAllText(file, text);
         Assert.Equal(File.ReadAllText(file).ReplaceLineEndings("\n"), text);
     }
@@ -199,7 +199,7 @@ public class PixelExplanationTests
         for (var i = 0; i < pixels; i++)
         {
             var (column, line) = (random.Next(picture.Width), random.Next(picture.Height));
-            var pixel = PixelExplanation.Of(scene, column, line);
+            var pixel = new PixelExplanation(scene, column, line);
             Assert.Equal(picture[column, line], pixel.Bytes);
             Assert.NotEmpty(ExplanationText.Of(pixel));
             CheckNumbers(JsonDocument.Parse(ExplanationJson.Of(pixel)).RootElement, picture[column, line]);
@@ -240,5 +240,5 @@ public class PixelExplanationTests
     private static Scene Scene(IReadOnlyList<Model> models, double zNear = 0) =>
         new(new Camera(new(new(0, 0, 0), new(-20, 0, 0)) { Width = 1, Height = 1, ZNear = zNear, Sample = Sample.Center }), models);
 
-    private static ModelExplanation Explain(Model model, double zNear = 0) => PixelExplanation.Of(Scene([model], zNear), 0, 0).Models[0];
+    private static ModelExplanation Explain(Model model, double zNear = 0) => new PixelExplanation(Scene([model], zNear), 0, 0).Models[0];
 }
