@@ -12,7 +12,8 @@ public static class HeatMap
     public static Picture Of(PictureDifference difference)
     {
         var colors = Enumerable.Range(0, 256).Select(Of).ToArray();
-        return Picture.Of(difference.Mine.Width, difference.Mine.Height, (x, y) => colors[difference.LevelsAt(x, y)]);
+        var (width, height) = (difference.Mine.Width, difference.Mine.Height);
+        return Picture.Of(width, height, (x, y) => colors[difference.LevelsAt(y * width + x)]);
     }
 
     /// <summary>Each model in one colour: the larger the share of its pixels that are wrong, the hotter. Black if the pictures were not compared

@@ -8,14 +8,15 @@ public sealed class PictureComparison
     /// <param name="threads">How many threads cast rays; one per core if left out.</param>
     public PictureComparison(Picture mine, Picture reference, Scene? scene = null, int? threads = null)
     {
-        (Mine, Reference, Scene) = (mine, reference, scene);
+        (Mine, Reference) = (mine, reference);
+        if (scene is not null) Scene = scene with { Camera = scene.Camera.WithSize(reference.Width, reference.Height) };
         if ((mine.Width, mine.Height) == (reference.Width, reference.Height))
         {
             Difference = new(mine, reference);
-            if (scene is not null) ByModels = SceneDifference.Find(scene, Difference, threads);
+            if (Scene is not null) ByModels = new(Scene, Difference, threads);
         }
         Func<PictureDifference, bool> holdAllWrong = ByModels is { IsReferenceOwn: true }
-            ? new SceneOutlines(SceneDifference.InSizeOf(scene!, reference)).HoldAllWrong
+            ? new SceneOutlines(Scene!).HoldAllWrong
             : PictureOutlines.HoldAllWrong;
         Likeness = Difference is null ? Likeness.Wrong : Likenesses.Of(Difference, holdAllWrong);
         if (Likeness == Likeness.Wrong) Recognition = new ChangeFinder(mine, reference, Difference, holdAllWrong).Find();
@@ -27,7 +28,7 @@ public sealed class PictureComparison
     /// <summary>The one that it should be.</summary>
     public Picture Reference { get; }
 
-    /// <summary>The reference's scene; null if it was not given.</summary>
+    /// <summary>The reference's scene in its size; null if it was not given.</summary>
     internal Scene? Scene { get; }
 
     /// <summary>The verdict; pictures of different sizes are <see cref="Likeness.Wrong"/>.</summary>

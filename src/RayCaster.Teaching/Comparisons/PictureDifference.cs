@@ -57,11 +57,8 @@ public sealed class PictureDifference
     /// <summary>How many pixels differ by more than so many levels in a channel.</summary>
     public int CountBeyond(int levels) => count.Skip(levels + 1).Sum();
 
-    /// <summary>The largest difference of a pixel's three channels.</summary>
-    public int LevelsAt(int x, int y) => levels[y * Mine.Width + x];
-
-    /// <summary>The same by the pixel's place in reading order.</summary>
-    internal int LevelsAt(int pixel) => levels[pixel];
+    /// <summary>The largest difference of a pixel's three channels, by its place in reading order.</summary>
+    public int LevelsAt(int pixel) => levels[pixel];
 
     /// <summary>The largest difference of two colours' three channels.</summary>
     internal static int Levels((byte R, byte G, byte B) a, (byte R, byte G, byte B) b) =>

@@ -19,17 +19,16 @@ internal static class PictureOutlines
         if (difference.Wrong > width * height / Rarity) return false;
         for (var y = 0; y < height; y++)
             for (var x = 0; x < width; x++)
-                if (difference.LevelsAt(x, y) > 1 && (IsThick(difference, x, y) || !difference.Reference.ShowsAround(x, y, difference.Mine[x, y])))
+                if (IsWrong(x, y) && (IsThick(x, y) || !difference.Reference.ShowsAround(x, y, difference.Mine[x, y])))
                     return false;
         return (difference.Wrong - 1) * Rarity < OnOutlines(difference.Reference);
+
+        bool IsWrong(int x, int y) => x < width && y < height && difference.LevelsAt(y * width + x) > 1;
+
+        bool IsThick(int x, int y) => IsWrong(x + 1, y) && IsWrong(x, y + 1) && IsWrong(x + 1, y + 1); // the upper left one of four
     }
 
     /// <summary>How many pixels differ from the pixel to the right or below.</summary>
     private static int OnOutlines(Picture picture) =>
         Enumerable.Range(0, picture.Count).Count(place => picture.IsEdge(place % picture.Width, place / picture.Width, Shading));
-
-    /// <summary>Whether the pixel is the upper left one of four that all differ by more than rounding.</summary>
-    private static bool IsThick(PictureDifference difference, int x, int y) =>
-        x + 1 < difference.Mine.Width && y + 1 < difference.Mine.Height
-        && difference.LevelsAt(x + 1, y) > 1 && difference.LevelsAt(x, y + 1) > 1 && difference.LevelsAt(x + 1, y + 1) > 1;
 }

@@ -17,7 +17,9 @@ internal sealed class SceneDifference
     private readonly HitMap hits, others; // others: of the scene with fewer models
     private readonly int? threads;
 
-    private SceneDifference(Scene scene, PictureDifference difference, int? threads)
+    /// <param name="scene">The scene in the pictures' size.</param>
+    /// <param name="threads">How many threads cast rays; one per core if null.</param>
+    public SceneDifference(Scene scene, PictureDifference difference, int? threads)
     {
         (this.scene, this.difference, this.threads) = (scene, difference, threads);
         hits = new Renderer(scene, threads).CastHits();
@@ -46,14 +48,6 @@ internal sealed class SceneDifference
     public IReadOnlyList<int> ModelAt => hits.Model;
 
     private ILookup<int, int> PixelsOf => field ??= Enumerable.Range(0, difference.Pixels).ToLookup(i => hits.Model[i]);
-
-    /// <param name="scene">The scene, in any size.</param>
-    /// <param name="threads">How many threads cast rays; one per core if left out.</param>
-    public static SceneDifference Find(Scene scene, PictureDifference difference, int? threads = null) =>
-        new(InSizeOf(scene, difference.Reference), difference, threads);
-
-    public static Scene InSizeOf(Scene scene, Picture picture) =>
-        scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
 
     private static bool IsOwn(PictureDifference d) => d.Wrong <= d.Pixels / 50;
 

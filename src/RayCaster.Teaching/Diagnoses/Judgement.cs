@@ -100,7 +100,7 @@ internal sealed class Judgement(
         var isOfCamera = best.Named.Count > 1 && best.Named.All(mistake => mistake.Concerns == Concerns.Camera);
         if ((best.Misfit.Unexplained <= Nearly * wrong && !isOfCamera) || leftByMissingModel is not null || evidence.IsOnlyOutlines
             || !evidence.HasRightSize) return ([], false);
-        var byModels = SceneDifference.Find(prepared.Scene, new(evidence.Picture, prepared.Right), prepared.Threads);
+        var byModels = new SceneDifference(prepared.Scene, new(evidence.Picture, prepared.Right), prepared.Threads);
         var most = best.Misfit * (best.Named.Count < 2 ? NumberForOne : isOfCamera ? 1 : NumberForPair);
         var (misfit, certain) = LikelyCause.Certain(prepared, byModels, evidence);
         if (certain is not null && misfit.CompareTo(most) < 0) return ([certain], true);

@@ -95,11 +95,10 @@ public static class RaySection
             for (var i = 0; i < mesh.TriangleCount && lines.Count < MostLines; i++)
             {
                 var (a, b, c) = (mesh[i].A - origin, mesh[i].B - origin, mesh[i].C - origin);
-                var (da, db, dc) = (a * n, b * n, c * n);
-                if (da > 0 == db > 0 && db > 0 == dc > 0) continue;
-                var ends = new List<double[]>(2);
-                foreach (var (p, q, dp, dq) in (ReadOnlySpan<(Vector3, Vector3, double, double)>)[(a, b, da, db), (b, c, db, dc), (c, a, dc, da)])
+                var ends = new List<double[]>();
+                foreach (var (p, q) in (ReadOnlySpan<(Vector3, Vector3)>)[(a, b), (b, c), (c, a)])
                 {
+                    var (dp, dq) = (p * n, q * n);
                     if (dp > 0 == dq > 0) continue;
                     var x = p + dp / (dp - dq) * (q - p);
                     ends.Add([x * u, x * v]);

@@ -23,7 +23,7 @@ public enum MapKind
 public static class MapKinds
 {
     /// <summary>The names on the command line and in file names.</summary>
-    public static readonly string[] Names = ["t", "depth", "model", "normal", "uv"];
+    public static readonly string[] Names = [.. Enum.GetNames<MapKind>().Select(name => name.ToLowerInvariant())];
 
     /// <summary>The kind with a name; null if there is none.</summary>
     public static MapKind? Named(string name) => Array.IndexOf(Names, name) is >= 0 and var place ? (MapKind)place : null;
