@@ -1,17 +1,115 @@
 namespace RayCaster.Teaching;
 
-/// <summary>One model in the explanation of a pixel.</summary>
-/// <param name="Trial">Of a mesh the steps and crossings are those of <see cref="Trial.Triangle"/>.</param>
-/// <param name="Name">Its name, or its path in the scene file.</param>
-/// <param name="Steps">The steps of its formula; empty for a model in plain doubles and ifs, of which only t is known.</param>
-/// <param name="Crossings">The crossings, nearest first; if there is none, one entry says why.</param>
-/// <param name="Slabs">A box's slabs; empty for other shapes.</param>
-/// <param name="Weights">A triangle's barycentric numbers w, u, v, which add up to 1; null for other shapes and for a triangle seen
-/// edge-on.</param>
-/// <param name="Beside">Which neighbouring pixels show the model, in words; null if none does.</param>
-internal sealed record ModelExplanation(Trial Trial, string Name, Outcome Outcome, string Reason,
-    IReadOnlyList<FormulaStep> Steps, IReadOnlyList<CrossingExplanation> Crossings, IReadOnlyList<SlabExplanation> Slabs,
-    IReadOnlyList<double>? Weights, string? Beside);
+/// <summary>One model in the explanation of a pixel: its formula evaluated over <see cref="Derivation"/>, which records each step.</summary>
+internal sealed class ModelExplanation
+{
+    private readonly PixelExplanation pixel;
+
+    /// <param name="pixel">Its ray, its winner and its neighbours are known.</param>
+    public ModelExplanation(PixelExplanation pixel, Trial trial)
+    {
+        (this.pixel, Trial, Shape) = (pixel, trial, trial.Shape);
+        var ray = new Ray<Derivation>(
+            ((Vector3<Derivation>)pixel.Ray.Origin).As("P", ""), ((Vector3<Derivation>)pixel.Ray.Direction).As("d", ""));
+        if (Shape?.Intersect(ray) is { } derived)
+        {
+            (var corners, Slabs) = (Corners(ray), SlabExplanation.Of(Shape, derived));
+            var writer = new TermText(
+                [.. corners.Select(step => step.Value).OfType<Vector3>().SelectMany(v => (double[])[v.X, v.Y, v.Z]),
+                 .. Slabs.SelectMany(slab => (double[])[slab.Enters, slab.Leaves])]);
+            Steps = [.. corners, .. FormulaStep.LeadingTo(writer, derived.Near, derived.Far)];
+            Crossings = [.. Find(derived, writer)];
+        }
+        else if (Shape is not null) Crossings = [OfPlainDoubles()];
+
+        (Outcome, Reason) = trial.Hit is { } hit ? Fate(hit)
+            : (trial.Outcome, Shape is null ? "the ray passes all its triangles by"
+                : string.Join("; ", Crossings.Select(crossing => crossing.Reason).Distinct()));
+    }
+
+    public Trial Trial { get; }
+
+    /// <summary>Its name, or its path in the scene file.</summary>
+    public string Name => pixel.NameOf(Trial.Index);
+
+    public Outcome Outcome { get; }
+
+    public string Reason { get; }
+
+    /// <summary>The steps of its formula; empty for a model in plain doubles and ifs, of which only t is known.</summary>
+    public IReadOnlyList<FormulaStep> Steps { get; } = [];
+
+    /// <summary>The crossings, nearest first; if there is none, one entry says why.</summary>
+    public IReadOnlyList<CrossingExplanation> Crossings { get; } = [];
+
+    /// <summary>A box's slabs; empty for other shapes.</summary>
+    public IReadOnlyList<SlabExplanation> Slabs { get; } = [];
+
+    /// <summary>A triangle's barycentric numbers w, u, v, which add up to 1; null for other shapes and for a triangle seen edge-on.</summary>
+    public IReadOnlyList<double>? Weights => Shape is Model<Triangle> ? Reasons.Weights(Steps) : null;
+
+    /// <summary>Which neighbouring pixels show the model, which this pixel does not show, in words; null if none does.</summary>
+    public string? Beside => Trial.Index != pixel.Winner
+        && string.Join(", ", pixel.Neighbours.Where(beside => beside.Model == Trial.Index).Select(beside => beside.Where)) is { Length: > 0 } where
+            ? where : null;
+
+    /// <summary>What is explained: of a mesh one triangle; null where the ray crosses none.</summary>
+    private Model? Shape { get; }
+
+    /// <summary>What becomes of a crossing that counts.</summary>
+    private (Outcome Outcome, string Reason) Fate(double t)
+    {
+        if (Trial.Index == pixel.Winner) return (Outcome.Shows, "the nearest that counts: the pixel shows it");
+        var (shown, nearest) = (pixel.NameOf(pixel.Winner), pixel.Ray.HitParameter);
+        if (t == nearest) return (Outcome.Hidden, $"a tie: {shown} has the same t and stands earlier in the scene");
+        var (a, b) = Digits.Apart(nearest, t);
+        return (Outcome.Hidden, $"hidden by {shown}, whose t = {a} < {b}");
+    }
+
+    private List<CrossingExplanation> Find(Crossings<Derivation> derived, TermText writer)
+    {
+        var crossings = new List<CrossingExplanation>();
+        foreach (var term in (Term[])[derived.Near.Term, derived.Far.Term])
+        {
+            var t = term.Value;
+            if (double.IsNaN(t) && crossings.Count > 0) continue; // a surface that is crossed only once, or the same reason again
+            var (outcome, reason) = Outcomes.Of(t, pixel.Ray) switch
+            {
+                Outcome.Shows when crossings is [{ Outcome: Outcome.Shows or Outcome.Hidden }] =>
+                    (Outcome.NotNeeded, "the crossing before it counts already"),
+                Outcome.Shows => Fate(t),
+                Outcome.NoNumber => (Outcome.NoNumber, Reasons.NoCrossing(Shape!, Steps, Slabs, term)),
+                var refused => (refused, Reasons.Of(refused, t, pixel)),
+            };
+            var isStep = term.Chosen.Operation is Operation.Name;
+            var untested = double.IsNaN(t) && term.Operation is Operation.If && double.IsFinite(term.B.Value) ? term.B.Value : (double?)null;
+            crossings.Add(new(t, t * pixel.Ray.ZPerT, outcome, reason, isStep ? "" : writer.Of(term), untested));
+        }
+        return crossings;
+    }
+
+    /// <summary>The crossing of a model in plain doubles and ifs.</summary>
+    private CrossingExplanation OfPlainDoubles()
+    {
+        var t = Trial.T;
+        var (outcome, reason) = Trial.Hit is { } hit ? Fate(hit)
+            : !Trial.Outcome.IsMiss() ? (Trial.Outcome, Reasons.Of(Trial.Outcome, t, pixel))
+            : (Outcome.NoNumber, double.IsFinite(t) ? "its Intersect gives no hit, though this t counts" : "its Intersect finds no crossing");
+        return new(t, t * pixel.Ray.ZPerT, outcome, reason);
+    }
+
+    /// <summary>
+    /// A triangle's corners as seen along the ray. The triangle's formula does not name them: with one more name there, the compiler would no
+    /// longer inline the operators when it draws.
+    /// </summary>
+    private IReadOnlyList<FormulaStep> Corners(Ray<Derivation> ray)
+    {
+        if (Shape is not Model<Triangle> { Primitive: var (A, B, C) }) return [];
+        var along = new AlongRay<Derivation>(ray);
+        var (a, b, c) = (along.See(A).As("a", "along.See(A)"), along.See(B).As("b", "along.See(B)"), along.See(C).As("c", "along.See(C)"));
+        return FormulaStep.LeadingTo(a.X, a.Y, a.Z, b.X, b.Y, b.Z, c.X, c.Y, c.Z);
+    }
+}
 
 /// <summary>One place where a ray crosses a model, or would cross it.</summary>
 /// <param name="T">The ray parameter; NaN where there is no crossing.</param>
@@ -20,25 +118,3 @@ internal sealed record ModelExplanation(Trial Trial, string Name, Outcome Outcom
 /// <param name="Untested">Where a test of the formula failed: the t that it would give without the test, for example that of the circle's
 /// plane.</param>
 internal sealed record CrossingExplanation(double T, double Z, Outcome Outcome, string Reason, string Numbers = "", double? Untested = null);
-
-/// <summary>A slab of a box: the space B0 ≤ coordinate ≤ B1. Its properties are its fields in the JSON.</summary>
-/// <param name="Axis">x, y or z.</param>
-/// <param name="Lo">B0.</param>
-/// <param name="Hi">B1.</param>
-/// <param name="T0">(B0 − P) / d.</param>
-/// <param name="T1">(B1 − P) / d.</param>
-internal sealed record SlabExplanation(char Axis, double Lo, double Hi, double T0, double T1)
-{
-    /// <summary>Whether the ray runs in a face of the slab, where a t is 0 / 0: it is always in that slab.</summary>
-    internal bool HoldsRay => double.IsNaN(T0) || double.IsNaN(T1);
-
-    public double Enters => HoldsRay ? double.NegativeInfinity : Math.Min(T0, T1);
-
-    public double Leaves => HoldsRay ? double.PositiveInfinity : Math.Max(T0, T1);
-
-    /// <summary>Whether the ray enters this slab last, so t_min is its.</summary>
-    public bool DecidesEntry { get; init; }
-
-    /// <summary>Whether the ray leaves this slab first, so t_max is its.</summary>
-    public bool DecidesExit { get; init; }
-}

@@ -9,6 +9,9 @@ public sealed class PixelExplanation
     /// <summary>If there are more models, only those that matter for the pixel are explained one by one.</summary>
     private const int ManyModels = 12;
 
+    /// <summary>Of many models, so many hidden ones and so many that nearly count are explained.</summary>
+    private const int OfEachKind = 3;
+
     /// <summary>Explains a pixel.</summary>
     /// <param name="column">c, from the left, from 0.</param>
     /// <param name="line">The picture's line, from the top, from 0: row r = Height − 1 − line of the formulas.</param>
@@ -24,8 +27,8 @@ public sealed class PixelExplanation
         Winner = IndexOf(Ray.HitModel);
         Neighbours = [.. FindNeighbours()];
         Trials = [.. scene.Models.Select((model, i) => Trial.Of(model, i, Ray))];
-        var explained = Trials.Count <= ManyModels ? Trials : NearMisses.Of(this);
-        Models = [.. explained.Select(new ModelExplainer(this).Explain)];
+        var explained = Trials.Count <= ManyModels ? Trials : NearMisses();
+        Models = [.. explained.Select(trial => new ModelExplanation(this, trial))];
         foreach (var trial in Trials.Except(explained)) Others[trial.Outcome]++;
         (ColorSteps, Color) = PixelSteps.OfColor(scene, Ray);
     }
@@ -89,6 +92,34 @@ public sealed class PixelExplanation
             var ray = ScalarRenderer.Cast(Scene, column, Scene.Camera.Height - 1 - line);
             yield return new(where, column, line, IndexOf(ray.HitModel), ray.HitParameter);
         }
+    }
+
+    /// <summary>The model that shows; the nearest hidden models; the models whose crossings nearly count; and the models that a neighbouring
+    /// pixel shows. In the scene's order.</summary>
+    private IReadOnlyList<Trial> NearMisses()
+    {
+        var hidden = Trials.Where(trial => trial.Hit is not null && trial.Index != Winner).OrderBy(trial => trial.Hit);
+        var refused = Trials.Where(trial => !trial.Outcome.Counts() && !trial.Outcome.IsMiss()).OrderBy(Lacking);
+        HashSet<int?> chosen =
+        [
+            Winner,
+            .. Neighbours.Select(neighbour => neighbour.Model),
+            .. hidden.Take(OfEachKind).Concat(refused.Take(OfEachKind)).Select(trial => (int?)trial.Index),
+        ];
+        return [.. Trials.Where(trial => chosen.Contains(trial.Index))];
+    }
+
+    /// <summary>How far a crossing is from counting.</summary>
+    private double Lacking(Trial trial)
+    {
+        var (t, z, camera) = (trial.T, trial.T * Ray.ZPerT, Scene.Camera);
+        return trial.Outcome switch
+        {
+            Outcome.Behind => -t,
+            Outcome.UnderBias => camera.Bias - t,
+            Outcome.BeforeNear => camera.ZNear - z,
+            _ => z - camera.ZFar,
+        };
     }
 }
 

@@ -4,13 +4,17 @@ namespace RayCaster.Teaching;
 internal static class Reasons
 {
     /// <summary>Why a crossing does not count.</summary>
-    public static string Of(Outcome refusal, double t, double z, Camera camera) => refusal switch
+    public static string Of(Outcome refusal, double t, PixelExplanation pixel)
     {
-        Outcome.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",
-        Outcome.UnderBias => Compare("t", t, "≤", "bias", camera.Bias) + ": too near to where the ray starts",
-        Outcome.BeforeNear => Compare("z", z, "<", "zNear", camera.ZNear) + ": clipped away, nearer than the near plane",
-        _ => Compare("z", z, ">", "zFar", camera.ZFar) + ": clipped away, beyond the far plane",
-    };
+        var (z, camera) = (t * pixel.Ray.ZPerT, pixel.Scene.Camera);
+        return refusal switch
+        {
+            Outcome.Behind => $"t = {Digits.Of(t)} < 0: behind the camera",
+            Outcome.UnderBias => Compare("t", t, "≤", "bias", camera.Bias) + ": too near to where the ray starts",
+            Outcome.BeforeNear => Compare("z", z, "<", "zNear", camera.ZNear) + ": clipped away, nearer than the near plane",
+            _ => Compare("z", z, ">", "zFar", camera.ZFar) + ": clipped away, beyond the far plane",
+        };
+    }
 
     /// <summary>Why a ray does not cross a model, in the slides' words for the slides' shapes.</summary>
     /// <param name="model">The model, or a triangle of a mesh.</param>

@@ -23,12 +23,12 @@ public sealed record ReferenceExplanation(
 
     private static IEnumerable<string> FindCauses(PixelExplanation pixel, (byte R, byte G, byte B) other)
     {
-        var (scene, explainer) = (pixel.Scene, new ModelExplainer(pixel));
+        var scene = pixel.Scene;
         if (pixel.Winner is not null && AreNear(scene.Background.ToBytes(), other)) yield return "the background's: there the ray hits nothing";
 
         foreach (var trial in pixel.Trials)
         {
-            var model = explainer.Explain(trial);
+            var model = new ModelExplanation(pixel, trial);
             foreach (var crossing in model.Crossings)
             {
                 var t = crossing.Untested ?? crossing.T;
