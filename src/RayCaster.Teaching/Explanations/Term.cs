@@ -15,8 +15,6 @@ internal enum Operation
 /// <param name="a">The first operand; for a choice the mask.</param>
 internal sealed class Term(Operation operation, double value, Term? a = null, Term? b = null, Term? c = null)
 {
-    private const int Huge = 1_000_000;
-
     public Operation Operation => operation;
 
     public double Value => value;
@@ -41,13 +39,14 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
     /// <summary>Whether it is written as its value alone.</summary>
     public bool IsLeaf => operation is Operation.Name or Operation.Constant;
 
-    /// <summary>The length of the written term; a step counts as its name, a choice as the chosen operand.</summary>
-    public int Size { get; } = operation switch
+    /// <summary>The length of the written term, which may be more than an int holds; a step counts as its name, a choice as the chosen
+    /// operand.</summary>
+    public double Size { get; } = operation switch
     {
         Operation.Name or Operation.Constant => 1,
         Operation.Select => a!.Value != 0 ? b!.Size : c!.Size,
         Operation.If => b!.Size,
-        _ => Math.Min(Huge, 1 + (a?.Size ?? 0) + (b?.Size ?? 0)),
+        _ => 1 + (a?.Size ?? 0) + (b?.Size ?? 0),
     };
 
     /// <summary>A choice's chosen operand; other terms themselves. For "a crossing here, if …" the crossing, even if the test failed.</summary>
@@ -59,15 +58,8 @@ internal sealed class Term(Operation operation, double value, Term? a = null, Te
     };
 
     /// <summary>The operands in the order of the computation, without those that a choice did not choose.</summary>
-    public IEnumerable<Term> Parts
-    {
-        get
-        {
-            if (a is not null) yield return a;
-            if (b is not null && (operation != Operation.Select || A.Value != 0)) yield return b;
-            if (c is not null && (operation != Operation.Select || A.Value == 0)) yield return c;
-        }
-    }
+    public IEnumerable<Term> Parts =>
+        operation is Operation.Select ? [A, A.Value != 0 ? B : C] : ((Term?[])[a, b]).OfType<Term>();
 }
 
 /// <summary>The name of a step, shared by the three coordinates of a vector.</summary>

@@ -49,8 +49,7 @@ internal sealed class TermText(HashSet<double>? known = null)
         Operation.Less => "<",
         Operation.Greater => ">",
         Operation.LessOrEqual => "≤",
-        Operation.GreaterOrEqual => "≥",
-        _ => throw new ArgumentOutOfRangeException(nameof(operation), operation, "no comparison"),
+        _ => "≥",
     };
 
     private string Inner(Three term) => Text(term, Condition, leads: true);

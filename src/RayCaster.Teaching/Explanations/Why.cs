@@ -9,9 +9,6 @@ internal static class Why
     private static IEnumerable<string> Find(Term term) => !RuntimeHelpers.TryEnsureSufficientExecutionStack() ? [] : term.Operation switch
     {
         Operation.If when term.A.Value == 0 => FindFailure(term.A),
-        Operation.If => Find(term.B),
-        Operation.Name => Find(term.A),
-        Operation.Select => Find(term.A.Value != 0 ? term.B : term.C),
         Operation.Constant => ["the formula says NaN"],
         _ => term.Parts.FirstOrDefault(part => double.IsNaN(part.Value)) is { } part ? Find(part)
             : [$"{new TermText().Of(term)} is no number"],
