@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Explanations;
+namespace RayCaster.Teaching.Tests.Ledgers;
 
 /// <summary>What is odd is said in words, with what to change.</summary>
 public class LedgerReportTests

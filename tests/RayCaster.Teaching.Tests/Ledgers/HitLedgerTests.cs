@@ -1,4 +1,4 @@
-namespace RayCaster.Teaching.Tests.Explanations;
+namespace RayCaster.Teaching.Tests.Ledgers;
 
 /// <summary>The ledger counts what the pictures show, and says why the rest is refused.</summary>
 public class HitLedgerTests
