@@ -51,7 +51,7 @@ public static class ExplanationJson
         model.Trial.Index,
         model.Name,
         Type = model.Trial.Model.Kind,
-        Verdict = model.Outcome.Verdict(),
+        Verdict = model.Trial.Outcome.Verdict(),
         model.Reason,
         Slide = ShapeKind.Of(model.Trial.Model.Kind)?.Slide,
         model.Beside,
@@ -86,7 +86,7 @@ public static class ExplanationJson
     private static object Others(Tally others) => new
     {
         Count = others.Total,
-        Hidden = others[Outcome.Shows],
+        Hidden = others[Outcome.Hidden],
         Behind = others[Outcome.Behind],
         UnderBias = others[Outcome.UnderBias],
         BeforeNear = others[Outcome.BeforeNear],
@@ -100,8 +100,7 @@ public static class ExplanationJson
         Name = pixel.NameOf(index),
         T = pixel.Ray.HitParameter,
         Point = pixel.Ray.At(pixel.Ray.HitParameter),
-        Hides = pixel.Trials.Where(trial => trial.Hit is not null && trial.Index != index)
-            .Select(trial => new { Model = trial.Index, T = trial.Hit }),
+        Hides = pixel.Trials.Where(trial => trial.Outcome == Outcome.Hidden).Select(trial => new { Model = trial.Index, trial.T }),
     };
 
     private static object Color(PixelExplanation pixel) => new

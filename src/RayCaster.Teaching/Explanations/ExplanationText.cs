@@ -53,7 +53,7 @@ public sealed class ExplanationText
         foreach (var model in pixel.Models) Model(model);
         if (others.Total > 0)
             Line(2, $"{ComparisonText.Count(others.Total, "other model")}: " +
-                Counted([(others[Outcome.Shows], "hidden by a nearer one"), .. Refused(others), (others.Missed, "passed by")]));
+                Counted([(others[Outcome.Hidden], "hidden by a nearer one"), .. Refused(others), (others.Missed, "passed by")]));
     }
 
     private void Model(ModelExplanation model)

@@ -22,17 +22,15 @@ internal sealed class ModelExplanation
         }
         else if (Shape is not null) Crossings = [OfPlainDoubles()];
 
-        (Outcome, Reason) = trial.Hit is { } hit ? Fate(hit)
-            : (trial.Outcome, Shape is null ? "the ray passes all its triangles by"
-                : string.Join("; ", Crossings.Select(crossing => crossing.Reason).Distinct()));
+        Reason = trial.Outcome.Counts() ? Fate(trial.T)
+            : Shape is null ? "the ray passes all its triangles by"
+            : string.Join("; ", Crossings.Select(crossing => crossing.Reason).Distinct());
     }
 
     public Trial Trial { get; }
 
     /// <summary>Its name, or its path in the scene file.</summary>
     public string Name => pixel.NameOf(Trial.Index);
-
-    public Outcome Outcome { get; }
 
     public string Reason { get; }
 
@@ -57,13 +55,13 @@ internal sealed class ModelExplanation
     private Model? Shape { get; }
 
     /// <summary>What becomes of a crossing that counts.</summary>
-    private (Outcome Outcome, string Reason) Fate(double t)
+    private string Fate(double t)
     {
-        if (Trial.Index == pixel.Winner) return (Outcome.Shows, "the nearest that counts: the pixel shows it");
+        if (Trial.Outcome == Outcome.Shows) return "the nearest that counts: the pixel shows it";
         var (shown, nearest) = (pixel.NameOf(pixel.Winner), pixel.Ray.HitParameter);
-        if (t == nearest) return (Outcome.Hidden, $"a tie: {shown} has the same t and stands earlier in the scene");
+        if (t == nearest) return $"a tie: {shown} has the same t and stands earlier in the scene";
         var (a, b) = Digits.Apart(nearest, t);
-        return (Outcome.Hidden, $"hidden by {shown}, whose t = {a} < {b}");
+        return $"hidden by {shown}, whose t = {a} < {b}";
     }
 
     private List<CrossingExplanation> Find(Crossings<Derivation> derived, TermText writer)
@@ -77,7 +75,7 @@ internal sealed class ModelExplanation
             {
                 Outcome.Shows when crossings is [{ Outcome: Outcome.Shows or Outcome.Hidden }] =>
                     (Outcome.NotNeeded, "the crossing before it counts already"),
-                Outcome.Shows => Fate(t),
+                Outcome.Shows => (Trial.Outcome, Fate(t)),
                 Outcome.NoNumber => (Outcome.NoNumber, Reasons.NoCrossing(Shape!, Steps, Slabs, term)),
                 var refused => (refused, Reasons.Of(refused, t, pixel)),
             };
@@ -92,10 +90,11 @@ internal sealed class ModelExplanation
     private CrossingExplanation OfPlainDoubles()
     {
         var t = Trial.T;
-        var (outcome, reason) = Trial.Hit is { } hit ? Fate(hit)
-            : !Trial.Outcome.IsMiss() ? (Trial.Outcome, Reasons.Of(Trial.Outcome, t, pixel))
-            : (Outcome.NoNumber, double.IsFinite(t) ? "its Intersect gives no hit, though this t counts" : "its Intersect finds no crossing");
-        return new(t, t * pixel.Ray.ZPerT, outcome, reason);
+        var reason = Trial.Outcome.Counts() ? Fate(t)
+            : !Trial.Outcome.IsMiss() ? Reasons.Of(Trial.Outcome, t, pixel)
+            : double.IsFinite(t) ? "its Intersect gives no hit, though this t counts"
+            : "its Intersect finds no crossing";
+        return new(t, t * pixel.Ray.ZPerT, Trial.Outcome, reason);
     }
 
     /// <summary>

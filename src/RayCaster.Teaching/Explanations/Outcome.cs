@@ -60,7 +60,7 @@ internal static class Outcomes
     public static string Verdict(this Outcome outcome) => outcome.Counts() ? Word(outcome) : outcome.IsMiss() ? "missed" : "refused";
 
     /// <summary>Why a crossing does not count, for other programs: none, behind, underBias, beforeNear, beyondFar or noNumber.</summary>
-    public static string Refusal(this Outcome outcome) => outcome.Counts() ? "none" : Word(outcome);
+    public static string Refusal(this Outcome outcome) => outcome.Counts() ? "none" : Word(outcome.IsMiss() ? Outcome.NoNumber : outcome);
 
     private static string Word(Outcome outcome) => JsonNamingPolicy.CamelCase.ConvertName(outcome.ToString());
 }

@@ -63,7 +63,7 @@ public sealed class PixelExplanation
     /// <summary>The models in the scene's order; of more than <see cref="ManyModels"/> those that matter for the pixel.</summary>
     internal IReadOnlyList<ModelExplanation> Models { get; }
 
-    /// <summary>The models that are not among <see cref="Models"/>; one that shows would show if no other were nearer.</summary>
+    /// <summary>The models that are not among <see cref="Models"/>.</summary>
     internal Tally Others { get; } = new();
 
     /// <summary>The steps of the attenuation, which the background has not, of each channel and its level, whose whole part is the byte.</summary>
@@ -98,7 +98,7 @@ public sealed class PixelExplanation
     /// pixel shows. In the scene's order.</summary>
     private IReadOnlyList<Trial> NearMisses()
     {
-        var hidden = Trials.Where(trial => trial.Hit is not null && trial.Index != Winner).OrderBy(trial => trial.Hit);
+        var hidden = Trials.Where(trial => trial.Outcome == Outcome.Hidden).OrderBy(trial => trial.T);
         var refused = Trials.Where(trial => !trial.Outcome.Counts() && !trial.Outcome.IsMiss()).OrderBy(Lacking);
         HashSet<int?> chosen =
         [

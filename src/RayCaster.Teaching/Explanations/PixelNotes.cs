@@ -30,10 +30,10 @@ internal static class PixelNotes
         var t = pixel.Ray.HitParameter;
         foreach (var trial in pixel.Trials)
         {
-            if (trial.Index == pixel.Winner || trial.Hit is not { } other) continue;
-            if (other == t)
+            if (trial.Outcome != Outcome.Hidden) continue;
+            if (trial.T == t)
                 yield return $"a tie: {pixel.NameOf(pixel.Winner)} and {pixel.NameOf(trial.Index)} have the same t; the first in the scene shows";
-            else if (other - t <= AlmostEqual * t)
+            else if (trial.T - t <= AlmostEqual * t)
                 yield return $"almost a tie: t of {pixel.NameOf(pixel.Winner)} and of {pixel.NameOf(trial.Index)} " +
                     "differ in the last digits only; another program may show either";
         }
