@@ -48,8 +48,8 @@ internal sealed record Change(
         get
         {
             List<string> parts = [];
-            if (Right != 0) parts.Add($"{ComparisonText.Count(Math.Abs(Right), "pixel")} to the {(Right > 0 ? "right" : "left")}");
-            if (Down != 0) parts.Add($"{ComparisonText.Count(Math.Abs(Down), "line")} {(Down > 0 ? "down" : "up")}");
+            if (Right != 0) parts.Add($"{Digits.Count(Math.Abs(Right), "pixel")} to the {(Right > 0 ? "right" : "left")}");
+            if (Down != 0) parts.Add($"{Digits.Count(Math.Abs(Down), "line")} {(Down > 0 ? "down" : "up")}");
             return string.Join(" and ", parts);
         }
     }

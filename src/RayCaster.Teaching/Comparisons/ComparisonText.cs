@@ -20,13 +20,13 @@ public static class ComparisonText
         }
         return comparison.Likeness switch
         {
-            Likeness.Identical => $"{mine} and {reference} are identical: {Count(d.Pixels, "pixel")}.\n",
+            Likeness.Identical => $"{mine} and {reference} are identical: {Digits.Count(d.Pixels, "pixel")}.\n",
             Likeness.WithinRounding => $"{mine} is right within rounding: {OffByOne(d)}, which is allowed for up to 1 % of them.\n",
             Likeness.OutlinesOnly => $"{mine} is right but for outlines: {Outlines(d)}, which is allowed.\n" +
                 (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n" : ""),
             Likeness.RoundedOtherwise => $"{mine} is rounded otherwise: {OffByOne(d)}, but only 1 % may be.\n" + Rounding(d) +
                 (d.Wrong > 0 ? $"  Besides, {Outlines(d)}, which is allowed.\n" : ""),
-            _ => $"{mine} is wrong: {Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n" +
+            _ => $"{mine} is wrong: {Digits.Part(d.Wrong, d.Pixels)} differ by more than 1 level, by at most {d.Largest}.\n" +
                 Places(comparison, d, mine),
         };
     }
@@ -46,7 +46,7 @@ public static class ComparisonText
             $"{d.Mine[x, y]} instead of {d.Reference[x, y]}.\n" +
             $"  All wrong pixels lie in the columns {area.Left} to {area.Right} and the lines {area.Top} to {area.Bottom} from the top " +
             $"(rows {last - area.Bottom} to {last - area.Top}).\n" +
-            $"  Red differs in {Number(red)} of them, green in {Number(green)}, blue in {Number(blue)}.\n" +
+            $"  Red differs in {Digits.Number(red)} of them, green in {Digits.Number(green)}, blue in {Digits.Number(blue)}.\n" +
             (d.OffByOne > 0 ? $"  Besides, {OffByOne(d)}.\n{(d.OffByOne > d.Pixels / 10 ? Rounding(d) : "")}" : "") +
             OneColor(comparison, mine) + Recognized(comparison) +
             (comparison.ByModels is { } models ? ModelsText.Of(comparison, models, mine) : "");
@@ -64,9 +64,9 @@ public static class ComparisonText
         {
             Likeness.Identical => $"It becomes identical {when}.\n",
             Likeness.WithinRounding => $"It becomes right within rounding {when}.\n",
-            Likeness.OutlinesOnly => $"It becomes right but for {Count(d.Wrong, "pixel")} on outlines {when}.\n",
+            Likeness.OutlinesOnly => $"It becomes right but for {Digits.Count(d.Wrong, "pixel")} on outlines {when}.\n",
             Likeness.RoundedOtherwise => $"It becomes right but for rounding {when}; then {OffByOne(d)}.\n{Rounding(d)}",
-            _ => $"It becomes nearly right {when}: then {Part(d.Wrong, d.Pixels)} are wrong.\n",
+            _ => $"It becomes nearly right {when}: then {Digits.Part(d.Wrong, d.Pixels)} are wrong.\n",
         };
     }
 
@@ -74,32 +74,15 @@ public static class ComparisonText
     {
         var lighter = d.OffByOne - d.OneDarker;
         return lighter <= 0.01 * d.OffByOne
-                ? $"  {Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded?\n"
+                ? $"  {Digits.Share(d.OneDarker, d.Pixels)} of the pixels are one level darker: truncated instead of rounded?\n"
             : d.OneDarker <= 0.01 * d.OffByOne
-                ? $"  {Share(lighter, d.Pixels)} of the pixels are one level lighter: rounded up, or times 256 instead of 255?\n"
+                ? $"  {Digits.Share(lighter, d.Pixels)} of the pixels are one level lighter: rounded up, or times 256 instead of 255?\n"
             : "";
     }
 
     private static string OffByOne(PictureDifference d) =>
-        $"{Part(d.OffByOne, d.Pixels)} {(d.OffByOne == 1 ? "is" : "are")} off by 1 level";
+        $"{Digits.Part(d.OffByOne, d.Pixels)} {(d.OffByOne == 1 ? "is" : "are")} off by 1 level";
 
     private static string Outlines(PictureDifference d) =>
-        $"{Part(d.Wrong, d.Pixels)} show{(d.Wrong == 1 ? "s" : "")} the other side of an outline";
-
-    /// <summary>"3 of 1,000 pixels (0.3 %)".</summary>
-    internal static string Part(int part, int whole) => $"{Number(part)} of {Count(whole, "pixel")} ({Share(part, whole)})";
-
-    /// <summary>"1 pixel", "1,000 pixels".</summary>
-    internal static string Count(long number, string what) => $"{Number(number)} {what}{(number == 1 ? "" : "s")}";
-
-    /// <summary>"1,000".</summary>
-    internal static string Number(long number) => number.ToString("N0", CultureInfo.InvariantCulture);
-
-    /// <summary>A share in percent; "100 %" only for all, and "0 %" only for none.</summary>
-    internal static string Share(int part, int whole)
-    {
-        if (part == whole) return "100 %";
-        var percent = 100.0 * part / whole;
-        return percent is > 0 and < 0.01 ? "less than 0.01 %" : $"{Math.Min(percent, 99.99).ToString("0.##", CultureInfo.InvariantCulture)} %";
-    }
+        $"{Digits.Part(d.Wrong, d.Pixels)} show{(d.Wrong == 1 ? "s" : "")} the other side of an outline";
 }

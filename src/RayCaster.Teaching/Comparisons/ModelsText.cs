@@ -12,12 +12,12 @@ internal static class ModelsText
         if (!scene.IsReferenceOwn)
             return scene.IsMineOwn
                 ? $"The scene's own picture is {mine}, not the reference: are the two swapped?\n"
-                : $"The reference is not the picture of this scene: {ComparisonText.Part(own.Wrong, own.Pixels)} differ. " +
+                : $"The reference is not the picture of this scene: {Digits.Part(own.Wrong, own.Pixels)} differ. " +
                     "So its models are not compared.\n";
         // A change of the whole picture explains the difference, not single models.
         if (comparison.Recognition is not null || comparison.Mine.IsOneColor) return "";
         return string.Concat(Sentences(comparison.Scene!, scene).Select(sentence => sentence + "\n")) +
-            (own.Wrong > 0 ? $"The reference itself differs from the picture of this scene in {ComparisonText.Count(own.Wrong, "pixel")}.\n" : "") +
+            (own.Wrong > 0 ? $"The reference itself differs from the picture of this scene in {Digits.Count(own.Wrong, "pixel")}.\n" : "") +
             Table(scene);
     }
 
@@ -27,8 +27,8 @@ internal static class ModelsText
         var width = scene.Models.Select(model => model.Name.Length).Append(5).Max();
         ModelDifference[] wrong = [.. scene.Models.Where(model => model.Wrong > 0)];
         var rows = wrong.Take(MostRows).Select(model =>
-            $"  {model.Name.PadRight(width)}  {ComparisonText.Number(model.Pixels),10}  {ComparisonText.Number(model.Wrong),10}" +
-            $"  {ComparisonText.Share(model.Wrong, model.Pixels)}\n");
+            $"  {model.Name.PadRight(width)}  {Digits.Number(model.Pixels),10}  {Digits.Number(model.Wrong),10}" +
+            $"  {Digits.Share(model.Wrong, model.Pixels)}\n");
         return $"\n  {"model".PadRight(width)}      pixels       wrong\n" + string.Concat(rows) +
             (wrong.Length > MostRows ? $"  and {wrong.Length - MostRows} more\n" : "") +
             (wrong.Length < scene.Models.Count ? "  all others: none wrong\n" : "") + "\n";
@@ -48,7 +48,7 @@ internal static class ModelsText
         var meant = Meant(all);
         var edges = all.Models.Sum(model => model.Wrong) - meant.Sum(model => model.Wrong);
         var agree = meant.Count != 1 ? ""
-            : edges == 0 ? "; all others agree" : $"; all others agree, but for {ComparisonText.Count(edges, "pixel")}";
+            : edges == 0 ? "; all others agree" : $"; all others agree, but for {Digits.Count(edges, "pixel")}";
         return meant.Select(model => Sentence(scene, model) ?? (meant.Count == 1 ? $"{PartOf(model)} are wrong" : null))
             .OfType<string>().Take(MostSentences).Select(sentence => $"{sentence}{agree}.");
     }
@@ -65,7 +65,7 @@ internal static class ModelsText
     {
         if (model.IsMissing)
             return model.Shows is [var (other, pixels), ..] && pixels >= 0.99 * model.Wrong
-                ? $"{model.Name} is missing: {ComparisonText.Share(model.Wrong, model.Pixels)} of its pixels show {ModelName.Of(scene, other)}"
+                ? $"{model.Name} is missing: {Digits.Share(model.Wrong, model.Pixels)} of its pixels show {ModelName.Of(scene, other)}"
                 : $"{model.Name} is missing: its pixels show what lies behind it{Behind(scene, model)}";
         if (model.OtherColor is { } color)
             return color.ToBytes() == default ? $"{model.Name} is black"
@@ -76,10 +76,10 @@ internal static class ModelsText
         if (model.Shows is not [var (most, count), ..] || count < 0.5 * model.Wrong) return null;
         return count >= 0.95 * model.Wrong
             ? $"{PartOf(model)} are wrong, they show {ModelName.Of(scene, most)}"
-            : $"{PartOf(model)} are wrong, {ComparisonText.Share(count, model.Wrong)} of these show {ModelName.Of(scene, most)}";
+            : $"{PartOf(model)} are wrong, {Digits.Share(count, model.Wrong)} of these show {ModelName.Of(scene, most)}";
     }
 
-    private static string PartOf(ModelDifference model) => $"{model.Name}: {ComparisonText.Share(model.Wrong, model.Pixels)} of its pixels";
+    private static string PartOf(ModelDifference model) => $"{model.Name}: {Digits.Share(model.Wrong, model.Pixels)} of its pixels";
 
     /// <summary>The number by which one colour is multiplied to give the other; null if there is none.</summary>
     private static double? Factor(Color to, Color from)
@@ -95,7 +95,7 @@ internal static class ModelsText
     /// <summary>" (`wall` 70 %, the background 20 %)".</summary>
     private static string Behind(Scene scene, ModelDifference model)
     {
-        var parts = model.Shows.Take(3).Select(shown => $"{ModelName.Of(scene, shown.Model)} {ComparisonText.Share(shown.Pixels, model.Wrong)}");
+        var parts = model.Shows.Take(3).Select(shown => $"{ModelName.Of(scene, shown.Model)} {Digits.Share(shown.Pixels, model.Wrong)}");
         return model.Shows.Count == 0 ? "" : $" ({string.Join(", ", parts)})";
     }
 

@@ -12,7 +12,7 @@ public static class DiagnosisReport
             AppendMatch(text, diagnosis, picture, scene);
             return text.ToString();
         }
-        text.AppendLine($"{picture} is not the picture of {scene}: {ComparisonText.Part(diagnosis.WrongCount, diagnosis.PixelCount)} " +
+        text.AppendLine($"{picture} is not the picture of {scene}: {Digits.Part(diagnosis.WrongCount, diagnosis.PixelCount)} " +
             $"differ by more than {Evidence.Tolerance} levels.");
         text.AppendLine();
         if (diagnosis.NotYet.Count > 0)
@@ -43,7 +43,7 @@ public static class DiagnosisReport
             text.AppendLine($"The picture of {scene} is of one colour, as that of an empty world: it proves nothing.");
         var outlines = diagnosis.WrongCount + diagnosis.OutlineCount;
         text.AppendLine($"{picture} matches: it is the picture of {scene}" +
-            $"{(outlines > 0 ? $", but for {ComparisonText.Count(outlines, "pixel")} on outlines" : "")}.");
+            $"{(outlines > 0 ? $", but for {Digits.Count(outlines, "pixel")} on outlines" : "")}.");
         if (diagnosis.DarkerShare > 0.05)
             text.AppendLine($"{Share(diagnosis.DarkerShare * diagnosis.PixelCount, diagnosis)} of the pixels are a level darker: the slide rounds " +
                 "a channel, 255 x + 0.5, where truncating takes 255 x.");
@@ -196,5 +196,5 @@ public static class DiagnosisReport
         ? "nothing unexplained"
         : $"{Share(suspect.Unexplained, diagnosis)} of the pixels unexplained";
 
-    private static string Share(double pixels, Diagnosis diagnosis) => ComparisonText.Share((int)Math.Round(pixels), diagnosis.PixelCount);
+    private static string Share(double pixels, Diagnosis diagnosis) => Digits.Share((int)Math.Round(pixels), diagnosis.PixelCount);
 }

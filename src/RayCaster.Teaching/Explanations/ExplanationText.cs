@@ -52,7 +52,7 @@ public sealed class ExplanationText
             : count == 0 ? "none" : "in the scene's order");
         foreach (var model in pixel.Models) Model(model);
         if (others.Total > 0)
-            Line(2, $"{ComparisonText.Count(others.Total, "other model")}: " +
+            Line(2, $"{Digits.Count(others.Total, "other model")}: " +
                 Counted([(others[Outcome.Hidden], "hidden by a nearer one"), .. Refused(others), (others.Missed, "passed by")]));
     }
 
@@ -63,7 +63,7 @@ public sealed class ExplanationText
         if (model.Trial is { Triangles: { } triangles, Triangle: var triangle })
         {
             var which = triangles[Outcome.Shows] > 0 ? "the nearest" : "the one that comes nearest";
-            Line(6, $"{ComparisonText.Count(triangles.Total, "triangle")} tried: " +
+            Line(6, $"{Digits.Count(triangles.Total, "triangle")} tried: " +
                 Counted([(triangles.Missed, "passed by"), .. Refused(triangles), (triangles[Outcome.Shows], "hit")]) +
                 (triangle is null ? "" : $"; number {triangle}, from 0, is {which}:"));
         }
@@ -81,7 +81,7 @@ public sealed class ExplanationText
     ];
 
     private static string Counted(IEnumerable<(long Count, string Words)> parts) =>
-        string.Join(", ", parts.Where(part => part.Count > 0).Select(part => $"{ComparisonText.Number(part.Count)} {part.Words}"));
+        string.Join(", ", parts.Where(part => part.Count > 0).Select(part => $"{Digits.Number(part.Count)} {part.Words}"));
 
     private void Slabs(IReadOnlyList<SlabExplanation> slabs)
     {
@@ -98,7 +98,7 @@ public sealed class ExplanationText
     }
 
     private static string Decides(SlabExplanation slab) =>
-        string.Join(", ", new[] { slab.DecidesEntry ? "t_min" : "", slab.DecidesExit ? "t_max" : "" }.Where(name => name != ""));
+        (slab.DecidesEntry, slab.DecidesExit) switch { (true, true) => "t_min, t_max", (true, _) => "t_min", (_, true) => "t_max", _ => "" };
 
     private void Crossing(ModelExplanation model, CrossingExplanation crossing)
     {

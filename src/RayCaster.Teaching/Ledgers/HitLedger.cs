@@ -73,19 +73,17 @@ public sealed class HitLedger
         for (var i = 0; i < Models.Count; i++)
         {
             var outcome = ModelWitness.Judge(Scene.Models[i], ray, out var t);
-            if (outcome == Outcome.Shows && !(t < nearest)) outcome = Outcome.Hidden;
-            Models[i].Count(outcome, t * ray.ZPerT);
-            if (outcome != Outcome.Shows) continue;
-            if (shown >= 0)
+            if (outcome == Outcome.Shows && t < nearest)
             {
-                Models[shown][Outcome.Shows]--;
-                Models[shown][Outcome.Hidden]++;
+                if (shown >= 0) Models[shown][Outcome.Hidden]++;
+                (nearest, shown) = (t, i);
             }
-            (nearest, shown) = (t, i);
+            else Models[i].Count(outcome == Outcome.Shows ? Outcome.Hidden : outcome, t * ray.ZPerT);
         }
         Rays++;
         if (shown < 0) return;
 
+        Models[shown][Outcome.Shows]++;
         var color = Scene.Shade(nearest, Scene.Models[shown]).ToBytes();
         OnlyColor = Hits == 0 || OnlyColor == color ? color : null;
         Hits++;

@@ -1,5 +1,3 @@
-using static System.FormattableString;
-
 namespace RayCaster.Teaching;
 
 /// <summary>The ledger as a table: a line for each model, a column for each outcome that occurs.</summary>
@@ -28,8 +26,8 @@ internal static class LedgerTable
         var camera = ledger.Scene.Camera;
         var pixels = (long)camera.Width * camera.Height;
         var title = ledger.Rays == pixels
-            ? $"What became of {ComparisonText.Count(pixels, "ray")}, model by model:\n"
-            : Invariant($"What became of the rays, model by model, judged from {ledger.Rays:N0} of {pixels:N0}:\n");
+            ? $"What became of {Digits.Count(pixels, "ray")}, model by model:\n"
+            : $"What became of the rays, model by model, judged from {Digits.Number(ledger.Rays)} of {Digits.Number(pixels)}:\n";
         if (ledger.Models.Count == 0) return title;
 
         var byHits = Enumerable.Range(0, ledger.Models.Count).OrderByDescending(i => ledger.Models[i].Hits);
@@ -40,11 +38,11 @@ internal static class LedgerTable
         var width = Math.Max(9, Number(ledger.Rays).Length);
         var lines = shown.Select(entry => Line(entry.Label, columns.Select(column => Number(entry[column.Outcome]))));
         return title + Line("model", columns.Select(column => column.Title)) + string.Concat(lines)
-            + (ledger.Models.Count > MostLines ? Invariant($"  and {ledger.Models.Count - MostLines:N0} models with fewer hits\n") : "");
+            + (ledger.Models.Count > MostLines ? $"  and {Digits.Number(ledger.Models.Count - MostLines)} models with fewer hits\n" : "");
 
         string Line(string label, IEnumerable<string> cells) =>
             $"  {label.PadRight(labels)}{string.Concat(cells.Select(cell => "  " + cell.PadLeft(width)))}\n";
     }
 
-    private static string Number(long count) => count == 0 ? "-" : Invariant($"{count:N0}");
+    private static string Number(long count) => count == 0 ? "-" : Digits.Number(count);
 }

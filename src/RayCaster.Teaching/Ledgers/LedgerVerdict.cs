@@ -22,9 +22,9 @@ internal static class LedgerVerdict
             .OrderBy(group => group.Key).Select(group => (Reason: group.Key, Entries: group.ToList())).ToList();
         var parts = groups.Select(group => group.Entries is [var only]
             ? $"{only.Label} {Phrase(group.Reason, true)}"
-            : $"{ComparisonText.Count(group.Entries.Count, "model")} {Phrase(group.Reason, false)}");
+            : $"{Digits.Count(group.Entries.Count, "model")} {Phrase(group.Reason, false)}");
         return groups.Select(group => Remedy(ledger, group.Reason, group.Entries)).OfType<string>()
-            .Prepend($"0 of {ComparisonText.Count(ledger.Rays, "ray")} hit anything: {string.Join(", ", parts)}.");
+            .Prepend($"0 of {Digits.Count(ledger.Rays, "ray")} hit anything: {string.Join(", ", parts)}.");
     }
 
     /// <summary>What to change if some models do not show for this reason.</summary>
@@ -76,7 +76,7 @@ internal static class LedgerVerdict
         var (camera, color) = (ledger.Scene.Camera, ledger.OnlyColor);
         if (ledger.Unlit > ledger.Hits / 2)
         {
-            var of = ledger.Unlit == ledger.Hits ? "All" : $"{ComparisonText.Number(ledger.Unlit)} of";
+            var of = ledger.Unlit == ledger.Hits ? "All" : $"{Digits.Number(ledger.Unlit)} of";
             yield return Invariant($"{of} {ledger.Hits:N0} hits are black: attenuation = 1 - t / (2 |T - P|) is 0 from t = {camera.Reach:G7} on, ") +
                 Invariant($"and their t is {ledger.Range.Least:G7} to {ledger.Range.Greatest:G7}.");
             yield return "target sets the light, which ends at twice its distance: move it away along the line of sight.";
@@ -100,19 +100,19 @@ internal static class LedgerVerdict
         {
             if (entry[Outcome.Shows] > 0 || missing++ >= MostNamed) continue;
             yield return entry.Hits > 0
-                ? $"{entry.Label} does not show: it is hit by {ComparisonText.Count(entry.Hits, "ray")}, but something nearer hides it there."
+                ? $"{entry.Label} does not show: it is hit by {Digits.Count(entry.Hits, "ray")}, but something nearer hides it there."
                 : $"{entry.Label} does not show: it {Phrase(entry.Reason, true)}" +
                     (ScalarRenderer.IsChanged ? ", or a formula that was changed finds no crossing." : ".");
         }
-        if (missing > MostNamed) yield return $"Nor do {ComparisonText.Number(missing - MostNamed)} more.";
+        if (missing > MostNamed) yield return $"Nor do {Digits.Number(missing - MostNamed)} more.";
     }
 
     private static IEnumerable<string> OfNoNumbers(HitLedger ledger)
     {
         foreach (var entry in ledger.Models)
             if (entry[Outcome.NoNumber] > ledger.Rays / 2)
-                yield return $"The formula of {entry.Label} gives no number (NaN) for {ComparisonText.Number(entry[Outcome.NoNumber])} of " +
-                    $"{ComparisonText.Count(ledger.Rays, "ray")}: are its numbers far out of range, or is infinity taken from infinity?";
+                yield return $"The formula of {entry.Label} gives no number (NaN) for {Digits.Number(entry[Outcome.NoNumber])} of " +
+                    $"{Digits.Count(ledger.Rays, "ray")}: are its numbers far out of range, or is infinity taken from infinity?";
     }
 
     private static string Phrase(Outcome reason, bool isOne)
