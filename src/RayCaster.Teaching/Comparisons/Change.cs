@@ -16,41 +16,37 @@ internal sealed record Change(
         + (Colors is null ? 0 : 100) + (Bytes == 0 ? 0 : 100 + Math.Abs(Bytes));
 
     /// <summary>The change in words that follow "when".</summary>
-    public string Description
-    {
-        get
-        {
-            if (SidesSwapped)
-                return "its width and height are swapped and its bytes left as they are: the header names them the wrong way round";
-            if (Bytes < 0) return $"all bytes are moved by {-Bytes} towards the beginning: the header is followed by bytes that do not belong there";
-            if (Bytes > 0) return $"all bytes are moved by {Bytes} towards the end: bytes after the header are missing";
-            List<string> parts = [];
-            if (Turn != Turn.None) parts.Add("it is " + Turning);
-            if (Right != 0 || Down != 0) parts.Add("it is moved " + Moving);
-            if (Colors is not null) parts.Add(Colors.Description);
-            return string.Join(" and ", parts);
-        }
-    }
+    public string Description =>
+        SidesSwapped ? "its width and height are swapped and its bytes left as they are: the header names them the wrong way round"
+        : Bytes < 0 ? $"all bytes are moved by {-Bytes} towards the beginning: the header is followed by bytes that do not belong there"
+        : Bytes > 0 ? $"all bytes are moved by {Bytes} towards the end: bytes after the header are missing"
+        : string.Join(" and ", ((string?[])[Turning, Moving, Colors?.Description]).OfType<string>());
 
-    private string Turning => Turn switch
+    private string? Turning => Turn switch
     {
-        Turn.TopBottom => "flipped top to bottom",
-        Turn.LeftRight => "mirrored left to right",
-        Turn.Half => "turned by 180°",
-        Turn.Transposed => "transposed (columns for lines)",
-        Turn.Clockwise => "turned by 90° clockwise",
-        Turn.CounterClockwise => "turned by 90° counter-clockwise",
-        _ => "transposed (columns for lines) and turned by 180°",
+        Turn.None => null,
+        Turn.TopBottom => "it is flipped top to bottom",
+        Turn.LeftRight => "it is mirrored left to right",
+        Turn.Half => "it is turned by 180°",
+        Turn.Transposed => "it is transposed (columns for lines)",
+        Turn.Clockwise => "it is turned by 90° clockwise",
+        Turn.CounterClockwise => "it is turned by 90° counter-clockwise",
+        _ => "it is transposed (columns for lines) and turned by 180°",
     };
 
-    private string Moving
+    private string? Moving
     {
         get
         {
-            List<string> parts = [];
-            if (Right != 0) parts.Add($"{Digits.Count(Math.Abs(Right), "pixel")} to the {(Right > 0 ? "right" : "left")}");
-            if (Down != 0) parts.Add($"{Digits.Count(Math.Abs(Down), "line")} {(Down > 0 ? "down" : "up")}");
-            return string.Join(" and ", parts);
+            var right = $"{Digits.Count(Math.Abs(Right), "pixel")} to the {(Right > 0 ? "right" : "left")}";
+            var down = $"{Digits.Count(Math.Abs(Down), "line")} {(Down > 0 ? "down" : "up")}";
+            return (Right, Down) switch
+            {
+                (0, 0) => null,
+                (_, 0) => $"it is moved {right}",
+                (0, _) => $"it is moved {down}",
+                _ => $"it is moved {right} and {down}",
+            };
         }
     }
 

@@ -12,6 +12,8 @@ internal sealed record ModelDifference(int Model, string Name, int Pixels, int W
     /// <summary>Another colour of the model that would give nearly all of its pixels; null for none.</summary>
     public Color? OtherColor { get; init; }
 
+    public bool IsExplained => IsMissing || OtherColor is not null;
+
     public Color Color { get; init; }
 
     /// <summary>

@@ -37,13 +37,8 @@ internal static class ModelsText
     /// <summary>A sentence for each wrong model.</summary>
     public static IEnumerable<string> Sentences(Scene scene, SceneDifference all)
     {
-        var (pixels, unexplained) = (0, 0);
-        foreach (var model in all.Models)
-        {
-            pixels += model.Pixels;
-            if (!model.IsMissing && model.OtherColor is null) unexplained += model.Wrong;
-        }
-        if (unexplained > pixels / 2) // a picture from another camera position makes models look "missing", too
+        var unexplained = all.Models.Where(model => !model.IsExplained).Sum(model => model.Wrong);
+        if (unexplained > all.Models.Sum(model => model.Pixels) / 2) // a picture from another camera position makes models look "missing", too
             return ["No single model explains it. Is the camera different, or its target? The target also sets the light."];
         var meant = Meant(all);
         var edges = all.Models.Sum(model => model.Wrong) - meant.Sum(model => model.Wrong);

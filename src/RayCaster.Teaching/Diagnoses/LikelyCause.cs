@@ -13,7 +13,7 @@ internal static class LikelyCause
     /// <returns>What it leaves unexplained, and a sentence; null for no cause.</returns>
     public static (Misfit Misfit, string? Says) Certain(SceneDiagnosis prepared, SceneDifference byModels, Evidence evidence)
     {
-        if (ModelsText.Meant(byModels) is [{ } model] && (model.IsMissing || model.OtherColor is not null))
+        if (ModelsText.Meant(byModels) is [{ IsExplained: true }])
             return (default, ModelsText.Sentences(prepared.Scene, byModels).FirstOrDefault());
         var (misfit, says) = OtherNumber.Find(prepared.Scene, byModels, evidence, prepared.Threads);
         return misfit.Unexplained <= Explained * evidence.WrongCount ? (misfit, says) : default;
@@ -37,7 +37,7 @@ internal static class LikelyCause
                     ? $"Only what is of the type {kind}: the same outlines, but another light. Is its t right?"
                 : "All outlines are right, only the light is not: look at the attenuation, and at the way from a colour to its bytes.";
         }
-        else if (meant.Count == 1 || (meant.Count > 1 && meant.All(model => model.IsMissing || model.OtherColor is not null)))
+        else if (meant.Count == 1 || (meant.Count > 1 && meant.All(model => model.IsExplained)))
         {
             foreach (var sentence in ModelsText.Sentences(scene, byModels)) yield return sentence;
         }

@@ -148,7 +148,12 @@ public sealed class ExplanationText
         var longest = steps.Count == 0 ? 0 : steps.Max(step => step.Name.Length);
         foreach (var step in steps)
         {
-            var value = step.Value switch { bool holds => holds ? "true" : "false", Vector3 v => Digits.Of(v), var number => Digits.Of((double)number) };
+            var value = step.Value switch
+            {
+                bool holds => holds ? "true" : "false",
+                Vector3 v => Digits.Of(v),
+                var number => Digits.Of((double)number),
+            };
             string[] parts = step.Formula == step.Numbers || step.Numbers == value ? [step.Formula, value] : [step.Formula, step.Numbers, value];
             text.Append(' ', indent).Append(step.Name.PadRight(longest));
             var column = indent + longest;
