@@ -9,9 +9,12 @@ internal sealed class ChangeFinder(
     Picture mine, Picture reference, PictureDifference? before, Func<PictureDifference, bool> holdAllWrong)
 {
     /// <summary>The largest shift that is tried, in pixels.</summary>
-    public const int MaxShift = 16;
+    private const int MaxShift = 16;
 
     private const int SampleCount = 384, Finalists = 6, Edge = 12;
+
+    /// <summary>A reported change leaves at most this percentage of all pixels wrong, and at most one in ten of the wrong ones.</summary>
+    private const int Percent = 2, Part = 10;
 
     private readonly (int X, int Y)[] anywhere = [.. SomePlaces(reference).Take(SampleCount)];
 
@@ -41,7 +44,7 @@ internal sealed class ChangeFinder(
         IEnumerable<Change> ofBytes = hasItsSize ? ((int[])[-1, 1, -2, 2, -4, 4]).Select(bytes => new Change(Bytes: bytes))
             : hasItsSidesSwapped ? [new(SidesSwapped: true)] : [];
 
-        return ofBytes.Concat(candidates.Take(Finalists)).Select(Recognise).Where(recognition => recognition.IsReported(before)).MinBy(Rank);
+        return ofBytes.Concat(candidates.Take(Finalists)).Select(Recognise).Where(IsReported).MinBy(Rank);
     }
 
     private static IEnumerable<(int X, int Y)> SomePlaces(Picture picture)
@@ -63,6 +66,12 @@ internal sealed class ChangeFinder(
             };
         return new(change, difference, verdict);
     }
+
+    private bool IsReported(Recognition r) =>
+        r.Likeness != Likeness.Wrong
+        || (r.Difference.Wrong > 0
+            && r.Difference.Wrong * 100L <= (long)r.Difference.Pixels * Percent
+            && (before is null || (long)r.Difference.Wrong * Part <= before.Wrong));
 
     private static (bool, int, int) Rank(Recognition r) =>
         (r.Likeness == Likeness.Wrong, r.Likeness == Likeness.Wrong ? r.Difference.Wrong : 0, r.Change.Complexity);
