@@ -20,7 +20,7 @@ internal sealed class PairSearch(
     /// pairs.</summary>
     private const int Seconds = 8, Closer = 100;
 
-    /// <summary>How many wordings of each mistake are tried with all others.</summary>
+    /// <summary>How many wordings of each mistake are tried with all others: its usual one, and the nearest.</summary>
     private const int MostAlike = 24;
 
     private List<WrongProgram>? nearestByColors; // of every single mistake, for all rounds of pairs
@@ -37,7 +37,7 @@ internal sealed class PairSearch(
         // Of the camera's hundreds of wordings most draw what others do. Elsewhere two that draw all black may differ beside a second mistake.
         var others = everySingle.Where(IsOfAll).DistinctBy(single => single.Wordings[0] is { Concerns: Concerns.Camera } wording
             ? (wording.Id, single.Misfit) : (single.Wordings[0].Cause, default));
-        yield return AllPairs([.. others.GroupBy(single => single.Id).SelectMany(same => same.Take(MostAlike))]);
+        yield return AllPairs([.. others.GroupBy(single => single.Id).SelectMany(same => same.OrderBy(single => single.Unusual).Take(MostAlike))]);
         if (pictures.Count == 1) yield return Of(Firsts(singles, MorePartners).Except(firsts));
     }
 

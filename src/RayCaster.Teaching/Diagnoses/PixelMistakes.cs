@@ -32,7 +32,8 @@ internal static class PixelMistakes
             .Or(Each("w (c / width − w / 2)", "h (r / height − h / 2)", "", (_, u, x) => u(x) - u(0) - 2 * u(0) * u(0))) // u(0) = − w / 2
             .Or("− w for − w / 2", Columns(Less(1)))
             .Or("− h for − h / 2", Rows(Less(1)))
-            .Or("− 1/2 where w / 2 and h / 2 are meant", Both((_, u, x) => u(x) - u(0) - 0.5)),
+            .Or("− 1/2 where w / 2 and h / 2 are meant", Both((_, u, x) => u(x) - u(0) - 0.5))
+            .In(FromTop),
         new Mistake("center", Concerns.Camera, Slides.PixelTranslation,
             "the ray passes the pixel's centre where its corner is meant (its corner where the centre is meant)",
             Sampled(1, 1),
@@ -47,14 +48,16 @@ internal static class PixelMistakes
             "By what does the slide divide c?",
             "uc = w c / width − w / 2, ur = h r / height − h / 2.")
             .Or("only c / (width − 1)", Columns(OneLess))
-            .Or("only r / (height − 1)", Rows(OneLess)),
+            .Or("only r / (height − 1)", Rows(OneLess))
+            .In(FromTop),
         new Mistake("size-mixed", Concerns.Camera, Slides.PixelTranslation,
             "width and height swapped in the mapping: uc = w c / height − w / 2, ur = h r / width − h / 2",
             SidesMixed().First().Deviate,
             "The picture is stretched or pressed along one side or both, and not centred.",
             "Which side of the picture do columns count along?",
             "uc = w c / width − w / 2, ur = h r / height − h / 2.")
-            .Or(SidesMixed().Skip(1)),
+            .Or(SidesMixed().Skip(1))
+            .In(FromTop),
     ];
 
     /// <summary>Another place in the plane, uc or ur: from the side, the right formula and the column or row.</summary>
@@ -85,6 +88,10 @@ internal static class PixelMistakes
     /// <summary>A mistake made in both formulas, in uc alone, and in ur alone.</summary>
     private static (string, Action<Lab>)[] Each(string uc, string ur, string what, Place place) =>
         [($"{uc} and {ur}{what}", Both(place)), ($"{uc}{what}", Columns(place)), ($"{ur}{what}", Rows(place))];
+
+    /// <summary>ur = h / 2 − h (height − r) / height: another right way, in which a wrong step is counted from the upper edge.</summary>
+    private static (string Cause, Action<Lab> Deviate) FromTop =>
+        ("rows are counted from the top", lab => lab.Ur.Becomes(ur => r => -ur(lab.Camera.Height - r)));
 
     /// <summary>Columns or rows in so many steps.</summary>
     private static Place Whole(int steps) => (side, u, x) => u(side.Pixels * Math.Floor(steps * x / side.Pixels) / steps);
