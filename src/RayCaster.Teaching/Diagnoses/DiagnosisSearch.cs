@@ -70,14 +70,15 @@ internal sealed class DiagnosisSearch(
 
         var pairs = new PairSearch(pictures, known, Ranking, everySingle, inManners);
         var isDone = Ranking.IsDone(all);
-        if (isDone) all.AddRange(Ranking.BestPairs(pairs.WithNearest([.. Ranking.Sorted(all).SelectMany(Written)], 2)));
+        if (isDone) all.AddRange(NearestPairs());
         if (isDone && !Ranking.IsDone(plain)) return Ranking.Sorted(all);
 
         // Few wrong pixels beside what is missing may be all that shows of a mistake.
         bool[] samples = plain is [{ OtherSample: true }, ..] ? [true] : [false];
         var onTop = Ranking.Best([.. NearestWays(samples).SelectMany(way => Singles(way, samples))]);
         all.AddRange(onTop);
-        if (isDone || Ranking.IsDone(all)) return Ranking.Sorted(all);
+        if (!isDone && Ranking.IsDone(all) && !Ranking.IsDone(all, Nearly)) all.AddRange(NearestPairs());
+        if (Ranking.IsDone(all)) return Ranking.Sorted(all);
 
         foreach (var some in pairs.ByEffort(singles, onTop))
         {
@@ -89,6 +90,8 @@ internal sealed class DiagnosisSearch(
             if (Ranking.IsCertain(all)) break;
         }
         return Ranking.Sorted(all);
+
+        List<WrongProgram> NearestPairs() => Ranking.BestPairs(pairs.WithNearest([.. Ranking.Sorted(all).SelectMany(Written)], 2));
     }
 
     /// <summary>The nearest single mistakes of a finished program, and all of them after a first look.</summary>
