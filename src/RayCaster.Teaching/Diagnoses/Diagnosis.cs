@@ -58,8 +58,9 @@ public sealed class Diagnosis
         (MissingModel, var leftByMissingModel) = FindMissingModel();
         answer = new Judgement(prepared, evidence, done, likely, leftByMissingModel).Decide();
         if (plain is null) return;
+        // several mistakes would explain one colour by chance
         answer = answer with { Suspects = [.. Suspects.Where(suspect => suspect is { Mistakes.Count: 1, NotYet.Count: 0 })] };
-        if (Suspects.Count == 0) answer = tellsNothing; // several would explain one colour by chance
+        if (Suspects.Count == 0) answer = tellsNothing;
     }
 
     /// <summary>Whether the scene has too many models for its mistakes to be tried.</summary>
