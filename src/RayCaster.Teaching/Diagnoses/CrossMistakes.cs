@@ -105,8 +105,18 @@ internal static class CrossMistakes
         CameraWays.ByInverse,
         ("triangles compare sides", Triangles((lab, triangle, d) => lab.TriangleBySides(triangle, d, byNormal: false))),
         ("triangles compare sides with n", Triangles((lab, triangle, d) => lab.TriangleBySides(triangle, d, byNormal: true))),
+        ("triangles take u = ((C − A) × n)·(X − A) / n·n", Triangles((lab, triangle, d) => lab.TriangleByCoordinates(triangle, d))),
+        ("planes are crossed by Cramer's rule, with two axes of their own", PlanesByAxes),
         ("triangles are asked in two of x, y and z", Triangles((lab, triangle, d) => lab.TriangleFlattened(triangle, d))),
     ];
+
+    /// <summary>Planes are spanned by two axes, made with the cross product; Cramer's rule for where the ray crosses them needs none.</summary>
+    private static void PlanesByAxes(Lab lab) => lab.Plane.Becomes(cross => (plane, d) =>
+    {
+        var n = plane.Normal;
+        var a = lab.Cross.Do(n, Math.Abs(n.X) < Math.Abs(n.Y) ? new(1, 0, 0) : new(0, 1, 0));
+        return cross(plane with { Normal = a % lab.Cross.Do(n, a) }, d);
+    });
 
     private static Action<Lab> Triangles(Func<Lab, Triangle, Vector3, Crossings<Scalar>> cross) =>
         lab => lab.TriangleIs((triangle, d) => cross(lab, triangle, d));

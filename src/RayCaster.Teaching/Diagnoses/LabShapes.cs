@@ -95,13 +95,13 @@ internal sealed partial class Lab
     public void TriangleIs(Func<Triangle, Vector3, Crossed> formula) => (TriangleFormula, TrianglesReachOut) = (formula, true);
 
     /// <summary>L, tca, D², thc.</summary>
-    /// <param name="fromTheRay">Whether D² is that of L − tca d, as the hand-out has it; with d·d = 1 it is the same.</param>
+    /// <param name="D">(L, tca) → a vector as long as D, if D² is its square, as the hand-out has it; L² − tca² if null.</param>
     /// <param name="inTca">The vector in tca = L·d; L if null.</param>
-    public Crossed Geometric(Sphere s, Vector3 d, bool fromTheRay = false, Vector3? inTca = null)
+    public Crossed Geometric(Sphere s, Vector3 d, Func<Vector3, double, Vector3>? D = null, Vector3? inTca = null)
     {
         var L = s.Center - P;
         var tca = (inTca ?? L) * d;
-        var distance = fromTheRay && L - tca * d is var D ? D2.Do(D * D, 0) : D2.Do(L * L, tca);
+        var distance = D?.Invoke(L, tca) is { } ofLengthD ? D2.Do(ofLengthD * ofLengthD, 0) : D2.Do(L * L, tca);
         var thc = Thc.Do(Thc2.Do(s.Radius, distance));
         return (!NeverPassesBy && PassesBy.Do(s.Radius, distance)) || double.IsNaN(thc) ? SlideFormulas.None : Roots.Do(tca, thc);
     }
@@ -163,6 +163,16 @@ internal sealed partial class Lab
         var (X, n) = (TriangleX.Do(t, d), sides(B - A, C - A));
         var whole = Whole.Do(n);
         return Inside.Do(sides(A - C, X - C) * n / whole, sides(B - A, X - A) * n / whole) ? new(t) : SlideFormulas.None;
+    }
+
+    /// <summary>The same with u = ((C − A) × n)·(X − A) / n·n and v = (n × (B − A))·(X − A) / n·n.</summary>
+    public Crossed TriangleByCoordinates(Triangle triangle, Vector3 d)
+    {
+        var (b, c, n) = (triangle.B - triangle.A, triangle.C - triangle.A, NormalOf(triangle));
+        var t = TriangleT.Do(triangle.A, n, d);
+        if (!Counts(t, d)) return SlideFormulas.None;
+        var (x, whole) = (TriangleX.Do(t, d) - triangle.A, Whole.Do(n));
+        return Inside.Do(Cross.Do(c, n) * x / whole, Cross.Do(n, b) * x / whole) ? new(t) : SlideFormulas.None;
     }
 
     /// <summary>The same by Cramer's rule, as Möller and Trumbore have it: all from d × (C − A) and (P − A) × (B − A).</summary>

@@ -34,7 +34,7 @@ internal static class OriginMistakes
             .Or("sphere: c = C² − R², without P", lab => lab.InC.Is((P, C) => C))
             .Or("sphere: c = P² − R², without C", lab => lab.InC.Is((P, C) => P))
             .Or("sphere: tca = C·d, without P, and D = L − tca d",
-                lab => lab.Sphere.Is((s, d) => lab.Geometric(s, d, fromTheRay: true, inTca: s.Center)))
+                lab => lab.Sphere.Is((s, d) => lab.Geometric(s, d, (L, tca) => L - tca * d, inTca: s.Center)))
             .Or("box: B0 / d and B1 / d, without P", WithoutP(Concerns.Boxes))
             .Or("box: face by face, B0 / d and B1 / d without P, and X = P + t d",
                 BoxMistakes.Crossed("xyz", (lo, hi, _, d) => (lo / d, hi / d)) + (lab => lab.AskFaces()))

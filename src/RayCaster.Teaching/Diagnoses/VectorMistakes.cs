@@ -153,6 +153,10 @@ internal static class VectorMistakes
         ("the sphere takes d·d = 1 and D = L − tca d", FromTheRay),
         ("the sphere takes d·d = 1 and D² = L² (1 − cos²), not below 0", AssumeUnitLength + (lab =>
             lab.D2.Becomes(D2 => (L2, tca) => Math.Max(0, D2(L2, tca))))),
+        ("the sphere takes d·d = 1 and D = L × d", lab => lab.Sphere.Is((sphere, d) =>
+            lab.Geometric(sphere, d, (L, _) => lab.Cross.Do(L, d)))),
+        ("the depth is t / √(1 + x² + y²), with x = d·U / d·W and y = d·V / d·W", lab => lab.Depth.Is((t, d) =>
+            t / new Vector3(d * lab.U / (d * lab.W), d * lab.V / (d * lab.W), 1).Length)),
         ("circles ask |X − C| ≤ R with it", SurfaceMistakes.CircleWhere((lab, circle, X) => lab.Length.Do(X - circle.Center) <= circle.Radius)),
         ("circles count along two axes of their own", InCircleAxes(turned: false)),
         ("the light fades with |X − P|", ByLength),
@@ -199,7 +203,7 @@ internal static class VectorMistakes
     /// <summary>The slide's geometric formula for d·d = 1, with any d: the same as the analytic one with a = 1.</summary>
     private static Action<Lab> AssumeUnitLength => lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d));
 
-    private static Action<Lab> FromTheRay => lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d, fromTheRay: true));
+    private static Action<Lab> FromTheRay => lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d, (L, tca) => L - tca * d));
 
     internal static Action<Lab> ByAreas => lab => lab.TriangleIs((triangle, d) => lab.TriangleByAreas(triangle, d, 1e-9));
 }

@@ -15,6 +15,19 @@ public class LabTests
     }
 
     [Fact]
+    public void EachMannerIsRightByItself()
+    {
+        var scene = SceneFolder.Small("mistakes/generic");
+        var right = Of().Render();
+        var nothing = Mistake.Unnamed(_ => { });
+        foreach (var manner in MistakeCatalog.All.SelectMany(mistake => mistake.InManners(nothing)).DistinctBy(manner => manner.Cause))
+        {
+            var evidence = new Evidence(scene, right, new Lab(scene, manner).Render(), int.MaxValue);
+            Assert.True(evidence.IsRight, $"{evidence.WrongCount} pixels are wrong{manner.Cause}");
+        }
+    }
+
+    [Fact]
     public void SinglePixelsAreThoseOfTheWholePictureOnAnyThread()
     {
         var lab = new Lab(
