@@ -66,7 +66,7 @@ internal sealed class DiagnoseCommand : Command
         {
             StandardFile.WriteError($"{picturePath} is {picture.Width} x {picture.Height}, not the scene's {size.Width} x {size.Height} pixels: " +
                 "it is compared with the scene drawn in that size");
-            scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
+            scene = scene.WithSize(picture.Width, picture.Height);
         }
         var prepared = new SceneDiagnosis(scene, threads);
         var diagnosis = prepared.Judge(picture, done);

@@ -16,7 +16,7 @@ internal static class SceneInput
         var reading = Read(path, line, judges, text => WarmUp.Begin(text, (long)width * height));
         cancellation.ThrowIfCancellationRequested();
         if (reading.Scene is null || (warns && !line.Has(Option.Quiet))) StandardFile.WriteError(reading.Report());
-        return reading.Scene is { } scene && width > 0 ? scene with { Camera = scene.Camera.WithSize(width, height) } : reading.Scene;
+        return reading.Scene is { } scene && width > 0 ? scene.WithSize(width, height) : reading.Scene;
     }
 
     /// <summary>Reads a scene.</summary>

@@ -67,7 +67,7 @@ internal static class WarmUp
 
     internal static void Draw(Scene scene, bool isPlain)
     {
-        scene = scene with { Camera = scene.Camera.WithSize(Width, Height) };
+        scene = scene.WithSize(Width, Height);
         using var writer = PictureWriter.Create(PictureFormat.Png, Stream.Null, Width, Height);
         new Renderer(scene, threads: 1) { MayBeSmall = isPlain }.Draw(.., writer.WriteRows);
         writer.Finish();

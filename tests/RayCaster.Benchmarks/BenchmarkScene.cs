@@ -48,7 +48,7 @@ internal sealed class BenchmarkScene(string name, string title, int models, Func
     public static BenchmarkScene Room()
     {
         var scene = SceneReader.Read(Path.Combine(Workshop.Root, "scenes", "room.json")).Scene!;
-        return new("room", "the course's room", scene.Models.Count, (width, height) => scene with { Camera = scene.Camera.WithSize(width, height) });
+        return new("room", "the course's room", scene.Models.Count, (width, height) => scene.WithSize(width, height));
     }
 
     /// <summary>

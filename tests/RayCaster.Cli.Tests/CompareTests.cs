@@ -25,7 +25,7 @@ public sealed class CompareTests : IDisposable
     {
         var scene = SceneReader.Read(room).Scene!;
         var (width, height) = (PictureFile.Read(reference).Width, PictureFile.Read(reference).Height);
-        return scene with { Camera = scene.Camera.WithSize(width, height) };
+        return scene.WithSize(width, height);
     }
 
     private static void Flip(Picture picture)

@@ -25,7 +25,7 @@ internal sealed record Reference(Picture Picture, Picture? Outline)
     {
         var scene = SceneReader.Read(SceneFile(name)).Scene!;
         var picture = Read(Folder, name).Picture;
-        return scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
+        return scene.WithSize(picture.Width, picture.Height);
     }
 
     /// <summary>The same with rays half a pixel farther up and to the right, or back.</summary>

@@ -29,6 +29,6 @@ internal static class SceneFolder
     public static Scene Small(string name, int divisor = 2)
     {
         var scene = Read(FileOf(name));
-        return scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / divisor, scene.Camera.Height / divisor) };
+        return scene.WithSize(scene.Camera.Width / divisor, scene.Camera.Height / divisor);
     }
 }

@@ -9,7 +9,7 @@ public sealed class PictureComparison
     public PictureComparison(Picture mine, Picture reference, Scene? scene = null, int? threads = null)
     {
         (Mine, Reference) = (mine, reference);
-        if (scene is not null) Scene = scene with { Camera = scene.Camera.WithSize(reference.Width, reference.Height) };
+        if (scene is not null) Scene = scene.WithSize(reference.Width, reference.Height);
         if ((mine.Width, mine.Height) == (reference.Width, reference.Height))
         {
             Difference = new(mine, reference);

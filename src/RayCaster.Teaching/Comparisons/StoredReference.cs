@@ -18,7 +18,7 @@ public static class StoredReference
         if (!ScalarRenderer.IsChanged || Find(path) is not { } file) return null;
         var reference = PictureFile.Read(file);
         if ((long)reference.Width * reference.Height * scene.ShapeCount > MostWork) return null;
-        var right = ScalarRenderer.Render(scene with { Camera = scene.Camera.WithSize(reference.Width, reference.Height) });
+        var right = ScalarRenderer.Render(scene.WithSize(reference.Width, reference.Height));
         return new PictureComparison(right, reference).Likeness.IsSame() ? null
             : $"src/RayCaster has been changed: this build's own picture of {path} is not {Path.GetRelativePath(".", file)}";
     }

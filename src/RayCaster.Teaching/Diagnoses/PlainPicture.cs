@@ -23,7 +23,7 @@ internal static class PlainPicture
                 "Which hits count, and what is the attenuation?";
         return Count(picture, IsBlack) <= most
             ? "There is nothing but background: no model is hit, or no hit counts."
-            : "All that is drawn is black: the light is lost. Look at the attenuation, and at the way from a colour to its bytes.";
+            : "All that is drawn is black: the light is lost. Is the attenuation, or a colour on its way to bytes, cut to an integer or negative?";
 
         bool IsColored((byte, byte, byte) shown) => PlainPicture.IsColored(scene, shown);
     }

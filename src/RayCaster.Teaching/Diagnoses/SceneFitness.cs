@@ -89,7 +89,7 @@ public sealed record SceneFitness(
         var most = Math.Clamp(MostPixels * 50L / Math.Max(1, scene.Models.Count), 2500, MostPixels); // the time stays
         var shrink = Math.Sqrt((double)camera.Width * camera.Height / most);
         if (shrink <= 1) return scene;
-        return scene with { Camera = camera.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink))) };
+        return scene.WithSize(Math.Max(1, (int)(camera.Width / shrink)), Math.Max(1, (int)(camera.Height / shrink)));
     }
 
     /// <summary>The groups of mistakes that no picture distinguishes.</summary>

@@ -62,7 +62,7 @@ public class DocsTests
     public void ThePicturesOfTheReadmeAreThoseOfTheScenes(string scene, int width, int height)
     {
         var read = SceneReader.Read(ProjectFolder.PathOf($"scenes/{scene}.json")).Scene!;
-        var picture = ScalarRenderer.Render(read with { Camera = read.Camera.WithSize(width, height) });
+        var picture = ScalarRenderer.Render(read.WithSize(width, height));
         Assert.Equal(PictureFile.Read(ProjectFolder.PathOf($"docs/{scene}.png")).Rgb, picture.Rgb);
     }
 

@@ -31,7 +31,7 @@ public class RendererTests
     public void ThePictureDoesNotDependOnTheNumberOfThreads()
     {
         var scene = RandomScene.Make(new Random(42));
-        scene = scene with { Camera = scene.Camera.WithSize(301, 199) };
+        scene = scene.WithSize(301, 199);
         var alone = Renderer.Render(scene, threads: 1).Rgb;
         Assert.Equal(alone, Renderer.Render(scene, threads: 2).Rgb);
         Assert.Equal(alone, Renderer.Render(scene, threads: 7).Rgb);
@@ -51,7 +51,7 @@ public class RendererTests
     public void PicturesOfAnyShapeAreDrawnInParts(int width, int height, bool mayBeSmall)
     {
         var scene = RandomScene.Make(new Random(5));
-        scene = scene with { Camera = scene.Camera.WithSize(width, height) };
+        scene = scene.WithSize(width, height);
         var bytes = new List<byte>();
         var lines = 0;
         new Renderer(scene) { MayBeSmall = mayBeSmall }.Draw(.., part => bytes.AddRange(part), done => Interlocked.Add(ref lines, done));
@@ -65,7 +65,7 @@ public class RendererTests
     public void FewModelsInManyPixelsAreCastThePlainWayInBands(int threads)
     {
         var room = SceneReader.Read(ProjectFolder.PathOf("scenes/room.json")).Scene!;
-        var scene = room with { Camera = room.Camera.WithSize(1301, 901) };
+        var scene = room.WithSize(1301, 901);
         Assert.True(Renderer.IsPlain(scene, 901 * 1301) && 901 * 1301 >= Renderer.ManyPixels);
 
         var bytes = new List<byte>();
@@ -80,7 +80,7 @@ public class RendererTests
     public void AVeryWidePictureOfAMeshIsRightInAllItsBands()
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf("scenes/mesh.json")).Scene!;
-        scene = scene with { Camera = scene.Camera.WithSize(90_000, 70) };
+        scene = scene.WithSize(90_000, 70);
         var middle = (90_000 - 24) / 2; // where the mesh is
         var bytes = new List<byte>();
         new Renderer(scene).Draw(.., part => bytes.AddRange(part));
@@ -107,7 +107,7 @@ public class RendererTests
         for (var i = 0; i < 40; i++)
         {
             var scene = RandomScene.Make(random);
-            scene = scene with { Camera = scene.Camera.WithSize(random.Next(1, 150), random.Next(1, 300)) };
+            scene = scene.WithSize(random.Next(1, 150), random.Next(1, 300));
             var (width, height, whole) = (scene.Camera.Width, scene.Camera.Height, Renderer.Render(scene).Rgb);
             var first = random.Next(height);
             var end = random.Next(first, height) + 1;
@@ -124,7 +124,7 @@ public class RendererTests
     public void LinesBeyondThePictureAreRefused(int first, int end)
     {
         var scene = RandomScene.Make(new Random(1));
-        var renderer = new Renderer(scene with { Camera = scene.Camera.WithSize(5, 10) });
+        var renderer = new Renderer(scene.WithSize(5, 10));
         Assert.Throws<ArgumentOutOfRangeException>(() => renderer.Draw(first..end, _ => { }));
     }
 
@@ -209,7 +209,7 @@ public class RendererTests
     {
         var scene = RandomScene.Make(new Random(5));
         using var cancellation = new CancellationTokenSource();
-        var renderer = new Renderer(scene with { Camera = scene.Camera.WithSize(width, height) });
+        var renderer = new Renderer(scene.WithSize(width, height));
         Assert.Throws<OperationCanceledException>(() => renderer.Draw(.., _ => cancellation.Cancel(), null, cancellation.Token));
     }
 

@@ -34,7 +34,7 @@ public class SpoiltFilesTests
     /// <summary>Small, and where there is little in it also by the definition.</summary>
     private static void Draw(Scene scene)
     {
-        scene = scene with { Camera = scene.Camera.WithSize(24, 16) };
+        scene = scene.WithSize(24, 16);
         var picture = Renderer.Render(scene, threads: 1);
         var triangles = scene.Models.Sum(model => model is Mesh mesh ? mesh.TriangleCount : 1);
         if (triangles < 200) Assert.Equal(ScalarRenderer.Render(scene).Rgb, picture.Rgb);

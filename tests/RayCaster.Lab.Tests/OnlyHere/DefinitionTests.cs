@@ -22,7 +22,7 @@ public class DefinitionTests
     {
         var scene = SceneReader.Read(Path.Combine(Folder, name)).Scene;
         var divisor = scene.Models.Any(model => model is Mesh) ? 25 : 3; // each pixel's ray is tested against thousands of triangles, twice
-        scene = scene with { Camera = scene.Camera.WithSize(scene.Camera.Width / divisor, scene.Camera.Height / divisor) };
+        scene = scene.WithSize(scene.Camera.Width / divisor, scene.Camera.Height / divisor);
         var difference = new PictureDifference(SceneFile.Of(scene).Draw(), ScalarRenderer.Render(scene));
         // Other formulas for the same t: their last bits may turn a pixel on an outline, or round a channel the other way.
         Assert.True(difference.CountBeyond(0) <= 3, $"{name}: {difference.CountBeyond(0)} pixels differ, {difference.Wrong} by more than a level");

@@ -17,7 +17,7 @@ public static class PictureAssert
     public static void Equal(string sceneFile, string reference, int levels = 1, double share = 0.01)
     {
         var (scene, picture) = (Read(sceneFile), PictureFile.Read(reference));
-        scene = scene with { Camera = scene.Camera.WithSize(picture.Width, picture.Height) };
+        scene = scene.WithSize(picture.Width, picture.Height);
         Equal(Path.GetFileNameWithoutExtension(sceneFile), scene, [picture], 0, levels, share);
     }
 

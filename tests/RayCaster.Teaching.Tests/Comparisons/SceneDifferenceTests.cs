@@ -134,7 +134,7 @@ public class SceneDifferenceTests
 
     [Fact]
     public void TheScenesSizeDoesNotMatter() => Assert.Contains(
-        "`box` is missing", TextOf(Renderer.Render(Without(1)), null, scene with { Camera = scene.Camera.WithSize(500, 500) }));
+        "`box` is missing", TextOf(Renderer.Render(Without(1)), null, scene.WithSize(500, 500)));
 
     [Fact]
     public void APixelThatHangsOnAThousandthOfAPixelMayShowEither()

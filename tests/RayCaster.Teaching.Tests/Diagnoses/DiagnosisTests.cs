@@ -153,7 +153,7 @@ public class DiagnosisTests
     public void TheLastBitsOfASquarePictureAreNoMistake()
     {
         var room = SceneFolder.Read(SceneFolder.FileOf("room")); // the walls meet on its diagonals
-        room = room with { Camera = room.Camera.WithSize(166, 166) };
+        room = room.WithSize(166, 166);
         var picture = EditedLab.Render(room, new Manner(Truncates: true, Float: true), Mistakes.Mistake.None, Mistakes.Mistake.None);
         Assert.Equal(Finding.Matches, Diagnosis.Of(room, picture).Finding);
     }

@@ -6,7 +6,7 @@ public class SceneFitnessTests
     public void TheRoomSaysWhatItHides()
     {
         var room = SceneFolder.Read(SceneFolder.FileOf("room"));
-        var fitness = SceneFitness.Of([room with { Camera = room.Camera.WithSize(100, 100) }]);
+        var fitness = SceneFitness.Of([room.WithSize(100, 100)]);
         var hidden = fitness.Hidden.Select(mistake => mistake.Id).ToArray();
         string[] expected = [
             "aspect-none", "aspect-int", "fov-horiz", "u-unnorm", "znear-t", "no-zfar", "near-root-only", "aspect-inv", "tca-positive"];

@@ -61,7 +61,7 @@ internal sealed record Showcase(string Name, int Width, int X = 0, int Y = 0, in
         {
             var scene = scenes[Name];
             var height = (int)Math.Round((double)Width * scene.Camera.Height / scene.Camera.Width);
-            return scene with { Camera = scene.Camera.WithSize(Width, height) };
+            return scene.WithSize(Width, height);
         }
     }
 

@@ -14,7 +14,7 @@ public class PixelExplanationTests
     public void TheNumbersReadBackGiveThePicturesBytes(string file)
     {
         var scene = SceneReader.Read(ProjectFolder.PathOf(file)).Scene!;
-        scene = scene with { Camera = scene.Camera.WithSize(60, 40) };
+        scene = scene.WithSize(60, 40);
         CheckAgainstPicture(scene, new Random(3), 12);
     }
 

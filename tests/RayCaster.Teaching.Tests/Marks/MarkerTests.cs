@@ -29,7 +29,7 @@ public class MarkerTests
     private static MarkedScene Small(MarkedScene scene)
     {
         var camera = scene.Scene.Camera;
-        return scene with { Judge = new(scene.Scene with { Camera = camera.WithSize(camera.Width / 2, camera.Height / 2) }) };
+        return scene with { Judge = new(scene.Scene.WithSize(camera.Width / 2, camera.Height / 2)) };
     }
 
     private static StudentMarks Mark(Func<Scene, Picture?> draw) => Mark(rubric, draw);
