@@ -52,6 +52,7 @@ internal static class SphereMistakes
             "Spheres bleed over the picture, or have a wrong size or depth.",
             "Is the discriminant b² − 4ac or (b/2)² − ac? Which one fits your b?",
             "With b = 2 d·(P − C): b² − 4ac and t = (−b ∓ √…) / 2a.")
+            .In(("rays start at the near plane", FromNear))
             .Or(OtherFactors())
             .Or("sphere: discriminant b − 4 a c", lab => lab.Discriminant.Is((a, b, c) => b - 4 * a * c))
             .Or("sphere: −b − √… / 2a without brackets", lab => lab.Solution.Is((a, b, D) => Around(-b, Math.Sqrt(D) / (2 * a))))
@@ -131,6 +132,14 @@ internal static class SphereMistakes
         lab.NeverPassesBy = true;
         lab.Thc2.Is(thc2);
     };
+
+    /// <summary>The sphere's formula for a ray from its point at zNear on, and t counted from P: another right way.</summary>
+    private static void FromNear(Lab lab) => lab.Sphere.Becomes(cross => (sphere, d) =>
+    {
+        var start = lab.Camera.ZNear / (lab.Camera.Clip == Clip.Depth ? -(d * lab.W) : 1);
+        var crossed = cross(sphere with { Center = sphere.Center - start * d }, d);
+        return new(crossed.Near + start, crossed.Far + start);
+    });
 
     /// <summary>Other numbers for the 2 in b, the 4 in b² − 4ac and the 2 in / 2a, at most two of them wrong.</summary>
     private static IEnumerable<(string, Action<Lab>)> OtherFactors() =>
