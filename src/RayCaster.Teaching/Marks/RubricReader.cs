@@ -55,7 +55,7 @@ public static class RubricReader
     internal static RubricItem ReadItem(SceneObject o, IReadOnlyList<RubricItem> before)
     {
         var name = o.Text("name", "What the item is called.", true) ?? "";
-        var points = o.Positive("points", "What it is worth.");
+        var points = o.Number("points", "What it is worth.", Limits.From(0.01, 10_000)); // tables have two decimals
         var mistakes = o.Texts("mistakes", "The ids of the mistakes that cost points of it (docs/mistakes.md).", false);
         var undone = o.Texts("undone", $"What must be drawn for any of its points: {string.Join(", ", Diagnosis.Parts)}.", false);
         var each = o.Number("each", "What one of its mistakes costs; all of its points where it is left out.", Limits.Positive, points);
@@ -96,14 +96,17 @@ public static class RubricReader
         if (pictures is not null && o.Has("run"))
             o.Refuse("pictures", $" and run exclude each other: the pictures are there, or a command draws them");
         if (o.Has("build") && !o.Has("run")) o.Refuse("build", $" needs run: the command that draws a picture");
+        if (pictures is not null && !IsPath(pictures)) o.Refuse("pictures", $" must be the path of a picture, but is \"{pictures}\"");
         if (o.Has("run") && run.Count == 0 && o.IsSound) o.Refuse("run", $" must begin with a program");
         if (run.Count > 0)
             foreach (var needed in (ReadOnlySpan<string>)["{scene}", "{out}"])
                 if (!run.Any(word => word.Contains(needed))) o.Refuse("run", $" must say where {needed} goes");
-        RefuseUnknown(o, "run", run, places, " or a word", word => word is not ['{', .., '}']);
-        RefuseUnknown(o, "build", build, places, " or a word", word => word is not ['{', .., '}']);
-        WarnOfMissingProgram(o, "run", run);
-        WarnOfMissingProgram(o, "build", build);
+        foreach (var (key, command) in (ReadOnlySpan<(string, IReadOnlyList<string>)>)[("run", run), ("build", build)])
+        {
+            if (command is ["", ..]) o.Refuse(key, $" must be a program, but is \"\"", 0);
+            RefuseUnknown(o, key, command, places, " or a word", word => word is not ['{', .., '}']);
+            WarnOfMissingProgram(o, key, command);
+        }
         const double megabyte = 1e6;
         var limits = o.IsSound
             ? new ProgramLimits(
@@ -124,11 +127,13 @@ public static class RubricReader
     private static void WarnOfMissingProgram(SceneObject o, string key, IReadOnlyList<string> words)
     {
         // A path may be different for each submission; Windows also tries names with endings.
-        if (OperatingSystem.IsWindows() || words is not [var program, ..] || program.AsSpan().ContainsAny('/', '{')) return;
+        if (OperatingSystem.IsWindows() || words is not [{ Length: > 0 } program, ..] || program.AsSpan().ContainsAny('/', '{')) return;
         var folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
         if (!folders.Any(folder => File.Exists(Path.Combine(folder, program))))
             o.Warn(key, $": no folder of PATH has a program {program}; is it installed?");
     }
+
+    private static bool IsPath(string text) => text.Length > 0 && !text.Contains('\0'); // which no file system takes
 
     /// <summary>A path without "..", for messages: from the current folder, if it is not absolute.</summary>
     private static string Plain(string path) => Path.IsPathRooted(path) ? Path.GetFullPath(path) : Path.GetRelativePath(".", path);
@@ -140,6 +145,11 @@ public static class RubricReader
         if (o.Has("scenes") && files.Count == 0 && o.IsSound) o.Refuse("scenes", $" must name at least one scene file");
         for (var i = 0; i < files.Count; i++)
         {
+            if (!IsPath(files[i]))
+            {
+                o.Refuse("scenes", $" must be the path of a scene file, but is \"{files[i]}\"", i);
+                continue;
+            }
             var path = Plain(Path.Combine(folder, files[i].Replace('\\', '/')));
             var name = Path.GetFileNameWithoutExtension(path);
             var reading = SceneReader.Read(path);

@@ -92,5 +92,15 @@ public sealed class RubricReaderTests : IDisposable
         "rubric.json(1,78): error: items[1].name is \"a\", which another item is called already: tables and pages tell items apart by their names")]
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "each": 1.5 }] }""",
         "rubric.json(1,74): error: items[0].each must be at most the item's points, 1, but is 1.5")]
+    [InlineData("""{ "scenes": [""], "items": [{ "name": "a", "points": 1 }] }""",
+        "rubric.json(1,14): error: scenes[0] must be the path of a scene file, but is \"\"")]
+    [InlineData("""{ "pictures": "", "scenes": ["room.json"], "items": [{ "name": "a", "points": 1 }] }""",
+        "rubric.json(1,15): error: pictures must be the path of a picture, but is \"\"")]
+    [InlineData("""{ "pictures": "a\u0000b", "scenes": ["room.json"], "items": [{ "name": "a", "points": 1 }] }""",
+        "rubric.json(1,15): error: pictures must be the path of a picture, but is \"a\uFFFDb\"")]
+    [InlineData("""{ "scenes": ["room.json"], "run": ["", "{scene}", "{out}"], "items": [{ "name": "a", "points": 1 }] }""",
+        "rubric.json(1,36): error: run[0] must be a program, but is \"\"")]
+    [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1e308 }] }""",
+        "rubric.json(1,63): error: items[0].points must be from 0.01 to 10000, but is 1e308")]
     public void AnErrorIsToldWithItsPlaceAndTheWayOut(string text, string error) => Assert.Equal(error, ErrorOf(text));
 }
