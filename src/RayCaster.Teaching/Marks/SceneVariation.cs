@@ -42,9 +42,9 @@ public sealed class SceneVariation
     /// <param name="utf8">The text of a scene without errors.</param>
     /// <param name="folder">The folder where the paths of mesh files start.</param>
     /// <param name="seed">For example a student's name: the same seed gives the same scene.</param>
-    /// <param name="newFolder">The folder of the new scene, from which its schema is found; null for the same.</param>
+    /// <param name="newFolder">The folder of the new scene, from which its schema is found.</param>
     /// <returns>The new text; null if no try succeeds.</returns>
-    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed, string? newFolder = null)
+    public static byte[]? Of(ReadOnlyMemory<byte> utf8, string folder, string seed, string newFolder)
     {
         if (SceneReader.Parse(utf8, "", folder).Scene is not { } scene) return null;
         if (JsonTree.Parse(new SourceText("", utf8), out _) is not { } tree) return null;
@@ -54,7 +54,7 @@ public sealed class SceneVariation
         {
             var amplitude = Amplitude / (1 << attempt / TriesOfOneAmplitude);
             var variation = new SceneVariation(tree, distance, $"{seed}\n{attempt}", amplitude);
-            if (newFolder is not null) variation.MoveSchema(folder, newFolder);
+            variation.MoveSchema(folder, newFolder);
             var text = variation.Text();
             if (SceneReader.Parse(text, "", folder) is { Scene: { } varied, Problems.Count: 0 } && Hides(varied).IsSubsetOf(mayHide)) return text;
         }

@@ -10,7 +10,7 @@ public class SceneVariationTests
 
     private static readonly string annas = Vary("anna");
 
-    private static string Vary(string seed) => Encoding.UTF8.GetString(SceneVariation.Of(scene, "", seed)!);
+    private static string Vary(string seed) => Encoding.UTF8.GetString(SceneVariation.Of(scene, "", seed, "")!);
 
     private static Scene Parsed(byte[] utf8) => SceneReader.Parse(utf8, "", "").Scene!;
 
@@ -47,7 +47,7 @@ public class SceneVariationTests
     [Fact] // its square picture shows "size-mixed" in one wording only, by the last bits of numbers that are equal by symmetry
     [Trait("kind", "campaign")] // it draws every mistake
     public void TheCoursesRoomCanBeVaried() =>
-        Assert.NotNull(SceneVariation.Of(File.ReadAllBytes(ProjectFolder.PathOf("scenes/room.json")), "", "anna"));
+        Assert.NotNull(SceneVariation.Of(File.ReadAllBytes(ProjectFolder.PathOf("scenes/room.json")), "", "anna", ""));
 
     [Fact]
     public void TheMistakesThatShowStillDo()
