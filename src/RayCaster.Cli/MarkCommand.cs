@@ -58,8 +58,7 @@ internal sealed class MarkCommand : Command
         var start = Stopwatch.GetTimestamp();
         var options = new ClassMarks.Options(
             line.ThreadCount() ?? (runs ? 2 : 1) * Environment.ProcessorCount, line.Has(Option.Resume), line[Option.JUnit],
-            (done, all) => progress?.Show(done, all),
-            copy => StandardFile.WriteError($"marks.csv was edited since the last run; that table is now {copy}"));
+            (done, all) => progress?.Show(done, all), StandardFile.WriteError);
         var marks = ClassMarks.Mark(rubric, line.Operands[1], output, options, cancellation);
         progress?.Dispose();
         var (flagged, seconds) = (marks.Count(student => student.LookYourself.Count > 0), Stopwatch.GetElapsedTime(start).TotalSeconds);

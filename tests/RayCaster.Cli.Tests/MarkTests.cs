@@ -68,6 +68,46 @@ public sealed class MarkTests : IDisposable
     }
 
     [Fact]
+    public void FilesBesideTheSubmissionsAreTold()
+    {
+        WriteRubric("");
+        Folder("clara");
+        raycaster.Write("class/.DS_Store", "").Write("class/boris.zip", "").Write("class/dora.zip", "");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
+        Assert.Equal((0, $"a submission is a folder, so {Path.Combine("class", "boris.zip")} and 1 more are not marked\n"),
+            (raycaster.ExitCode, raycaster.Error.ReplaceLineEndings("\n")));
+    }
+
+    [Fact] // outside the Basic Multilingual Plane
+    public void ANameWithAnEmojiIsWholeInJUnit()
+    {
+        WriteRubric("");
+        Folder("Zoë 😀");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "--junit", "marks.xml");
+        Assert.Contains("<testsuite name=\"Zoë 😀\"", File.ReadAllText(raycaster.PathOf("marks.xml")));
+    }
+
+    [Fact]
+    public void AFolderWithTheNameOfAPlaceInTheCommandIsMarked()
+    {
+        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
+        raycaster.Write(Folder("{out} {name}") + "draw.sh", $"'{RayCasterProcess.App}' \"$1\" -q -o \"$2\"");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
+        Assert.StartsWith("{out} {name},5,0,5", Table()[1]);
+    }
+
+    [Fact]
+    public void ALongErrorIsQuotedInPart()
+    {
+        if (OperatingSystem.IsWindows()) return; // the program is a script of a POSIX shell
+        WriteRubric("""  "run": ["sh", "{dir}/draw.sh", "{scene}", "{out}"], """);
+        raycaster.Write(Folder("anna") + "draw.sh", "printf 'error\\t%07000d' 1; exit 1");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
+        Assert.Contains($"it printed: error\t{new string('0', 394)} …,", Table()[1]);
+    }
+
+    [Fact]
     public void AFolderWithoutSubmissionsIsAnError()
     {
         WriteRubric("");

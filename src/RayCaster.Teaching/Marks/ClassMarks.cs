@@ -34,9 +34,9 @@ public sealed class ClassMarks
     /// <param name="Resume">Whether to keep finished marks if neither rubric nor submission has changed.</param>
     /// <param name="JUnit">A file for the marks as JUnit XML, which continuous integration reads; null for none.</param>
     /// <param name="Progress">Called with the number of finished submissions and the number of all.</param>
-    /// <param name="Edited">Called with the path of a copy of the last run's table if it was edited by hand.</param>
+    /// <param name="Notice">Called with what the teacher must know besides the marks.</param>
     public sealed record Options(
-        int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null, Action<string>? Edited = null);
+        int Threads, bool Resume = false, string? JUnit = null, Action<int, int>? Progress = null, Action<string>? Notice = null);
 
     /// <summary>Marks all submissions in a folder.</summary>
     /// <param name="submissions">A folder that contains a folder for each student.</param>
@@ -48,6 +48,9 @@ public sealed class ClassMarks
     {
         var all = Submission.In(submissions);
         RefuseSharedPlaces(all, submissions, output);
+        if (Submission.LooseFiles(submissions) is [var loose, .. var more])
+            options.Notice?.Invoke($"a submission is a folder, so {PrintableText.Of(Path.Combine(submissions, loose))}" +
+                (more.Length == 0 ? " is not marked" : $" and {more.Length} more are not marked"));
         var marks = new ClassMarks(rubric, submissions, output);
         var done = new ConcurrentDictionary<string, StudentMarks>();
         try
@@ -64,7 +67,8 @@ public sealed class ClassMarks
             ExceptionDispatchInfo.Throw(several.InnerExceptions[0]);
         }
         StudentMarks[] inOrder = [.. all.Select(submission => done[submission.Student])];
-        if (KeepEditedTable(output) is { } copy) options.Edited?.Invoke(copy);
+        if (KeepEditedTable(output) is { } copy)
+            options.Notice?.Invoke($"{TableFile} was edited since the last run; that table is now {copy}");
         var table = MarksTable.Of(rubric, inOrder);
         Write(Path.Combine(output, TableFile), table);
         Write(Path.Combine(output, Kept, TableFile), table);
@@ -140,7 +144,15 @@ public sealed class ClassMarks
     /// <summary>Writes a file, and makes its folder: a student's program may have deleted it.</summary>
     private static void Write(string path, byte[] bytes)
     {
-        WorkFolder.Make(Path.GetDirectoryName(Path.GetFullPath(path))!);
+        var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
+        try
+        {
+            Directory.CreateDirectory(folder);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
+        {
+            throw new PictureFileException($"cannot make the folder {folder}: {PictureFileException.Reason(e)}", e);
+        }
         WrittenFiles.Write(path, file => file.Write(bytes));
     }
 }

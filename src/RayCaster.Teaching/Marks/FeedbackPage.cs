@@ -64,8 +64,10 @@ internal static class FeedbackPage
         }
         else
         {
+            var evidence = submitted.Evidence;
             page.Element("p",
-                FormattableString.Invariant($"{100 * scene.WrongShare:0.##} % of the pixels differ by more than {Evidence.Tolerance} levels. ") +
+                FormattableString.Invariant($"{100.0 * evidence.WrongCount / evidence.PixelCount:0.##} % of the pixels ") +
+                $"differ by more than {Evidence.Tolerance} levels. " +
                 "Your picture is left of the line, the right picture right of it:", "small");
             page.Html($"""
                 <div class="slid"><div class="pair">

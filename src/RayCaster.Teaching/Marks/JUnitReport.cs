@@ -31,6 +31,6 @@ internal static class JUnitReport
     private static XElement Message(string element, string message) => new(element, Text("message", message));
 
     /// <summary>An attribute without characters that XML does not allow: a program may print any.</summary>
-    private static XAttribute Text(string name, string text) =>
-        new(name, string.Concat(text.Select(letter => XmlConvert.IsXmlChar(letter) ? letter : '\uFFFD')));
+    private static XAttribute Text(string name, string text) => new(name, string.Concat(
+        text.EnumerateRunes().Select(letter => letter.IsBmp && !XmlConvert.IsXmlChar((char)letter.Value) ? Rune.ReplacementChar : letter)));
 }

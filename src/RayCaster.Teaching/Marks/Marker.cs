@@ -84,7 +84,7 @@ internal sealed class Marker(Rubric rubric)
             : diagnosis.Unexplained.Contains(picture) ? SceneVerdict.Unexplained
             : SceneVerdict.Explained;
         var shown = verdict == SceneVerdict.Right ? null : picture.Picture;
-        return new(picture.Scene.Name, verdict, picture.Problem, picture.WrongShare,
+        return new(picture.Scene.Name, verdict, picture.Problem,
             shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Seen).ToPng(), shown is null ? [] : Thumbnail.Of(shown, Thumbnail.Tiny).Rgb);
     }
 

@@ -138,7 +138,7 @@ internal sealed class ProgramRunner(Containment containment)
         {
             get
             {
-                lock (text) return PrintableText.Of(text.ToString().ReplaceLineEndings("\t")).Replace('\t', '\n').Trim();
+                lock (text) return PrintableText.Of(text.ToString().ReplaceLineEndings("\n"), ofLines: true).Trim();
             }
         }
 

@@ -31,10 +31,9 @@ public sealed record ItemMarks(string Name, double Of, double Points, double Ope
 
 /// <summary>The judgement of one picture.</summary>
 /// <param name="Problem">What is unusual about the picture, in words; null if nothing is.</param>
-/// <param name="WrongShare">The share of pixels that are wrong; 1 if there is no picture of the right size.</param>
 /// <param name="Small">A small copy of the picture, as PNG; empty if the picture is right or missing.</param>
 /// <param name="Likeness">A tiny copy of the picture, for finding pictures that look alike.</param>
-public sealed record SceneMarks(string Name, SceneVerdict Verdict, string? Problem, double WrongShare, byte[] Small, byte[] Likeness);
+public sealed record SceneMarks(string Name, SceneVerdict Verdict, string? Problem, byte[] Small, byte[] Likeness);
 
 /// <summary>The result of judging a picture.</summary>
 public enum SceneVerdict

@@ -31,8 +31,8 @@ internal sealed record Submission(string Folder)
             ];
             if (all.Length == 0)
             {
-                var files = Directory.GetFiles(folder).Length;
-                throw new PictureFileException($"no submissions in {folder}: it contains no folders and {files} file{(files == 1 ? "" : "s")}, " +
+                var loose = LooseFiles(folder).Length;
+                throw new PictureFileException($"no submissions in {folder}: it contains no folders and {loose} file{(loose == 1 ? "" : "s")}, " +
                     "but must contain a folder for each student, named after the student");
             }
             foreach (var submission in all)
@@ -46,6 +46,10 @@ internal sealed record Submission(string Folder)
             throw new PictureFileException($"cannot read the folder of submissions {folder}: {PictureFileException.Reason(e)}", e);
         }
     }
+
+    /// <summary>The names of the files in a folder of submissions, perhaps archives that nobody has unpacked.</summary>
+    public static string[] LooseFiles(string folder) =>
+        [.. Directory.EnumerateFiles(folder).Select(path => Path.GetFileName(path)).Where(name => !name.StartsWith('.')).Order(StringComparer.Ordinal)];
 
     /// <summary>A hash of the names, lengths and times of the submission's files; files that building makes are left out.</summary>
     public string Digest()

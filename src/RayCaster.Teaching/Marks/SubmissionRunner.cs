@@ -5,8 +5,8 @@ namespace RayCaster.Teaching;
 /// <summary>Gets the pictures of a submission: finds them in its folder, or runs its program.</summary>
 internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runner)
 {
-    /// <summary>How many characters, and how many errors, of what a program printed are quoted.</summary>
-    private const int Quoted = 200, MostErrors = 3;
+    /// <summary>How many characters, or how many errors and characters of each, of what a program printed are quoted.</summary>
+    private const int Quoted = 200, MostErrors = 3, ErrorLength = 400;
 
     /// <summary>How many pictures of other names are told.</summary>
     private const int MostPictures = 3;
@@ -91,10 +91,16 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         return SubmittedPicture.Read(scene, output, note);
     }
 
+    /// <remarks>In one pass, since a folder may be called <c>{out}</c>.</remarks>
     private static string[] Words(IReadOnlyList<string> command, Submission submission, MarkedScene? scene, string output) =>
     [
-        .. command.Select(word => word.Replace("{dir}", submission.Folder).Replace("{scene}", scene?.Path).Replace("{out}", output)
-            .Replace("{name}", scene?.Name)),
+        .. command.Select(word => Place().Replace(word, place => place.Value switch
+        {
+            "{dir}" => submission.Folder,
+            "{scene}" => scene?.Path ?? "",
+            "{name}" => scene?.Name ?? "",
+            _ => output,
+        })),
     ];
 
     /// <summary>
@@ -106,11 +112,17 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         if (run.Printed.Length == 0 || run.End == ProgramEnd.NotStarted) return "";
         var text = ProjectName().Replace(run.Printed.Replace(submission.Folder + Path.DirectorySeparatorChar, ""), "");
         var lines = text.Split('\n', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
-        string[] errors = [.. lines.Where(line => IsError().IsMatch(line)).Distinct()];
+        string[] errors =
+        [
+            .. lines.Where(line => IsError().IsMatch(line)).Select(line => line.Length > ErrorLength ? $"{line[..ErrorLength]} …" : line).Distinct(),
+        ];
         if (errors.Length == 0) return $"; it printed: {(text.Length > Quoted ? $"… {text[^Quoted..]}" : text).ReplaceLineEndings(" / ")}";
         var more = errors.Length > MostErrors ? $" / and {errors.Length - MostErrors} more errors" : "";
         return $"; it printed: {string.Join(" / ", errors.Take(MostErrors))}{more}";
     }
+
+    [GeneratedRegex(@"\{(dir|scene|out|name)\}")]
+    private static partial Regex Place();
 
     /// <summary>The project at the end of a compiler's message.</summary>
     [GeneratedRegex(@" \[[^\]\n]*proj\]")]

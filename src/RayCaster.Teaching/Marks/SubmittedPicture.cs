@@ -19,9 +19,6 @@ internal sealed record SubmittedPicture(MarkedScene Scene, Picture? Picture, str
     /// <summary>What the picture tells, if it can be judged.</summary>
     public Evidence Evidence => field ??= new(Scene.Scene, Scene.Right, Picture!, Pixels, !Scene.Judge.TooManyModels);
 
-    /// <summary>The share of its pixels that are wrong; 1 if it cannot be judged.</summary>
-    public double WrongShare => CanBeJudged ? (double)Evidence.WrongCount / Evidence.PixelCount : 1;
-
     /// <summary>Reads an untrusted picture file.</summary>
     /// <param name="note">A problem with the run of the program; null for none.</param>
     public static SubmittedPicture Read(MarkedScene scene, string path, string? note = null)
