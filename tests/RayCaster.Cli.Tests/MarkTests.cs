@@ -262,6 +262,24 @@ public sealed class MarkTests : IDisposable
     }
 
     [Fact]
+    public void WithResumeAChangedMeshIsMarkedAnew()
+    {
+        raycaster.Write("tent.obj", "v 0 -1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+        raycaster.Write("tent.json", """
+            { "camera": { "position": [5, 0, 0.5], "target": [0, 0, 0.5], "width": 60, "height": 40 },
+              "models": [{ "type": "mesh", "file": "tent.obj" }] }
+            """);
+        raycaster.Write("rubric.json",
+            """{ "scenes": ["tent.json"], "items": [{ "name": "tent", "points": 1, "undone": ["mesh"] }] }""");
+        raycaster.Run("tent.json", "-q", "-o", Folder("anna") + "tent.png");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q");
+        Assert.StartsWith("anna,1,0,1", Table()[1]);
+        raycaster.Write("tent.obj", "v 0 -1 0\nv 0 1 0\nv 0 0 2\nf 1 2 3\n");
+        raycaster.Run("mark", "rubric.json", "class", "-o", "marks", "-q", "--resume");
+        Assert.EndsWith("0 of 1", Table()[1]);
+    }
+
+    [Fact]
     public void AnInterruptedRunSaysHowToContinue()
     {
         if (OperatingSystem.IsWindows()) return; // no kill command there

@@ -3,7 +3,7 @@ namespace RayCaster.Teaching;
 /// <summary>How a class is marked (docs/teaching.md): the scenes, how to get a submission's pictures, and what costs points.</summary>
 public sealed class Rubric
 {
-    /// <param name="digest">A hash of the rubric's text and the scenes' texts.</param>
+    /// <param name="digest">A hash of the rubric's text, the scenes' texts and their right pictures.</param>
     internal Rubric(IReadOnlyList<MarkedScene> scenes, string digest)
     {
         (Scenes, Digest) = (scenes, digest);
@@ -30,7 +30,7 @@ public sealed class Rubric
     /// <summary>The sum of all items' points.</summary>
     public double Points => Items.Sum(item => item.Points);
 
-    /// <summary>A hash of the rubric's text and the scenes' texts: finished marks are kept as long as it is the same.</summary>
+    /// <summary>A hash of all that submissions are judged by: finished marks are kept as long as it is the same.</summary>
     internal string Digest { get; }
 
     internal IReadOnlyList<MarkedScene> Scenes { get; }

@@ -15,18 +15,17 @@ public static class RubricReader
     /// <returns>The rubric, or null if there is an error.</returns>
     public static Rubric? Read(string path, out string report)
     {
-        using var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
         var sceneReports = new StringBuilder();
-        var rubric = ShortFile.Read(
-            path, "the rubric", o => ReadRubric(o, path, Path.GetDirectoryName(path) ?? "", digest, sceneReports), out report);
+        var rubric = ShortFile.Read(path, "the rubric", o => ReadRubric(o, path, sceneReports), out report);
         report += sceneReports;
         return rubric;
     }
 
     /// <summary>Reads the outermost object; without text it describes the keys.</summary>
-    internal static Rubric? ReadRubric(SceneObject o, string path, string folder, IncrementalHash? digest, StringBuilder sceneReports)
+    internal static Rubric? ReadRubric(SceneObject o, string path, StringBuilder sceneReports)
     {
-        digest?.AppendData(o.Document!.Text.Utf8);
+        using var digest = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        if (o.Document is { } document) digest.AppendData(document.Text.Utf8);
         o.Text("$schema", "Where editors find the schema of rubrics; the program does not use it.", false);
         var title = o.Text("title", "What is marked, for the heads of pages.", false) ?? "Marks";
         var files = o.Texts("scenes", "The scene files, an array of paths that start at the rubric's folder.", true);
@@ -40,8 +39,8 @@ public static class RubricReader
         o.Close();
         if (o.Has("items") && items.Count == 0 && o.IsSound) o.Refuse("items", $" must hold at least one item");
 
-        var scenes = ReadScenes(o, files, folder, digest, sceneReports);
-        return !o.IsSound || digest is null ? null : new(scenes, Convert.ToHexStringLower(digest.GetHashAndReset()))
+        var scenes = ReadScenes(o, files, Path.GetDirectoryName(path) ?? "", digest, sceneReports);
+        return !o.IsSound || o.Document is null ? null : new(scenes, Convert.ToHexStringLower(digest.GetHashAndReset()))
         {
             Title = title,
             Path = Path.GetFullPath(path),
@@ -139,7 +138,7 @@ public static class RubricReader
     private static string Plain(string path) => Path.IsPathRooted(path) ? Path.GetFullPath(path) : Path.GetRelativePath(".", path);
 
     private static List<MarkedScene> ReadScenes(
-        SceneObject o, IReadOnlyList<string> files, string folder, IncrementalHash? digest, StringBuilder reports)
+        SceneObject o, IReadOnlyList<string> files, string folder, IncrementalHash digest, StringBuilder reports)
     {
         var scenes = new List<MarkedScene>();
         if (o.Has("scenes") && files.Count == 0 && o.IsSound) o.Refuse("scenes", $" must name at least one scene file");
@@ -153,7 +152,7 @@ public static class RubricReader
             var path = Plain(Path.Combine(folder, files[i].Replace('\\', '/')));
             var name = Path.GetFileNameWithoutExtension(path);
             var reading = SceneReader.Read(path);
-            digest?.AppendData(reading.Text.Span);
+            digest.AppendData(reading.Text.Span);
             reports.Append(reading.Report());
             if (scenes.Exists(other => other.Name == name))
                 o.Refuse("scenes", $" has a second scene that is called {name}: pictures are named after their scenes", i);
@@ -166,6 +165,7 @@ public static class RubricReader
             else
                 scenes.Add(new(name, Path.GetFullPath(path), new(scene)));
         }
+        if (o.IsSound) foreach (var scene in scenes) digest.AppendData(scene.Right.Rgb); // which also depends on mesh files and on src/RayCaster
         var unsure = ScalarRenderer.IsChanged ? scenes.FindAll(scene => !StoredReference.Exists(scene.Path)) : [];
         if (unsure.Count > 0)
             o.Warn("scenes", $": src/RayCaster was changed, and no reference shows whether it still draws these right: {string.Join(", ",

@@ -41,11 +41,12 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         return new(scene, null, $"no picture {Path.GetRelativePath(submission.Folder, path)}{(others == "" ? "" : $"; there is {others}")}");
     }
 
-    private string PathOf(Submission submission, MarkedScene scene)
-    {
-        var path = Path.Combine(submission.Folder, rubric.Source.Pictures.Replace("{name}", scene.Name));
-        return !File.Exists(path) && Path.ChangeExtension(path, ".ppm") is var other && File.Exists(other) ? other : path;
-    }
+    private string PathOf(Submission submission, MarkedScene scene) =>
+        OrPpm(Path.Combine(submission.Folder, rubric.Source.Pictures.Replace("{name}", scene.Name)));
+
+    /// <summary>A picture's path; that of a PPM instead if only this is there.</summary>
+    private static string OrPpm(string path) =>
+        !File.Exists(path) && Path.ChangeExtension(path, ".ppm") is var ppm && File.Exists(ppm) ? ppm : path;
 
     /// <summary>Some pictures that a folder has besides the scenes': they may be called otherwise than the rubric says.</summary>
     private static string Others(string folder, params IEnumerable<string> scenes) => string.Join(", ",
@@ -82,13 +83,13 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         var output = Path.Combine(folder.Path, scene.Name + ".png");
         var run = runner.Run(Words(rubric.Source.Run, submission, scene, output), folder.Path, folder.Path, limits, limits.Time, cancellation);
         isEnded = run.End is not (ProgramEnd.Exited or ProgramEnd.NotStarted);
-        if (!File.Exists(output) && Path.ChangeExtension(output, ".ppm") is var other && File.Exists(other)) output = other;
         var note = run.IsDone ? null : run.InWords(limits, limits.Time) + Quote(run, submission);
         if (run.End != ProgramEnd.Exited) return new(scene, null, note); // the picture may be incomplete
-        if (note is null && !File.Exists(output))
+        var picture = OrPpm(output);
+        if (note is null && !File.Exists(picture))
             note = (Others(folder.Path) is { Length: > 0 } others ? $"it wrote {others}, not the picture that it was told" : "it wrote no picture")
                 + Quote(run, submission);
-        return SubmittedPicture.Read(scene, output, note);
+        return SubmittedPicture.Read(scene, picture, note);
     }
 
     /// <remarks>In one pass, since a folder may be called <c>{out}</c>.</remarks>

@@ -13,7 +13,7 @@ internal static class RubricSchema
     public static string Write()
     {
         var rubric = SceneObject.Describing(out var keys);
-        RubricReader.ReadRubric(rubric, "", "", null, new());
+        RubricReader.ReadRubric(rubric, "", new());
         var item = SceneObject.Describing(out var itemKeys);
         RubricReader.ReadItem(item, []);
         var schema = new JsonObject
