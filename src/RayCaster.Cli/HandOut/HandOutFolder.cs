@@ -12,26 +12,18 @@ internal static class HandOutFolder
         if (File.Exists(target) || (Directory.Exists(target) && Directory.EnumerateFileSystemEntries(target).Any()))
             throw new ProblemException($"{folder} exists already, and is not empty\n  Name a new folder: handout overwrites nothing.");
         var files = HandOutFiles.With(isOpen);
-        try
+        WrittenFiles.WriteFolder(folder, made =>
         {
-            WrittenFiles.WriteFolder(target, made =>
+            foreach (var (path, content) in files)
             {
-                foreach (var (path, content) in files)
-                {
-                    cancellation.ThrowIfCancellationRequested();
-                    var file = Path.Combine(made, path);
-                    Directory.CreateDirectory(Path.GetDirectoryName(file)!);
-                    File.WriteAllBytes(file, content);
-                }
-                foreach (var library in libraries) CopyLibrary(library, Path.Combine(made, "lib"));
-                WritePictures(Path.Combine(made, "scenes"), cancellation);
-            });
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
-        {
-            var reason = e is UnauthorizedAccessException ? "access is denied" : e.Message; // its own message names the temporary folder
-            throw new ProblemException($"the hand-out cannot be written to {folder}: {reason}");
-        }
+                cancellation.ThrowIfCancellationRequested();
+                var file = Path.Combine(made, path);
+                Directory.CreateDirectory(Path.GetDirectoryName(file)!);
+                File.WriteAllBytes(file, content);
+            }
+            foreach (var library in libraries) CopyLibrary(library, Path.Combine(made, "lib"));
+            WritePictures(Path.Combine(made, "scenes"), cancellation);
+        });
     }
 
     private static void CopyLibrary(string name, string folder)

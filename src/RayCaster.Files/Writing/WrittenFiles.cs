@@ -42,11 +42,21 @@ public static class WrittenFiles
     /// </summary>
     /// <param name="path">The folder; if it is there, it must be empty. The folders above it are made, too.</param>
     /// <param name="fill">Fills the temporary folder, whose path it gets.</param>
-    /// <exception cref="IOException">It cannot be created, or a folder or file of this name came in between.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be created.</exception>
+    /// <exception cref="PictureFileException">It cannot be written, or a folder or file of this name came in between.</exception>
     public static void WriteFolder(string path, Action<string> fill)
     {
-        var target = Path.TrimEndingDirectorySeparator(Path.GetFullPath(path));
+        try
+        {
+            WriteAndMove(Path.TrimEndingDirectorySeparator(Path.GetFullPath(path)), fill);
+        }
+        catch (Exception e) when (PictureFileException.IsCausedByFile(e))
+        {
+            throw new PictureFileException($"cannot write the folder {PrintableText.Of(path)}: {PictureFileException.Reason(e)}", e);
+        }
+    }
+
+    private static void WriteAndMove(string target, Action<string> fill)
+    {
         Directory.CreateDirectory(Path.GetDirectoryName(target)!);
         using var sign = Begin(target);
         try

@@ -36,6 +36,16 @@ public sealed class HandOutCommandTests : IDisposable
     }
 
     [Fact]
+    public void AFolderThatCannotBeWrittenIsToldByItsOwnName()
+    {
+        app.Write("file", "");
+        app.Run("handout", "file/lab1");
+        Assert.StartsWith("raycaster: cannot write the folder file/lab1: ", app.Error);
+        Assert.DoesNotContain(".tmp", app.Error);
+        Assert.Equal(ExitCode.CouldNot, app.ExitCode);
+    }
+
+    [Fact]
     [Trait("kind", "campaign")]
     public void AKilledRunLeavesNoHandOutAndTheNextOneTidiesUp()
     {

@@ -62,7 +62,7 @@ public sealed class WriteFolderTests : IDisposable
     [Fact]
     public void AFolderThatIsNotEmptyStays()
     {
-        Assert.Throws<IOException>(() => WrittenFiles.WriteFolder(
+        Assert.Throws<PictureFileException>(() => WrittenFiles.WriteFolder(
             folder["lab"], _ => Directory.CreateDirectory(folder["lab/mine"]))); // comes in between
         Assert.Equal(["lab"], folder.Names);
         Assert.True(Directory.Exists(folder["lab/mine"]));
