@@ -139,7 +139,7 @@ public sealed class ClassMarks
         }
     }
 
-    private static void Write(string path, string text) => Write(path, System.Text.Encoding.UTF8.GetBytes(text));
+    private static void Write(string path, string text) => Write(path, Encoding.UTF8.GetBytes(text));
 
     /// <summary>Writes a file, and makes its folder: a student's program may have deleted it.</summary>
     private static void Write(string path, byte[] bytes)

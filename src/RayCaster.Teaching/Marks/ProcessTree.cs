@@ -21,7 +21,7 @@ internal static class ProcessTree
     public static int TaskCount()
     {
         if (!OperatingSystem.IsLinux()) return 0;
-        var words = System.Text.Encoding.ASCII.GetString(Read("/proc/loadavg")).Split(' ', '/'); // 0.20 0.18 0.12 1/80 11206
+        var words = Encoding.ASCII.GetString(Read("/proc/loadavg")).Split(' ', '/'); // 0.20 0.18 0.12 1/80 11206
         return words.Length > 4 && int.TryParse(words[4], NumberStyles.None, CultureInfo.InvariantCulture, out var count) ? count : 0;
     }
 
@@ -29,7 +29,7 @@ internal static class ProcessTree
     public static IEnumerable<int> WithVariable(string name, string value)
     {
         if (!OperatingSystem.IsLinux()) yield break;
-        var sought = System.Text.Encoding.UTF8.GetBytes($"{name}={value}\0");
+        var sought = Encoding.UTF8.GetBytes($"{name}={value}\0");
         foreach (var id in Ids())
             if (Read($"/proc/{id}/environ").AsSpan().IndexOf(sought) >= 0)
                 yield return id;
@@ -39,7 +39,7 @@ internal static class ProcessTree
     {
         foreach (var id in Ids())
         {
-            var stat = System.Text.Encoding.ASCII.GetString(Read($"/proc/{id}/stat"));
+            var stat = Encoding.ASCII.GetString(Read($"/proc/{id}/stat"));
             // The name before the fields may contain blanks and parentheses.
             var fields = stat[(stat.LastIndexOf(')') + 1)..].Split(' ', StringSplitOptions.RemoveEmptyEntries);
             if (fields.Length <= ResidentPages) continue; // the process has ended meanwhile
