@@ -144,15 +144,7 @@ public sealed class ClassMarks
     /// <summary>Writes a file, and makes its folder: a student's program may have deleted it.</summary>
     private static void Write(string path, byte[] bytes)
     {
-        var folder = Path.GetDirectoryName(Path.GetFullPath(path))!;
-        try
-        {
-            Directory.CreateDirectory(folder);
-        }
-        catch (Exception e) when (e is IOException or UnauthorizedAccessException)
-        {
-            throw new PictureFileException($"cannot make the folder {folder}: {PictureFileException.Reason(e)}", e);
-        }
+        WorkFolder.Make(Path.GetDirectoryName(Path.GetFullPath(path))!);
         WrittenFiles.Write(path, file => file.Write(bytes));
     }
 }

@@ -49,7 +49,10 @@ internal sealed record Submission(string Folder)
 
     /// <summary>The names of the files in a folder of submissions, perhaps archives that nobody has unpacked.</summary>
     public static string[] LooseFiles(string folder) =>
-        [.. Directory.EnumerateFiles(folder).Select(path => Path.GetFileName(path)).Where(name => !name.StartsWith('.')).Order(StringComparer.Ordinal)];
+    [
+        .. Directory.EnumerateFiles(folder).Select(path => Path.GetFileName(path)).Where(name => !name.StartsWith('.'))
+            .Order(StringComparer.Ordinal),
+    ];
 
     /// <summary>A hash of the names, lengths and times of the submission's files; files that building makes are left out.</summary>
     public string Digest()

@@ -115,7 +115,8 @@ internal sealed partial class SubmissionRunner(Rubric rubric, ProgramRunner runn
         var lines = text.Split('\n', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
         string[] errors =
         [
-            .. lines.Where(line => IsError().IsMatch(line)).Select(line => line.Length > ErrorLength ? $"{line[..ErrorLength]} …" : line).Distinct(),
+            .. lines.Where(line => IsError().IsMatch(line)).Distinct()
+                .Select(line => line.Length > ErrorLength ? $"{line[..ErrorLength]} …" : line),
         ];
         if (errors.Length == 0) return $"; it printed: {(text.Length > Quoted ? $"… {text[^Quoted..]}" : text).ReplaceLineEndings(" / ")}";
         var more = errors.Length > MostErrors ? $" / and {errors.Length - MostErrors} more errors" : "";

@@ -16,4 +16,18 @@ internal sealed class WorkFolder : IDisposable
         {
         }
     }
+
+    /// <summary>Makes a folder for results, and the folders that contain it.</summary>
+    /// <exception cref="PictureFileException">It cannot be made.</exception>
+    public static void Make(string path)
+    {
+        try
+        {
+            Directory.CreateDirectory(path);
+        }
+        catch (Exception e) when (e is IOException or UnauthorizedAccessException or ArgumentException)
+        {
+            throw new PictureFileException($"cannot make the folder {path}: {PictureFileException.Reason(e)}", e);
+        }
+    }
 }
