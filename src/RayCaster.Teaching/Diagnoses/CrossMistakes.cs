@@ -107,6 +107,7 @@ internal static class CrossMistakes
         ("triangles compare sides with n", Triangles((lab, triangle, d) => lab.TriangleBySides(triangle, d, byNormal: true))),
         ("triangles take u = ((C − A) × n)·(X − A) / n·n", Triangles((lab, triangle, d) => lab.TriangleByCoordinates(triangle, d))),
         ("planes are crossed by Cramer's rule, with two axes of their own", PlanesByAxes),
+        VectorMistakes.SphereByCross,
         ("triangles are asked in two of x, y and z", Triangles((lab, triangle, d) => lab.TriangleFlattened(triangle, d))),
     ];
 

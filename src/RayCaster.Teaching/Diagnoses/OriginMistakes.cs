@@ -14,6 +14,7 @@ internal static class OriginMistakes
             "Shapes lie as if the camera were at the origin, or are missing.",
             "The ray begins at P. Where is P in your t?",
             "t = (Q − P)·n / d·n; for a sphere L = C − P, for a box t0 = (B0 − P) / d.")
+            .In(FromNear)
             .Or(PlaneReaders.Of("Q·n / d·n, without P", (_, Q, n, d) => Q * n / (d * n)).Skip(1))
             .Or(PlaneReaders.Of("P·n / d·n, without Q", (P, _, n, d) => P * n / (d * n)))
             .Or(PlaneReaders.Of("−P·n / d·n, without Q", (P, _, n, d) => -(P * n) / (d * n)))
@@ -49,6 +50,20 @@ internal static class OriginMistakes
                 select ($"box: without P, for {axis}", BoxMistakes.Crossed(axis, (lo, hi, _, d) => (lo / d, hi / d))))
             .Or("every shape: the ray starts at the origin of the world", WithoutP(Shapes)),
     ];
+
+    /// <summary>Rays start at the near plane, and t is counted from P: another right way, in which a wrong t shows otherwise.</summary>
+    public static (string Cause, Action<Lab> Deviate) FromNear => ("rays start at the near plane", lab =>
+    {
+        lab.Plane.Becomes(cross => (plane, d) => From(Start(d), t => cross(plane with { Point = plane.Point - t * d }, d)));
+        lab.Sphere.Becomes(cross => (sphere, d) => From(Start(d), t => cross(sphere with { Center = sphere.Center - t * d }, d)));
+
+        double Start(Vector3 d) => lab.Camera.ZNear / (lab.Camera.Clip == Clip.Depth ? -(d * lab.W) : 1);
+        Crossings<Scalar> From(double t, Func<double, Crossings<Scalar>> cross)
+        {
+            var crossed = cross(t);
+            return new(crossed.Near + t, crossed.Far + t);
+        }
+    });
 
     private static string Names(Concerns shapes) =>
         shapes == Concerns.Circles ? "circle" : shapes == Concerns.Triangles ? "triangle" : "circle and triangle";

@@ -44,6 +44,7 @@ internal static class SphereMistakes
             "Spheres are missing; those behind the camera show.",
             "From where to where does L point?",
             "L = C − P, tca = L·d. (In the quadratic: b = 2 d·(P − C).)")
+            .In(OriginMistakes.FromNear)
             .Or("sphere: L = C + P", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = s.Center + 2 * lab.P }, d)))
             .Or("sphere: L = −P, without C", lab => lab.Sphere.Becomes(cross => (s, d) => cross(s with { Center = Vector3.Zero }, d)))
             .Or("sphere: thc − tca where tca − thc is meant", lab => lab.Roots.Is((tca, thc) => new(thc - tca, thc + tca))),
@@ -52,7 +53,7 @@ internal static class SphereMistakes
             "Spheres bleed over the picture, or have a wrong size or depth.",
             "Is the discriminant b² − 4ac or (b/2)² − ac? Which one fits your b?",
             "With b = 2 d·(P − C): b² − 4ac and t = (−b ∓ √…) / 2a.")
-            .In(("rays start at the near plane", FromNear))
+            .In(OriginMistakes.FromNear)
             .Or(OtherFactors())
             .Or("sphere: discriminant b − 4 a c", lab => lab.Discriminant.Is((a, b, c) => b - 4 * a * c))
             .Or("sphere: −b − √… / 2a without brackets", lab => lab.Solution.Is((a, b, D) => Around(-b, Math.Sqrt(D) / (2 * a))))
@@ -61,7 +62,8 @@ internal static class SphereMistakes
             lab => lab.Sphere.Becomes(cross => (s, d) => (s.Center - lab.P) * d < 0 ? None : cross(s, d)),
             "From inside a sphere a part of it is missing: there the background shows.",
             "You are inside a sphere, its centre is behind you. What is the sign of tca, and is there a wall before you?",
-            "tca < 0 says only that the centre lies behind; ask t = tca + thc."),
+            "tca < 0 says only that the centre lies behind; ask t = tca + thc.")
+            .In(OriginMistakes.FromNear),
         new Mistake("d-nosq", Concerns.Spheres, Slides.Sphere, "sphere: thc = √(R² − D), with the distance D where D² is meant",
             lab => lab.Thc2.Is((R, D2) => R * R - Math.Sqrt(D2)),
             "Spheres have a wrong size, or are dented: too flat or too deep.",
@@ -132,14 +134,6 @@ internal static class SphereMistakes
         lab.NeverPassesBy = true;
         lab.Thc2.Is(thc2);
     };
-
-    /// <summary>The sphere's formula for a ray from its point at zNear on, and t counted from P: another right way.</summary>
-    private static void FromNear(Lab lab) => lab.Sphere.Becomes(cross => (sphere, d) =>
-    {
-        var start = lab.Camera.ZNear / (lab.Camera.Clip == Clip.Depth ? -(d * lab.W) : 1);
-        var crossed = cross(sphere with { Center = sphere.Center - start * d }, d);
-        return new(crossed.Near + start, crossed.Far + start);
-    });
 
     /// <summary>Other numbers for the 2 in b, the 4 in b² − 4ac and the 2 in / 2a, at most two of them wrong.</summary>
     private static IEnumerable<(string, Action<Lab>)> OtherFactors() =>

@@ -14,6 +14,7 @@ internal static class SurfaceMistakes
             "Planes are missing; those behind the camera may show.",
             "A plane before the camera: is your t positive, and does P + t d lie in the plane?",
             "t = (Q − P)·n / d·n.")
+            .In(OriginMistakes.FromNear)
             .Or(PlaneReaders.Of("(P − Q)·n, so that t has the wrong sign", (P, Q, n, d) => (P - Q) * n / (d * n)).Skip(1))
             .Or(PlaneReaders.Of("(Q + P)·n", (P, Q, n, d) => (P + Q) * n / (d * n)))
             .Or(PlaneReaders.Of("(Q − P)·n · d·n", (P, Q, n, d) => (Q - P) * n * (d * n)))

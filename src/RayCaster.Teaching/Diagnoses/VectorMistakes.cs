@@ -153,8 +153,8 @@ internal static class VectorMistakes
         ("the sphere takes d·d = 1 and D = L − tca d", FromTheRay),
         ("the sphere takes d·d = 1 and D² = L² (1 − cos²), not below 0", AssumeUnitLength + (lab =>
             lab.D2.Becomes(D2 => (L2, tca) => Math.Max(0, D2(L2, tca))))),
-        ("the sphere takes d·d = 1 and D = L × d", lab => lab.Sphere.Is((sphere, d) =>
-            lab.Geometric(sphere, d, (L, _) => lab.Cross.Do(L, d)))),
+        SphereByCross,
+        OriginMistakes.FromNear,
         ("the depth is t / √(1 + x² + y²), with x = d·U / d·W and y = d·V / d·W", lab => lab.Depth.Is((t, d) =>
             t / new Vector3(d * lab.U / (d * lab.W), d * lab.V / (d * lab.W), 1).Length)),
         ("circles ask |X − C| ≤ R with it", SurfaceMistakes.CircleWhere((lab, circle, X) => lab.Length.Do(X - circle.Center) <= circle.Radius)),
@@ -163,6 +163,9 @@ internal static class VectorMistakes
         ("zNear and zFar measure |X − P|", ClipByLength),
         CameraWays.ByInverse,
     ];
+
+    internal static (string Cause, Action<Lab> Deviate) SphereByCross => ("the sphere takes d·d = 1 and D = L × d",
+        lab => lab.Sphere.Is((sphere, d) => lab.Geometric(sphere, d, (L, _) => lab.Cross.Do(L, d))));
 
     /// <summary>Circles ask x² + y² ≤ R² along two axes in their plane, made with the cross product.</summary>
     /// <param name="turned">Whether n comes first in the product for the first of them.</param>
