@@ -52,18 +52,21 @@ internal static class OriginMistakes
     ];
 
     /// <summary>Rays start at the near plane, and t is counted from P: another right way, in which a wrong t shows otherwise.</summary>
-    public static (string Cause, Action<Lab> Deviate) FromNear => ("rays start at the near plane", lab =>
+    public static (string Cause, Action<Lab> Deviate) FromNear => ("rays start at the near plane", StartAtNear);
+
+    private static void StartAtNear(Lab lab)
     {
         lab.Plane.Becomes(cross => (plane, d) => From(Start(d), t => cross(plane with { Point = plane.Point - t * d }, d)));
         lab.Sphere.Becomes(cross => (sphere, d) => From(Start(d), t => cross(sphere with { Center = sphere.Center - t * d }, d)));
 
         double Start(Vector3 d) => lab.Camera.ZNear / (lab.Camera.Clip == Clip.Depth ? -(d * lab.W) : 1);
+
         Crossings<Scalar> From(double t, Func<double, Crossings<Scalar>> cross)
         {
             var crossed = cross(t);
             return new(crossed.Near + t, crossed.Far + t);
         }
-    });
+    }
 
     private static string Names(Concerns shapes) =>
         shapes == Concerns.Circles ? "circle" : shapes == Concerns.Triangles ? "triangle" : "circle and triangle";
