@@ -29,7 +29,7 @@ public static class CameraPathReader
             element.Close();
             if (keys.Count > 0 && key.Time <= keys[^1].Time)
                 element.Refuse("time", $" must be later than that of the key before, which is {keys[^1].Time}, but is {key.Time}");
-            if (key.Position == key.Target) element.Refuse("position", $" must differ from the target, but both are {key.Target}");
+            if ((key.Target - key.Position).Length == 0) element.Refuse("position", $" must differ from the target, but both are {key.Target}");
             keys.Add(key);
         }
         if (o.Has("keys") && keys.Count < 2 && o.IsSound)

@@ -100,6 +100,14 @@ public class CameraPathTests
     }
 
     [Fact]
+    public void OfAKeyWhosePlacesAreWrongNothingElseIsSaid()
+    {
+        Assert.Null(Read("""{ "keys": [ { "time": 0, "position": "a", "target": "b" }, { "time": 1, "position": [8, 0, 0] } ] }""", out var report));
+        Assert.Contains("keys[0].target must be an array", report);
+        Assert.DoesNotContain("must differ", report);
+    }
+
+    [Fact]
     public void ALongFileIsReadUpToTheLimit()
     {
         using var folder = new TemporaryFolder();
