@@ -69,17 +69,12 @@ internal static class PrimitiveList
     private static Model Mesh(SceneObject o)
     {
         var nothing = new Mesh([], []);
-        var file = o.Text("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.", true);
+        var file = o.FileName("file", "The mesh file (.obj, .ply or .stl); its path starts at the scene file's folder.", true);
         var placement = new MeshPlacement(
             o.Factors("scale", "A factor for all axes, or one for each; none is 0, negative mirrors.", 1),
             o.Vector("rotate", "Turns about the x, y and z axis, in this order, in degrees.", Vector3.Zero),
             o.Vector("translate", "Where the mesh's origin goes, at last.", Vector3.Zero));
         if (file is null) return nothing;
-        if (file.Contains('\0')) // which no file system takes
-        {
-            o.Refuse("file", $" must name a mesh file");
-            return nothing;
-        }
         try
         {
             var data = o.Document!.Mesh(file);

@@ -124,12 +124,17 @@ internal sealed class SceneObject
         return null;
     }
 
-    /// <summary>An array of texts; empty where it is left out. Elements that are something else are reported and left out.</summary>
+    /// <summary>A text that names a file; null where it is left out or something else.</summary>
+    public string? FileName(string key, string meaning, bool isRequired) =>
+        Text(key, meaning, isRequired) is { } name && MayBeName(Place(key, null)!.Value, key) ? name : null;
+
+    /// <summary>An array of texts, which may name files; empty where it is left out. Elements that are something else are reported and left
+    /// out.</summary>
     public IReadOnlyList<string> Texts(string key, string meaning, bool isRequired)
     {
         described?.Add(new(key, KeyKind.Texts, meaning, isRequired));
         return Take(key, meaning, isRequired) is { } value && IsArray(value, key, "texts")
-            ? [.. value.Content.Where((text, i) => IsText(text, key, i)).Select(text => text.Text)]
+            ? [.. value.Content.Where((text, i) => IsText(text, key, i) && MayBeName(text, key, i)).Select(text => text.Text)]
             : [];
     }
 
@@ -226,6 +231,13 @@ internal sealed class SceneObject
     {
         if (value.Kind == JsonTokenType.String) return true;
         Report(true, value, key, " must be a text in double quotes, but is " + value.InWords, element);
+        return false;
+    }
+
+    private bool MayBeName(JsonValue text, string key, int? element = null)
+    {
+        if (!text.Text.Contains('\0')) return true;
+        Report(true, text, key, " must not hold the character U+0000, which no file name has", element);
         return false;
     }
 

@@ -76,7 +76,7 @@ public static class RubricReader
 
     private static PictureSource ReadSource(SceneObject o)
     {
-        var pictures = o.Text("pictures",
+        var pictures = o.FileName("pictures",
             "The file of a picture in the submission's folder; {name} stands for the scene's name. Default: {name}.png, or {name}.ppm.", false);
         var run = o.Texts("run",
             "The command that draws a picture, word by word; {dir} stands for the submission's folder, {scene} for the scene file, " +

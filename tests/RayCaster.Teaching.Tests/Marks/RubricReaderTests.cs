@@ -73,6 +73,16 @@ public sealed class RubricReaderTests : IDisposable
     }
 
     [Theory]
+    [InlineData("""{ "scenes": ["a\u0000.json"], "items": [{ "name": "a", "points": 1 }] }""", "scenes[0]")]
+    [InlineData("""{ "scenes": ["room.json"], "pictures": "\u0000{name}.png", "items": [{ "name": "a", "points": 1 }] }""", "pictures")]
+    [InlineData("""{ "scenes": ["room.json"], "run": ["a\u0000", "{scene}", "{out}"], "items": [{ "name": "a", "points": 1 }] }""", "run[0]")]
+    public void ANameThatNoFileCanHaveIsRefused(string rubric, string place)
+    {
+        Assert.Null(Read(rubric, out var report));
+        Assert.Contains($" error: {place} must not hold the character U+0000, which no file name has\n", report);
+    }
+
+    [Theory]
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "mistakes": ["r-nosqr"] }] }""",
         "rubric.json(1,79): error: items[0].mistakes[0] must be the id of a known mistake, but is \"r-nosqr\"; did you mean \"r-nosq\"?")]
     [InlineData("""{ "scenes": ["room.json"], "items": [{ "name": "a", "points": 1, "undone": ["spere"] }] }""",
