@@ -6,7 +6,7 @@ internal sealed class AsciiStlFile(MeshSource source) : MeshFormat(source)
     /// <summary>Blocks are cut after a facet, so each block but the first begins within a solid.</summary>
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {
-        var scanner = TextScanner.OfBlock(block);
+        var scanner = new TextScanner(block);
         var word = scanner.Next();
         var isInSolid = block.Start > 0;
         if (!isInSolid && !Is(word, "solid"))

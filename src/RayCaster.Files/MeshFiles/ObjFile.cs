@@ -20,7 +20,7 @@ internal sealed class ObjFile : MeshFormat
 
     public override void Read(MeshBlock block, MeshBuilder mesh)
     {
-        var scanner = TextScanner.OfBlock(block, isObj: true);
+        var scanner = new TextScanner(block, isObj: true);
         do
         {
             var statement = scanner.NextInLine();

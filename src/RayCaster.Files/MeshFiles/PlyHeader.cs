@@ -47,7 +47,7 @@ internal sealed class PlyHeader
     public PlyHeader(MeshSource source)
     {
         var start = new MeshBlock(source).Load(0, (int)Math.Min(longest, source.Length));
-        (this.source, scanner) = (source, TextScanner.OfBlock(start));
+        (this.source, scanner) = (source, new(start));
         if (NextWord() != "ply") throw scanner.Error("a PLY file must begin with the line 'ply'");
         var lineEnd = scanner.Position;
         ReadLines();

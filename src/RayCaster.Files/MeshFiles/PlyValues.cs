@@ -22,7 +22,7 @@ internal abstract class PlyValues
 /// <summary>Numbers as text, each row on a line of its own.</summary>
 internal sealed class AsciiPlyValues(MeshBlock block) : PlyValues
 {
-    private readonly TextScanner scanner = new(block, position: 0);
+    private readonly TextScanner scanner = new(block);
 
     public override long MostLeft => (block.Length - scanner.Position + 1L) / 2; // each a digit and a blank
 

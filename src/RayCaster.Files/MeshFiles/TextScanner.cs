@@ -3,25 +3,15 @@ using System.Buffers.Text;
 namespace RayCaster.Files;
 
 /// <summary>Divides a text into words without copying them. Blanks separate words; LF, CRLF or CR end a line.</summary>
-/// <param name="position">Where the search for the first word begins.</param>
 /// <param name="isObj">Whether, as in OBJ, # starts a comment, and a backslash at the end of a line continues it on the next.</param>
-internal sealed class TextScanner(MeshBlock block, int position, bool isObj = false)
+internal sealed class TextScanner(MeshBlock block, bool isObj = false)
 {
     private readonly byte[] buffer = block.Buffer;
     private readonly int length = block.Length;
     private int wordEnd;
 
-    /// <summary>Starts at the beginning of a block, after the byte order mark that some editors write at the beginning of a file.</summary>
-    /// <exception cref="MeshFileException">The text is in UTF-16.</exception>
-    public static TextScanner OfBlock(MeshBlock block, bool isObj = false) => (block.Start == 0 ? block.Bytes : []) switch
-    {
-        [0xEF, 0xBB, 0xBF, ..] => new(block, 3, isObj),
-        [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] => throw block.Source.ErrorAtLine(0, "the file is in UTF-16; save it as UTF-8"),
-        _ => new(block, 0, isObj),
-    };
-
     /// <summary>Where the search for the next word begins.</summary>
-    public int Position { get; set; } = position;
+    public int Position { get; set; } = MarkOf(block);
 
     /// <summary>Where the last word began, or where one was missing.</summary>
     public int WordAt { get; private set; }
@@ -111,6 +101,15 @@ internal sealed class TextScanner(MeshBlock block, int position, bool isObj = fa
     public MeshFileException Error(string reason) => ErrorAt(WordAt, reason);
 
     public MeshFileException ErrorAt(int position, string reason) => block.Source.ErrorAtLine(block.Start + position, reason);
+
+    /// <summary>The bytes of the byte order mark that some editors write at the beginning of a file.</summary>
+    /// <exception cref="MeshFileException">The text is in UTF-16.</exception>
+    private static int MarkOf(MeshBlock block) => (block.Start == 0 ? block.Bytes : []) switch
+    {
+        [0xEF, 0xBB, 0xBF, ..] => 3,
+        [0xFF, 0xFE, ..] or [0xFE, 0xFF, ..] => throw block.Source.ErrorAtLine(0, "the file is in UTF-16; save it as UTF-8"),
+        _ => 0,
+    };
 
     private ReadOnlySpan<byte> Text => buffer.AsSpan(0, length);
 
