@@ -5,8 +5,6 @@ namespace RayCaster.Files;
 /// <summary>A value or a key in a JSON text.</summary>
 internal readonly struct JsonValue(JsonTree tree, int node)
 {
-    private readonly int node = node;
-
     public JsonTokenType Kind => tree[node].Kind;
 
     /// <summary>The place of its first byte.</summary>

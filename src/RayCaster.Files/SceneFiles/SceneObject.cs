@@ -14,7 +14,6 @@ internal sealed class SceneObject
     private const string VectorForm = "an array of three numbers [x, y, z]";
     private static readonly Vector3 NoVector = new(double.NaN, double.NaN, double.NaN);
 
-    private readonly SceneDocument? document;
     private readonly string path;
     private readonly List<string> keysRead = [];
     private readonly List<SceneKey>? described;
@@ -24,15 +23,15 @@ internal sealed class SceneObject
     private int found; // how many of its keys were read
 
     /// <param name="path">The object's path, empty for the scene itself; for the elements of an array, the array's path.</param>
-    private SceneObject(SceneDocument document, string path) => (this.document, this.path) = (document, path);
+    private SceneObject(SceneDocument document, string path) => (Document, this.path) = (document, path);
 
     private SceneObject(List<SceneKey> described) => (this.described, path) = (described, "");
 
     /// <summary>The scene file; null where the object is only described.</summary>
-    public SceneDocument? Document => document;
+    public SceneDocument? Document { get; }
 
     /// <summary>Whether no error was found in this object so far.</summary>
-    public bool IsSound => document is null || document.ErrorCount == errorsBefore;
+    public bool IsSound => Document is null || Document.ErrorCount == errorsBefore;
 
     /// <summary>An object without text that collects the keys that are read.</summary>
     public static SceneObject Describing(out IReadOnlyList<SceneKey> keys)
@@ -51,7 +50,7 @@ internal sealed class SceneObject
         return o.Begin(value, null, name) ? o : null;
     }
 
-    public bool Has(string key) => document is not null && json.Find(key) is not null;
+    public bool Has(string key) => Document is not null && json.Find(key) is not null;
 
     /// <summary>The path of a value, or of an element of a vector, as messages name it: <c>models[3].min[1]</c>.</summary>
     public string PathOf(string key, int? element = null) => (path.Length > 0 ? Path + "." + key : key) + (element is { } i ? $"[{i}]" : "");
@@ -151,7 +150,7 @@ internal sealed class SceneObject
             described.Add(new(key, KeyKind.Object, meaning, true) { Members = members });
             return describing;
         }
-        return Take(key, meaning, true) is { } value ? AsObject(document!, value, PathOf(key)) : null;
+        return Take(key, meaning, true) is { } value ? AsObject(Document!, value, PathOf(key)) : null;
     }
 
     /// <summary>
@@ -162,10 +161,10 @@ internal sealed class SceneObject
     {
         described?.Add(new(key, KeyKind.Objects, meaning, true));
         if (Take(key, meaning, true) is not { } value || !IsArray(value, key, "objects")) yield break;
-        var (i, o) = (0, new SceneObject(document!, PathOf(key)));
+        var (i, o) = (0, new SceneObject(Document!, PathOf(key)));
         foreach (var element in value.Content)
         {
-            if (document!.IsHopeless) yield break;
+            if (Document!.IsHopeless) yield break;
             if (o.Begin(element, i++)) yield return o;
         }
     }
@@ -181,23 +180,23 @@ internal sealed class SceneObject
     /// <param name="allowed">Keys that are right although they were not read.</param>
     public void Close(params IEnumerable<string> allowed)
     {
-        if (document is null || found == json.CountKeys()) return; // fewer were read if one is unknown or there twice
+        if (Document is null || found == json.CountKeys()) return; // fewer were read if one is unknown or there twice
         keysRead.AddRange(allowed);
-        new WrongKeys(this, document).Refuse(json.Keys, keysRead);
+        new WrongKeys(this, Document).Refuse(json.Keys, keysRead);
     }
 
     /// <summary>Reports a problem at a value; at the object's opening brace where the value is null.</summary>
     internal void Report(bool isError, JsonValue? value, string key, string message, int? element = null)
     {
         var (start, end) = value is { } v ? (v.Start, v.End) : (json.Start, json.Start + 1);
-        document?.Add(isError, start, end, PathOf(key, element) + message);
+        Document?.Add(isError, start, end, PathOf(key, element) + message);
     }
 
     /// <summary>Begins to read a value as an object; false, after a report, if it is something else.</summary>
     /// <param name="name">What a message calls it, if not by its path.</param>
     private bool Begin(JsonValue value, int? place, string? name = null)
     {
-        (json, index, errorsBefore, found) = (value, place, document!.ErrorCount, 0);
+        (json, index, errorsBefore, found) = (value, place, Document!.ErrorCount, 0);
         if (value.Kind != JsonTokenType.StartObject)
         {
             RefuseAsObject(name ?? Path);
@@ -208,12 +207,12 @@ internal sealed class SceneObject
     }
 
     private void RefuseAsObject(string name) =>
-        document!.Add(true, json.Start, json.End, $"{name} must be an object in braces {{ }}, but is {json.InWords}");
+        Document!.Add(true, json.Start, json.End, $"{name} must be an object in braces {{ }}, but is {json.InWords}");
 
     /// <summary>The value of a key, which is read only once. Null if the key is missing, which is an error for a required key.</summary>
     private JsonValue? Take(string key, string meaning, bool isRequired, string[]? words = null)
     {
-        if (document is null) return null;
+        if (Document is null) return null;
         keysRead.Add(key);
         var value = json.Find(key);
         if (value is not null) found++;
@@ -285,7 +284,7 @@ internal sealed class SceneObject
 
     private JsonValue? Place(string key, int? element)
     {
-        if (document is null || json.Find(key) is not { } value) return null;
+        if (Document is null || json.Find(key) is not { } value) return null;
         return element is { } i && value.Kind == JsonTokenType.StartArray ? value.Content.ElementAt(i) : value;
     }
 }
