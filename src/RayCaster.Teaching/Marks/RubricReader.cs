@@ -95,7 +95,7 @@ public static class RubricReader
         if (pictures is not null && o.Has("run"))
             o.Refuse("pictures", $" and run exclude each other: the pictures are there, or a command draws them");
         if (o.Has("build") && !o.Has("run")) o.Refuse("build", $" needs run: the command that draws a picture");
-        if (pictures is not null && !IsPath(pictures)) o.Refuse("pictures", $" must be the path of a picture, but is \"{pictures}\"");
+        if (pictures is "") o.Refuse("pictures", $" must be the path of a picture, but is \"\"");
         if (o.Has("run") && run.Count == 0 && o.IsSound) o.Refuse("run", $" must begin with a program");
         if (run.Count > 0)
             foreach (var needed in (ReadOnlySpan<string>)["{scene}", "{out}"])
@@ -132,8 +132,6 @@ public static class RubricReader
             o.Warn(key, $": no folder of PATH has a program {program}; is it installed?");
     }
 
-    private static bool IsPath(string text) => text.Length > 0 && !text.Contains('\0'); // which no file system takes
-
     /// <summary>A path without "..", for messages: from the current folder, if it is not absolute.</summary>
     private static string Plain(string path) => Path.IsPathRooted(path) ? Path.GetFullPath(path) : Path.GetRelativePath(".", path);
 
@@ -144,9 +142,9 @@ public static class RubricReader
         if (o.Has("scenes") && files.Count == 0 && o.IsSound) o.Refuse("scenes", $" must name at least one scene file");
         for (var i = 0; i < files.Count; i++)
         {
-            if (!IsPath(files[i]))
+            if (files[i] is "")
             {
-                o.Refuse("scenes", $" must be the path of a scene file, but is \"{files[i]}\"", i);
+                o.Refuse("scenes", $" must be the path of a scene file, but is \"\"", i);
                 continue;
             }
             var path = Plain(Path.Combine(folder, files[i].Replace('\\', '/')));
