@@ -77,7 +77,7 @@ public sealed class InterruptionTests : IDisposable
         if (OperatingSystem.IsWindows()) return; // no kill command there
         using var process = raycaster.Start(Room, "-s", "20000x20000");
         WaitForTemporaryFile(process);
-        using (var kill = Process.Start("kill", ["-INT", $"{process.Id}"])) kill.WaitForExit();
+        RayCasterProcess.Send(process, "INT");
         Assert.Equal(130, RayCasterProcess.Kill(process, "INT"));
         Assert.Equal("raycaster: interrupted; nothing was written\n", process.StandardError.ReadToEnd());
         Assert.Empty(raycaster.Files);

@@ -76,7 +76,8 @@ internal sealed class RayCasterProcess : IDisposable
     /// <summary>Sends a signal as the shell's <c>kill</c> does.</summary>
     public static void Send(Process process, string signal)
     {
-        using var kill = Process.Start("kill", ["-" + signal, $"{process.Id}"]);
+        // The standard error of this process may be that of a run in another test, which must not read that there is no such process.
+        using var kill = Process.Start(new ProcessStartInfo("kill", ["-" + signal, $"{process.Id}"]) { RedirectStandardError = true })!;
         kill.WaitForExit();
     }
 
